@@ -1,0 +1,19 @@
+// Facts about the volumes of a world that follow from the tree alone.
+#pragma once
+
+#include <vector>
+
+#include "analysis/scene_plan.hpp"
+
+namespace navjit {
+
+struct WorldFacts {
+  std::vector<FrameFacts> frames;                     ///< by volume
+  std::vector<std::optional<VolumeId>> only_mothers;  ///< by volume
+  std::vector<TouchableId> touchables;  ///< by volume: how often it occurs in the tree
+  std::vector<char> reachable;          ///< by volume: occurs in the tree at all
+};
+
+WorldFacts analyse_world(const Geometry& geometry);
+
+}  // namespace navjit

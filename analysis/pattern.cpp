@@ -1,0 +1,45 @@
+#include "analysis/pattern.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace navjit {
+namespace {
+
+/// The number of distinct values, those closer than `tolerance` taken as one.
+std::size_t distinct(std::vector<double> values, double tolerance) {
+  std::sort(values.begin(), values.end());
+  std::size_t count = 1;
+  for (std::size_t i = 1; i < values.size(); ++i) count += values[i] - values[i - 1] > tolerance;
+  return count;
+}
+
+}  // namespace
+
+std::string describe_pattern(std::span<const Extent> boxes) {
+  if (boxes.empty()) return "leaf";
+  if (boxes.size() == 1) return "single";
+  std::vector<double> x, y, z;
+  for (const Extent& e : boxes) {
+    x.push_back((e.min.x + e.max.x) / 2);
+    y.push_back((e.min.y + e.max.y) / 2);
+    z.push_back((e.min.z + e.max.z) / 2);
+  }
+  const double tolerance = 1e-6;
+  const std::size_t n[3] = {distinct(x, tolerance), distinct(y, tolerance), distinct(z, tolerance)};
+  const char* axis[3] = {"x", "y", "z"};
+  for (int a = 0; a < 3; ++a) {
+    if (n[a] == boxes.size() && n[(a + 1) % 3] == 1 && n[(a + 2) % 3] == 1) {
+      return "stack of " + std::to_string(n[a]) + " along " + axis[a];
+    }
+  }
+  if (n[0] * n[1] * n[2] == boxes.size()) {
+    return "grid " + std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " +
+           std::to_string(n[2]);
+  }
+  if (n[0] == 1 && n[1] == 1 && n[2] == 1) return "nest of " + std::to_string(boxes.size());
+  return std::to_string(boxes.size()) + " daughters";
+}
+
+}  // namespace navjit

@@ -1,0 +1,137 @@
+#include "analysis/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "analysis/buckets.hpp"
+#include "analysis/pattern.hpp"
+
+namespace navjit {
+namespace {
+
+/// Up to this many daughters every one is spelled out and tested.
+constexpr std::size_t spell_out_limit = 4;
+
+/// Kernels that cost so much more than a slab test that their box goes first.
+bool costly(SolidKind kind) { return kind != SolidKind::box && kind != SolidKind::tube; }
+
+std::vector<DaughterClass> classify(const Geometry& geometry, const Scene& scene) {
+  std::vector<DaughterClass> classes;
+  for (std::uint32_t k = 0; k < scene.daughters.size(); ++k) {
+    const Daughter& d = scene.daughters[k];
+    const auto same = std::find_if(classes.begin(), classes.end(), [&](const DaughterClass& c) {
+      return c.solid.shape == d.solid.shape && c.rotated == d.transformation.rotated;
+    });
+    if (same != classes.end()) {
+      same->members.push_back(k);
+      continue;
+    }
+    classes.push_back({d.solid,
+                       geometry.world().volumes[d.volume].solid.extent,
+                       d.transformation.rotated,
+                       costly(d.solid.kind),
+                       {k}});
+  }
+  return classes;
+}
+
+double extent_scale(const Extent& e) {
+  double scale = 0;
+  for (const double x : {e.min.x, e.min.y, e.min.z, e.max.x, e.max.y, e.max.z}) {
+    scale = std::max(scale, std::abs(x));
+  }
+  return scale;
+}
+
+}  // namespace
+
+ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId volume) {
+  const Scene& scene = geometry.scene(volume);
+  const World& world = geometry.world();
+  ScenePlan plan;
+  plan.volume = volume;
+  plan.frame = facts.frames[volume];
+  plan.only_mother = facts.only_mothers[volume];
+  plan.classes = classify(geometry, scene);
+  std::vector<Extent> boxes;
+  for (const Daughter& d : scene.daughters) {
+    boxes.push_back(placed_extent(world.volumes[d.volume].solid, d.transformation));
+  }
+  const Extent& extent = world.volumes[volume].solid.extent;
+  plan.pattern = describe_pattern(boxes);
+  if (boxes.empty()) {
+    plan.candidates = Candidates::none;
+  } else if (boxes.size() <= spell_out_limit) {
+    plan.candidates = Candidates::all;
+    plan.mean_candidates = static_cast<double>(boxes.size());
+  } else {
+    // The margin covers the tolerance and every rounding of a position: 1e-9 relative is a million
+    // times the error of a coordinate.
+    const double margin = 2 * geometry.tolerance() + 1e-9 * extent_scale(extent);
+    plan.candidates = Candidates::buckets;
+    plan.buckets = make_buckets(extent, boxes, margin);
+    plan.mean_candidates = mean_candidates(plan.buckets);
+  }
+  return plan;
+}
+
+bool worth_compiling(const Geometry& geometry, const ScenePlan& plan, std::string* why) {
+  const auto no = [&](const char* reason) {
+    if (why != nullptr) *why = reason;
+    return false;
+  };
+  const std::size_t daughters = geometry.scene(plan.volume).daughters.size();
+  if (plan.candidates == Candidates::buckets && plan.mean_candidates > 24 &&
+      plan.mean_candidates > 0.25 * static_cast<double>(daughters)) {
+    return no("no partition leaves few candidates");
+  }
+  std::size_t distinct = 0;
+  for (const DaughterClass& c : plan.classes) distinct += c.members.size() > 1 ? 1 : 1;
+  if (distinct > 400) return no("too many different solids to spell out");
+  if (why != nullptr) *why = "constants fold, candidates are few";
+  return true;
+}
+
+std::string describe(const Geometry& geometry, const ScenePlan& plan) {
+  const LogicalVolume& volume = geometry.world().volumes[plan.volume];
+  std::ostringstream out;
+  out << "scene " << volume.name << "\n"
+      << "  solid        " << kind_name(volume.solid.kind) << "\n"
+      << "  daughters    " << volume.daughters.size() << " (" << plan.pattern << ")\n"
+      << "  frame        "
+      << (plan.frame.only_translation ? "constant"
+          : plan.frame.never_rotated  ? "translation only"
+          : plan.frame.only_rotation  ? "one rotation"
+                                      : "general")
+      << "\n"
+      << "  mother       "
+      << (plan.only_mother                      ? geometry.world().volumes[*plan.only_mother].name
+          : plan.volume == geometry.world().top ? std::string("none: the world")
+                                                : std::string("several"))
+      << "\n"
+      << "  candidates   ";
+  switch (plan.candidates) {
+    case Candidates::none:
+      out << "none";
+      break;
+    case Candidates::all:
+      out << "all, spelled out";
+      break;
+    case Candidates::buckets:
+      out << "buckets " << plan.buckets.count[0] << " x " << plan.buckets.count[1] << " x "
+          << plan.buckets.count[2] << ", " << plan.mean_candidates << " candidates a bucket";
+  }
+  out << "\n";
+  for (const DaughterClass& c : plan.classes) {
+    out << "  class        " << c.members.size() << " x " << kind_name(c.solid.kind)
+        << (c.rotated ? ", rotated" : "") << (c.box_first ? ", box first" : "") << "\n";
+  }
+  std::string why;
+  const bool worth = worth_compiling(geometry, plan, &why);
+  out << "  compile      " << (worth ? "yes: " : "no: ") << why << "\n";
+  return out.str();
+}
+
+}  // namespace navjit

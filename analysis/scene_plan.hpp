@@ -1,0 +1,63 @@
+// What a specialised navigator for one scene shall be: every decision, as data. Printed by
+// `navjit inspect`, turned into text by codegen, which decides nothing itself.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/navigation/geometry.hpp"
+
+namespace navjit {
+
+/// What is known about the frames of a volume over all its touchables.
+struct FrameFacts {
+  /// True: no touchable of this volume is rotated in the world.
+  bool never_rotated = false;
+  /// The rotation that all touchables share, where there is just one and it is not the identity.
+  std::optional<std::array<double, 9>> only_rotation;
+  /// The frame itself, where the volume has a single touchable.
+  std::optional<std::array<double, 3>> only_translation;
+};
+
+/// A regular partition of the scene into buckets along one to three axes, each with the daughters
+/// whose boxes reach into it. Stacks, grids, lattices and rings all become few candidates a bucket.
+struct Buckets {
+  std::array<int, 3> count{1, 1, 1};   ///< 1 on axes that are not split
+  std::array<double, 3> origin{};      ///< lower edge, mm
+  std::array<double, 3> width{};       ///< of a bucket, mm
+  std::vector<std::uint32_t> first;    ///< by bucket, and one more: start in `members`
+  std::vector<std::uint32_t> members;  ///< daughter indices, ascending within a bucket
+
+  std::size_t size() const { return first.empty() ? 0 : first.size() - 1; }
+};
+
+enum class Candidates : std::uint8_t {
+  none,     ///< no daughters
+  all,      ///< every daughter, spelled out
+  buckets,  ///< those of the buckets that the ray passes
+};
+
+/// Daughters that are tested by the same code: the same solid, placed with or without rotation.
+struct DaughterClass {
+  kernels::AnySolid<double> solid;
+  Extent extent;  ///< of the solid, in its own frame
+  bool rotated = false;
+  bool box_first = false;  ///< the solid is costly: test its box before
+  std::vector<std::uint32_t> members;
+};
+
+struct ScenePlan {
+  VolumeId volume = 0;
+  FrameFacts frame;
+  std::optional<VolumeId> only_mother;  ///< where all placements are in the same volume
+  Candidates candidates = Candidates::none;
+  Buckets buckets;
+  std::vector<DaughterClass> classes;
+  double mean_candidates = 0;  ///< expected candidates per bucket, by volume
+  std::string pattern;         ///< in words: "leaf", "stack of 70 along z", "grid 4 x 4", ...
+};
+
+}  // namespace navjit

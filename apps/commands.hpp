@@ -1,0 +1,39 @@
+// The commands. Each returns the exit status; errors of the input are thrown.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/rays.hpp"
+#include "runtime/options.hpp"
+
+namespace navjit::apps {
+
+struct InspectOptions {
+  std::string detector;
+  std::string scene;  ///< empty: all volumes in short
+  bool emit = false;  ///< print the generated source of the scene
+};
+int inspect(const InspectOptions& options);
+
+struct RunOptions {
+  std::string detector;
+  std::uint64_t rays = 100000;
+  RaySource source;
+  unsigned threads = 1;
+  RuntimeOptions runtime;
+  std::string report;  ///< JSON file; empty: none
+};
+int run(const RunOptions& options);
+
+struct TraceOptions {
+  std::string detector;
+  std::string rays;  ///< a file, or a number
+  std::uint64_t seed = 1;
+  unsigned threads = 1;
+  RuntimeOptions runtime;
+  std::string out;  ///< empty: standard output
+};
+int trace(const TraceOptions& options);
+
+}  // namespace navjit::apps

@@ -1,0 +1,89 @@
+// `navjit inspect`: what is in a detector, and what the analysis makes of a scene.
+#include <array>
+#include <cstdio>
+#include <map>
+#include <stdexcept>
+
+#include "analysis/plan.hpp"
+#include "apps/commands.hpp"
+#include "codegen/module.hpp"
+#include "geometry/gdml/reader.hpp"
+
+namespace navjit::apps {
+namespace {
+
+const char* search_name(Search search) {
+  switch (search) {
+    case Search::none:
+      return "-";
+    case Search::all:
+      return "all";
+    case Search::linear_boxes:
+      return "linear";
+    case Search::bvh:
+      return "bvh_h";
+  }
+  return "";
+}
+
+VolumeId find_volume(const World& world, const std::string& name) {
+  for (std::size_t v = 0; v < world.volumes.size(); ++v) {
+    if (world.volumes[v].name == name) return static_cast<VolumeId>(v);
+  }
+  throw std::runtime_error("no logical volume is called '" + name +
+                           "'; navjit inspect without --scene lists them");
+}
+
+void print_scene(const Geometry& geometry, const std::string& name, bool emit) {
+  const VolumeId volume = find_volume(geometry.world(), name);
+  const WorldFacts facts = analyse_world(geometry);
+  std::fputs(describe(geometry, plan_scene(geometry, facts, volume)).c_str(), stdout);
+  std::printf("  touchables   %llu\n", static_cast<unsigned long long>(facts.touchables[volume]));
+  if (emit) {
+    std::printf("\n%s", codegen::generate(geometry, facts, std::array{volume}).source.c_str());
+  }
+}
+
+void print_world(const Geometry& geometry, const std::string& file, const GdmlReport& report) {
+  const World& world = geometry.world();
+  const WorldFacts facts = analyse_world(geometry);
+  std::size_t placements = 0, unused = 0;
+  for (std::size_t v = 0; v < world.volumes.size(); ++v) {
+    placements += world.volumes[v].daughters.size();
+    unused += facts.reachable[v] ? 0 : 1;
+  }
+  std::printf(
+      "%s\n%zu logical volumes, %zu placements, %llu touchables, %d levels, tolerance %g mm\n",
+      file.c_str(), world.volumes.size(), placements,
+      static_cast<unsigned long long>(world.volumes[world.top].touchables), world.depth,
+      world.tolerance);
+  if (unused > 0) std::printf("%zu volumes are not in the tree\n", unused);
+  for (const std::string& note : report.notes) std::printf("note: %s\n", note.c_str());
+  std::printf("\n%10s %6s %-13s %-7s %-28s %s\n", "touchables", "daught", "solid", "search",
+              "arrangement", "volume");
+  for (std::size_t v = 0; v < world.volumes.size(); ++v) {
+    if (!facts.reachable[v]) continue;
+    const auto volume = static_cast<VolumeId>(v);
+    const ScenePlan plan = plan_scene(geometry, facts, volume);
+    std::printf("%10llu %6zu %-13s %-7s %-28s %s\n",
+                static_cast<unsigned long long>(facts.touchables[v]),
+                world.volumes[v].daughters.size(), kind_name(world.volumes[v].solid.kind),
+                search_name(geometry.scene(volume).search), plan.pattern.c_str(),
+                world.volumes[v].name.c_str());
+  }
+}
+
+}  // namespace
+
+int inspect(const InspectOptions& options) {
+  GdmlReport report;
+  const Geometry geometry(std::make_shared<const World>(read_gdml(options.detector, {}, &report)));
+  if (options.scene.empty()) {
+    print_world(geometry, options.detector, report);
+  } else {
+    print_scene(geometry, options.scene, options.emit);
+  }
+  return 0;
+}
+
+}  // namespace navjit::apps

@@ -1,0 +1,135 @@
+// The `navjit` command: reads the command line, calls the commands, turns exceptions into one line.
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <map>
+
+#include "apps/commands.hpp"
+
+namespace {
+
+using namespace navjit;
+
+const std::map<std::string, JitMode> jit_modes{{"off", JitMode::off},
+                                               {"on", JitMode::on},
+                                               {"wait", JitMode::wait},
+                                               {"shadow", JitMode::shadow}};
+const std::map<std::string, Level> levels{{"exact", Level::exact}};
+
+void add_runtime_options(CLI::App* command, RuntimeOptions& options) {
+  command->add_option("--jit", options.jit, "off, on, wait (specialise first) or shadow (compare)")
+      ->transform(CLI::CheckedTransformer(jit_modes).description(""))
+      ->option_text("MODE");
+  command->add_option("--level", options.level, "accuracy: exact")
+      ->transform(CLI::CheckedTransformer(levels).description(""))
+      ->option_text("LEVEL");
+  command->add_option("--opt", options.specialiser.optimisation, "compiler's optimisation, 0 to 3")
+      ->check(CLI::Range(0, 3))
+      ->option_text("N");
+  command->add_flag("--perf-map", options.specialiser.perf_map,
+                    "name generated functions for perf (/tmp/perf-PID.map)");
+}
+
+void add_threads(CLI::App* command, unsigned& threads) {
+  command->add_option("--threads", threads, "navigating threads")
+      ->check(CLI::Range(1U, 1024U))
+      ->option_text("T");
+}
+
+/// "a,b,c" as numbers. Throws CLI::ValidationError.
+std::vector<double> numbers(const std::string& option, const std::string& text, std::size_t count) {
+  std::vector<double> values;
+  std::size_t at = 0;
+  while (at <= text.size()) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const std::string field = text.substr(at, comma - at);
+    char* end = nullptr;
+    values.push_back(std::strtod(field.c_str(), &end));
+    if (field.empty() || *end != '\0' || !std::isfinite(values.back())) {
+      throw CLI::ValidationError(option, "'" + field + "' is not a finite number");
+    }
+    at = comma + 1;
+  }
+  if (values.size() != count) {
+    throw CLI::ValidationError(option, std::to_string(count) + " numbers with commas are needed");
+  }
+  return values;
+}
+
+int parse_and_run(int argc, char** argv) {
+  CLI::App app{"Particle transport through detectors, with navigators written while it runs"};
+  app.name("navjit");
+  app.require_subcommand(1);
+  bool verbose = false;
+  app.add_flag("-v,--verbose", verbose, "log decisions");
+
+  apps::InspectOptions inspect;
+  CLI::App* inspect_command = app.add_subcommand("inspect", "What is in a detector");
+  inspect_command->add_option("detector", inspect.detector, "GDML file")->required();
+  inspect_command->add_option("--scene", inspect.scene, "analysis of one logical volume");
+  inspect_command->add_flag("--emit", inspect.emit, "print the scene's generated source")
+      ->needs("--scene");
+
+  apps::RunOptions run;
+  std::string origin, eta;
+  CLI::App* run_command = app.add_subcommand("run", "Transport rays with the JIT on");
+  run_command->add_option("detector", run.detector, "GDML file")->required();
+  run_command->add_option("--rays", run.rays, "number of rays")->check(CLI::PositiveNumber);
+  run_command->add_option("--seed", run.source.seed, "of the random rays");
+  run_command->add_option("--origin", origin, "start of all rays, mm (default: over the world)")
+      ->option_text("X,Y,Z");
+  run_command->add_option("--eta", eta, "pseudorapidity about +z (default: isotropic)")
+      ->option_text("LO,HI");
+  run_command->add_option("--report", run.report, "write a JSON report")->option_text("FILE");
+  add_threads(run_command, run.threads);
+  add_runtime_options(run_command, run.runtime);
+
+  apps::TraceOptions trace;
+  CLI::App* trace_command = app.add_subcommand("trace", "Write every step of every ray");
+  trace_command->add_option("detector", trace.detector, "GDML file")->required();
+  trace_command->add_option("--rays", trace.rays, "CSV file of rays, or their number")
+      ->required()
+      ->option_text("FILE|N");
+  trace_command->add_option("--seed", trace.seed, "of random rays");
+  trace_command->add_option("--out", trace.out, "CSV file (default: standard output)")
+      ->option_text("FILE");
+  add_threads(trace_command, trace.threads);
+  add_runtime_options(trace_command, trace.runtime);
+
+  try {
+    app.parse(argc, argv);
+    if (!origin.empty()) {
+      const auto v = numbers("--origin", origin, 3);
+      run.source.origin = Vec3{v[0], v[1], v[2]};
+    }
+    if (!eta.empty()) {
+      const auto v = numbers("--eta", eta, 2);
+      run.source.eta = {v[0], v[1]};
+    }
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::Error& error) {
+    std::fprintf(stderr, "navjit: %s; see navjit --help\n", error.what());
+    return 2;
+  }
+  spdlog::set_default_logger(spdlog::stderr_color_mt("navjit"));
+  spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
+  if (*inspect_command) return apps::inspect(inspect);
+  if (*run_command) return apps::run(run);
+  return apps::trace(trace);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "navjit: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,167 @@
+// `navjit run`: transports rays, shows how it goes, and what specialisation won.
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <stdexcept>
+#include <thread>
+
+#include "apps/commands.hpp"
+#include "apps/run_report.hpp"
+#include "geometry/gdml/reader.hpp"
+#include "runtime/runtime.hpp"
+
+namespace navjit::apps {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Rays that a thread takes at a time. Sums are made per chunk and added in order, so that they do
+/// not depend on the number of threads.
+constexpr std::uint64_t rays_per_chunk = 64;
+
+struct ChunkTotals {
+  std::uint64_t steps = 0;
+  std::uint64_t stuck = 0;
+  double length = 0;
+};
+
+/// Counters that the progress line reads while threads work.
+struct Progress {
+  std::atomic<std::uint64_t> rays{0};
+  std::atomic<std::uint64_t> steps{0};
+  std::atomic<bool> done{false};
+};
+
+struct SceneCounts {
+  std::size_t hot = 0, compiling = 0, swapped = 0;
+};
+
+SceneCounts count_scenes(const RuntimeReport& report) {
+  SceneCounts counts;
+  for (const SceneReport& scene : report.scenes) {
+    counts.hot += scene.share >= 0.01 ? 1 : 0;
+    counts.compiling += scene.status == SceneStatus::compiling ? 1 : 0;
+    counts.swapped += scene.status == SceneStatus::specialised ? 1 : 0;
+  }
+  return counts;
+}
+
+void print_progress(const Progress& progress, std::uint64_t rays, const RuntimeReport& report,
+                    double seconds, double steps_per_second, bool terminal) {
+  const SceneCounts scenes = count_scenes(report);
+  std::fprintf(stderr,
+               "%s%6.1f s  %llu of %llu rays  %7.3f M steps/s  scenes: %zu hot, %zu compiling, "
+               "%zu swapped%s",
+               terminal ? "\r\033[K" : "", seconds,
+               static_cast<unsigned long long>(progress.rays.load()),
+               static_cast<unsigned long long>(rays), steps_per_second / 1e6, scenes.hot,
+               scenes.compiling, scenes.swapped, terminal ? "" : "\n");
+  std::fflush(stderr);
+}
+
+/// Watches until the run is done: the progress line, and when the last swap was.
+struct Watch {
+  double last_swap_s = 0;
+  std::uint64_t steps_at_last_swap = 0;
+
+  void follow(const Runtime& runtime, const Progress& progress, std::uint64_t rays,
+              Clock::time_point start) {
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    const double interval = terminal ? 0.2 : 2.0;
+    double shown = 0;
+    std::uint64_t shown_steps = 0;
+    std::size_t swapped = 0;
+    while (!progress.done.load()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      const double t = seconds_since(start);
+      const RuntimeReport report = runtime.report();
+      const std::size_t now_swapped = count_scenes(report).swapped;
+      if (now_swapped != swapped) {
+        swapped = now_swapped;
+        last_swap_s = t;
+        steps_at_last_swap = progress.steps.load();
+      }
+      if (t - shown < interval) continue;
+      const std::uint64_t steps = progress.steps.load();
+      print_progress(progress, rays, report, t,
+                     static_cast<double>(steps - shown_steps) / (t - shown), terminal);
+      shown = t;
+      shown_steps = steps;
+    }
+    if (terminal) std::fputs("\r\033[K", stderr);
+  }
+};
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  Runtime runtime(read_gdml(options.detector), options.runtime);
+  const World& world = runtime.world();
+  const std::uint64_t chunks = (options.rays + rays_per_chunk - 1) / rays_per_chunk;
+  std::vector<ChunkTotals> totals(chunks);
+  Progress progress;
+  std::atomic<std::uint64_t> next{0};
+  std::atomic<std::uint64_t> differences{0}, declined{0};
+  const auto work = [&] {
+    Navigator navigator = runtime.navigator();
+    for (std::uint64_t c; (c = next.fetch_add(1)) < chunks;) {
+      const std::uint64_t last = std::min(options.rays, (c + 1) * rays_per_chunk);
+      for (std::uint64_t i = c * rays_per_chunk; i < last; ++i) {
+        const RayTotals ray =
+            transport(navigator, make_ray(options.source, world, i), world.tolerance);
+        totals[c].steps += ray.steps;
+        totals[c].length += ray.length;
+        totals[c].stuck += ray.stuck ? 1 : 0;
+      }
+      progress.rays.fetch_add(last - c * rays_per_chunk, std::memory_order_relaxed);
+      progress.steps.fetch_add(totals[c].steps, std::memory_order_relaxed);
+    }
+    differences += navigator.counts().differences;
+    declined += navigator.counts().declined;
+  };
+
+  const Clock::time_point start = Clock::now();
+  Watch watch;
+  std::jthread watcher([&] { watch.follow(runtime, progress, options.rays, start); });
+  std::vector<std::jthread> threads;
+  for (unsigned t = 1; t < options.threads; ++t) threads.emplace_back(work);
+  work();
+  threads.clear();
+  const double seconds = seconds_since(start);
+  progress.done = true;
+  watcher.join();
+
+  RunReport report;
+  report.detector = options.detector;
+  report.rays = options.rays;
+  report.threads = options.threads;
+  report.jit = options.runtime.jit;
+  for (const ChunkTotals& chunk : totals) {
+    report.steps += chunk.steps;
+    report.stuck += chunk.stuck;
+    report.length_mm += chunk.length;
+  }
+  report.seconds = seconds;
+  report.steps_per_second = static_cast<double>(report.steps) / seconds;
+  report.warm_steps_per_second =
+      static_cast<double>(report.steps - watch.steps_at_last_swap) / (seconds - watch.last_swap_s);
+  report.declined = declined;
+  report.differences = differences;
+  report.runtime = runtime.final_report();
+  print_table(report);
+  if (!options.report.empty()) write_json(report, options.report);
+  if (differences > 0) {
+    throw std::runtime_error(std::to_string(differences.load()) +
+                             " steps differed from the generic navigator's");
+  }
+  return 0;
+}
+
+}  // namespace navjit::apps

@@ -1,0 +1,136 @@
+#include "apps/run_report.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace navjit::apps {
+namespace {
+
+/// Scenes with less than this share are summed up in one line.
+constexpr double least_share = 0.002;
+
+const char* jit_name(JitMode mode) {
+  switch (mode) {
+    case JitMode::off:
+      return "off";
+    case JitMode::on:
+      return "on";
+    case JitMode::wait:
+      return "wait";
+    case JitMode::shadow:
+      return "shadow";
+  }
+  return "";
+}
+
+/// "123.4", or a dash for what was not measured.
+std::string figure(double value, const char* format) {
+  if (!(value > 0)) return "-";
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+}  // namespace
+
+double generic_steps_per_second(const RunReport& report) {
+  double timed = 0, ns = 0;
+  for (const SceneReport& scene : report.runtime.scenes) {
+    if (!(scene.generic_ns_per_step > 0)) continue;
+    timed += scene.share;
+    ns += scene.share * scene.generic_ns_per_step;
+  }
+  return timed > 0.9 ? 1e9 * timed / ns * report.threads : 0;
+}
+
+void print_table(const RunReport& report) {
+  std::printf("\n%-44s %7s %9s %9s %9s %8s  %s\n", "scene", "steps", "ns/step", "ns/step",
+              "compile", "swapped", "status");
+  std::printf("%-44s %7s %9s %9s %9s %8s\n", "", "share", "generic", "special.", "ms", "at s");
+  double rest = 0;
+  std::size_t others = 0;
+  for (const SceneReport& s : report.runtime.scenes) {
+    if (s.share < least_share) {
+      rest += s.share;
+      ++others;
+      continue;
+    }
+    const std::string name =
+        s.volume.size() <= 44 ? s.volume : "..." + s.volume.substr(s.volume.size() - 41);
+    std::printf("%-44s %6.2f%% %9s %9s %9s %8s  %s%s%s\n", name.c_str(), 100 * s.share,
+                figure(s.generic_ns_per_step, "%.1f").c_str(),
+                figure(s.specialised_ns_per_step, "%.1f").c_str(),
+                figure(s.compile_ms, "%.1f").c_str(), figure(s.swapped_at_s, "%.2f").c_str(),
+                status_name(s.status), s.note.empty() ? "" : ": ",
+                s.note.substr(0, s.note.find('\n')).c_str());
+  }
+  if (others > 0) {
+    std::printf("%-44s %6.2f%%\n", ("(" + std::to_string(others) + " more)").c_str(), 100 * rest);
+  }
+  std::printf("\n%llu rays, %llu steps, %.9g mm, %llu stuck, %u thread%s, %.2f s\n",
+              static_cast<unsigned long long>(report.rays),
+              static_cast<unsigned long long>(report.steps), report.length_mm,
+              static_cast<unsigned long long>(report.stuck), report.threads,
+              report.threads == 1 ? "" : "s", report.seconds);
+  std::printf("%.3f M steps/s", report.steps_per_second / 1e6);
+  if (report.jit != JitMode::off) {
+    std::printf(" over the whole run, %.3f M steps/s after the last swap",
+                report.warm_steps_per_second / 1e6);
+  }
+  std::printf("; jit %s\n", jit_name(report.jit));
+  if (report.jit == JitMode::on || report.jit == JitMode::wait) {
+    const double generic = generic_steps_per_second(report);
+    if (generic > 0) {
+      std::printf(
+          "estimated without the JIT: %.3f M steps/s (recorded states, replayed); "
+          "--jit off measures it\n",
+          generic / 1e6);
+    }
+    std::printf("%zu modules, %.0f ms of compilation, %zu kB of code, %llu states declined\n",
+                report.runtime.modules, report.runtime.compile_ms, report.runtime.code_bytes / 1024,
+                static_cast<unsigned long long>(report.declined));
+  }
+}
+
+void write_json(const RunReport& report, const std::string& path) {
+  nlohmann::ordered_json json{
+      {"detector", report.detector},
+      {"rays", report.rays},
+      {"steps", report.steps},
+      {"stuck", report.stuck},
+      {"length_mm", report.length_mm},
+      {"seconds", report.seconds},
+      {"steps_per_second", report.steps_per_second},
+      {"warm_steps_per_second", report.warm_steps_per_second},
+      {"level", "exact"},
+      {"threads", report.threads},
+      {"jit", jit_name(report.jit)},
+      {"declined", report.declined},
+      {"differences", report.differences},
+      {"modules", report.runtime.modules},
+      {"compile_ms", report.runtime.compile_ms},
+      {"code_bytes", report.runtime.code_bytes},
+  };
+  auto& scenes = json["scenes"] = nlohmann::ordered_json::array();
+  for (const SceneReport& s : report.runtime.scenes) {
+    scenes.push_back({{"volume", s.volume},
+                      {"steps", s.steps},
+                      {"share", s.share},
+                      {"generic_ns_per_step", s.generic_ns_per_step},
+                      {"specialised_ns_per_step", s.specialised_ns_per_step},
+                      {"compile_ms", s.compile_ms},
+                      {"swapped_at_s", s.swapped_at_s},
+                      {"status", status_name(s.status)},
+                      {"note", s.note}});
+  }
+  std::ofstream out(path);
+  out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  out.flush();
+  if (!out) throw std::runtime_error(path + ": " + std::strerror(errno));
+}
+
+}  // namespace navjit::apps

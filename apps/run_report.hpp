@@ -1,0 +1,33 @@
+// What `navjit run` tells at its end: a table for people, JSON for programs.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "runtime/options.hpp"
+#include "runtime/report.hpp"
+
+namespace navjit::apps {
+
+struct RunReport {
+  std::string detector;
+  std::uint64_t rays = 0, steps = 0, stuck = 0;
+  double length_mm = 0;
+  double seconds = 0;
+  double steps_per_second = 0;       ///< whole run
+  double warm_steps_per_second = 0;  ///< after the last swap
+  unsigned threads = 1;
+  JitMode jit = JitMode::on;
+  std::uint64_t declined = 0, differences = 0;
+  RuntimeReport runtime;
+};
+
+void print_table(const RunReport& report);
+/// Throws std::runtime_error if the file cannot be written.
+void write_json(const RunReport& report, const std::string& path);
+
+/// The rate the run would have had with generic navigators: its steps at their measured cost.
+/// 0 if too few scenes were timed.
+double generic_steps_per_second(const RunReport& report);
+
+}  // namespace navjit::apps

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace navjit::peers {
+
+/// How VecGeom searches a volume's daughters. Whatever is chosen, a volume without daughters gets
+/// the simple navigator.
+enum class VecGeomNavigator {
+  simple,
+  abbox,
+  hybrid,
+  bvh,
+  automatic,  ///< by daughters: simple up to 4, abbox up to 12, hybrid above
+};
+
+/// A straight ray: mm, unit direction.
+struct Ray {
+  double position[3];
+  double direction[3];
+};
+
+/// One step of a ray.
+struct Segment {
+  std::uint32_t ray;     ///< index into the rays traced
+  std::uint32_t volume;  ///< index into VecGeomPeer::names()
+  double length;         ///< mm; negative if the ray got stuck here and was given up
+
+  bool stuck() const { return length < 0; }
+};
+
+/// VecGeom, for measurements beside it.
+///
+/// VecGeom keeps its geometry in a singleton, so a process can load one world, once.
+///
+/// VecGeom trusts its input: on a file it does not understand it may abort, crash, hang or silently
+/// build another geometry than the one described. load() refuses what can be told beforehand; give
+/// it unknown files only in a process that may die. Calls on one object must not overlap use(); the
+/// others are const and may run in parallel.
+class VecGeomPeer {
+ public:
+  /// Steps, their summed length in mm, rays given up.
+  struct Totals {
+    std::uint64_t steps = 0;
+    double length = 0;
+    std::uint64_t stuck = 0;
+    std::uint64_t zero_steps = 0;  ///< those of `steps` that VecGeom made without getting on
+  };
+
+  /// Located starting points, for one_step() and safety().
+  class States {
+   public:
+    States(States&&) noexcept;
+    States& operator=(States&&) noexcept;
+    ~States();
+
+    std::size_t size() const;
+    /// Points that lie outside the world; the measurements skip them.
+    std::size_t outside() const;
+    /// Index into names() of the volume in which point i lies, or -1 if it lies outside the world.
+    std::int64_t volume(std::size_t i) const;
+
+   private:
+    friend class VecGeomPeer;
+    struct Impl;
+    explicit States(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+  };
+
+  /// Reads a GDML file, lengths in mm, and installs the automatic navigator. Returns null and says
+  /// why in `error` if VecGeom refuses the file, or if the file holds something that VecGeom drops
+  /// without a word.
+  static std::unique_ptr<VecGeomPeer> load(const std::string& gdml_file, std::string& error);
+
+  VecGeomPeer(const VecGeomPeer&) = delete;
+  VecGeomPeer& operator=(const VecGeomPeer&) = delete;
+  ~VecGeomPeer();
+
+  /// Names of the logical volumes, the world's among them, as in the GDML file; mirrored copies
+  /// have
+  /// `_refl` appended. Not necessarily unique.
+  const std::vector<std::string>& names() const { return names_; }
+
+  /// Installs navigators, with the level locators and safety estimators that belong to them, for
+  /// all volumes.
+  void use(VecGeomNavigator navigator);
+
+  /// VecGeom remembers which volume was left last, so as not to enter it again at distance zero;
+  /// but it remembers the placement, not the touchable, and so passes unseen through neighbours
+  /// that are copies of each other. The memory is therefore wiped at each step, unless this asks
+  /// for VecGeom's own behaviour. Wiping takes no measurable time, but makes more zero steps.
+  void keep_last_exited(bool keep) { keep_last_exited_ = keep; }
+
+  /// Every step of every ray until it leaves the world. A ray that starts outside has none; one
+  /// that makes 100 zero steps in a row, or `max_steps_per_ray` steps, ends with a stuck segment.
+  std::vector<Segment> trace(std::span<const Ray> rays, std::uint64_t max_steps_per_ray) const;
+
+  /// The same loop with nothing recorded: the one to time. Includes locating the starts.
+  Totals transport(std::span<const Ray> rays, std::uint64_t max_steps_per_ray) const;
+
+  /// Locates the rays' starting points.
+  States prepare_states(std::span<const Ray> rays) const;
+
+  /// One step and the relocation behind it for every ray, from states prepared for the same rays.
+  /// If all lie in one volume its navigator is looked up once.
+  Totals one_step(const States& states, std::span<const Ray> rays) const;
+
+  /// Sum in mm of the isotropic safeties at the starting points of the rays.
+  double safety(const States& states, std::span<const Ray> rays) const;
+
+ private:
+  VecGeomPeer() = default;
+
+  std::vector<std::string> names_;
+  std::vector<std::uint32_t> index_of_id_;  // VecGeom's logical volume id to an index into names_
+  int state_depth_ = 0;
+  bool has_hybrid_ = false;
+  bool has_bvh_ = false;
+  bool keep_last_exited_ = false;
+};
+
+}  // namespace navjit::peers

@@ -1,0 +1,10 @@
+# Writes a C++ file with the text of each kernel: OUTPUT, KERNELS (list of paths).
+set(code "// Generated from geometry/kernels.\n#include \"codegen/kernel_texts.hpp\"\n\n")
+string(APPEND code "namespace navjit::codegen {\n\nstd::string_view kernel_text(std::string_view name) {\n")
+foreach(path IN LISTS KERNELS)
+  get_filename_component(name ${path} NAME_WE)
+  file(READ ${path} text)
+  string(APPEND code "  if (name == \"${name}\") {\n    return R\"navjit(${text})navjit\";\n  }\n")
+endforeach()
+string(APPEND code "  return {};\n}\n\n}  // namespace navjit::codegen\n")
+file(WRITE ${OUTPUT} "${code}")

@@ -1,0 +1,29 @@
+# What every target is compiled with. Contraction is off for a reason: answers have to be the same
+# bits as those of generated code (docs/numerics.md).
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off -fno-math-errno)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  add_compile_options(-Wno-restrict)  # false alarms in std::string, GCC bug 105329
+endif()
+if(NAVJIT_NATIVE)
+  add_compile_options(-march=native)
+endif()
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+if(NAVJIT_SANITIZE)
+  add_compile_options(-fsanitize=${NAVJIT_SANITIZE} -fno-omit-frame-pointer -g1)
+  add_link_options(-fsanitize=${NAVJIT_SANITIZE})
+  if(NAVJIT_SANITIZE STREQUAL "undefined")
+    add_compile_options(-fno-sanitize-recover=undefined)
+  endif()
+endif()
+
+# A library of all sources of this folder, with the project's root as include directory.
+function(navjit_library name)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  add_library(${name} STATIC ${sources})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+endfunction()

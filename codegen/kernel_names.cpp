@@ -1,0 +1,83 @@
+#include "codegen/kernel_names.hpp"
+
+#include <array>
+
+namespace navjit::codegen {
+namespace {
+
+constexpr std::array order{"convex", "box",    "trd",   "trap",     "wedge",     "tube",   "cone",
+                           "orb",    "sphere", "stack", "polycone", "polyhedra", "boolean"};
+constexpr std::array box{"convex", "box"};
+constexpr std::array trd{"convex", "trd"};
+constexpr std::array trap{"convex", "trap"};
+constexpr std::array tube{"convex", "wedge", "tube"};
+constexpr std::array cone{"convex", "wedge", "tube", "cone"};
+constexpr std::array orb{"convex", "wedge", "tube", "cone", "orb"};
+constexpr std::array sphere{"convex", "wedge", "tube", "cone", "orb", "sphere"};
+constexpr std::array polycone{"convex", "wedge", "tube", "cone", "stack", "polycone"};
+constexpr std::array polyhedra{"convex", "wedge", "tube", "cone", "stack", "polycone", "polyhedra"};
+constexpr std::array boolean{"convex", "boolean"};
+
+}  // namespace
+
+std::span<const char* const> kernels_of(SolidKind kind) {
+  switch (kind) {
+    case SolidKind::box:
+      return box;
+    case SolidKind::tube:
+      return tube;
+    case SolidKind::cone:
+      return cone;
+    case SolidKind::trd:
+      return trd;
+    case SolidKind::trap:
+      return trap;
+    case SolidKind::orb:
+      return orb;
+    case SolidKind::sphere:
+      return sphere;
+    case SolidKind::polycone:
+      return polycone;
+    case SolidKind::polyhedra:
+      return polyhedra;
+    case SolidKind::placed:
+    case SolidKind::union_of:
+    case SolidKind::intersection_of:
+    case SolidKind::subtraction_of:
+      return boolean;
+  }
+  return {};
+}
+
+std::string shape_type(SolidKind kind) {
+  switch (kind) {
+    case SolidKind::box:
+      return "Box<double>";
+    case SolidKind::tube:
+      return "Tube<double>";
+    case SolidKind::cone:
+      return "Cone<double>";
+    case SolidKind::trd:
+      return "Trd<double>";
+    case SolidKind::trap:
+      return "Trap<double>";
+    case SolidKind::orb:
+      return "Orb<double>";
+    case SolidKind::sphere:
+      return "Sphere<double>";
+    case SolidKind::polycone:
+      return "Polycone<double>";
+    case SolidKind::polyhedra:
+      return "Polyhedra<double>";
+    case SolidKind::placed:
+    case SolidKind::union_of:
+    case SolidKind::intersection_of:
+    case SolidKind::subtraction_of:
+      break;
+  }
+  return {};
+}
+
+std::span<const char* const> kernel_order() { return order; }
+
+}  // namespace navjit::codegen

@@ -1,0 +1,18 @@
+// How each kind of solid is spelled in generated code. A new kernel needs a line here.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "geometry/solids/solid.hpp"
+
+namespace navjit::codegen {
+
+/// The kernel files that a kind needs, beside the prelude; without those of its operands.
+std::span<const char* const> kernels_of(SolidKind kind);
+/// The type of a kind that is not made of other solids, in namespace navjit::kernels.
+std::string shape_type(SolidKind kind);
+/// All kernel files of solids, in the order in which they have to appear.
+std::span<const char* const> kernel_order();
+
+}  // namespace navjit::codegen

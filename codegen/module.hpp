@@ -1,0 +1,29 @@
+// ScenePlans in, the text of one module out: header-free C++ with the kernels it needs.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/plan.hpp"
+
+namespace navjit::codegen {
+
+/// The entry points of one volume in a module; extern "C" symbols.
+struct Entry {
+  VolumeId volume;
+  std::string step;
+  std::string settle;
+};
+
+struct Module {
+  std::string source;
+  std::vector<Entry> entries;
+};
+
+/// Generates navigators for `hot` volumes. Where scenes feed each other their relocation is
+/// inlined: plans for mothers and daughters of hot scenes are made as needed.
+Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<const VolumeId> hot);
+
+}  // namespace navjit::codegen

@@ -1,0 +1,52 @@
+// The functions of one scene as C++ text.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "analysis/scene_plan.hpp"
+#include "codegen/shapes.hpp"
+
+namespace navjit::codegen {
+
+/// Volumes whose relocation is in the same module and is called directly.
+struct Neighbours {
+  std::set<VolumeId> enter;    ///< downward
+  std::set<VolumeId> reenter;  ///< out of a daughter
+};
+
+/// Writes what the plan says. All text is inside namespace navjit::kernels.
+class SceneText {
+ public:
+  SceneText(const Geometry& geometry, const ScenePlan& plan, const Neighbours& neighbours,
+            Shapes& shapes);
+
+  std::string enter_declaration() const;
+  std::string reenter_declaration() const;
+  /// Data of the daughters, frames, and the searches that the functions below use.
+  std::string search() const;
+  std::string enter() const;
+  std::string reenter() const;
+  std::string step(const std::string& symbol) const;
+  std::string settle(const std::string& symbol) const;
+
+ private:
+  std::string frame() const;
+  std::string tables() const;
+  std::string daughter_case(const DaughterClass& c, const char* call, const std::string& x,
+                            const std::string& y, const std::string& z,
+                            const std::string& rotation) const;
+  std::string push() const;
+  std::string descend() const;
+  std::string leave_to_mother(const char* blocked) const;
+  bool leaf(VolumeId volume) const;
+
+  const Geometry& geometry_;
+  const ScenePlan& plan_;
+  const Neighbours& neighbours_;
+  Shapes& shapes_;
+  const Scene& scene_;
+  std::string ns_;  ///< namespace of the scene's functions
+};
+
+}  // namespace navjit::codegen

@@ -1,0 +1,121 @@
+#include "codegen/shapes.hpp"
+
+#include <type_traits>
+
+#include "codegen/kernel_names.hpp"
+#include "codegen/text.hpp"
+#include "geometry/solids/fields.hpp"
+
+namespace navjit::codegen {
+namespace {
+
+using kernels::AnySolid;
+
+// The types of what shapes have arrays of.
+std::string element_type(const kernels::Section<double>&) { return "Section<double>"; }
+std::string element_type(const kernels::Ledge<double>&) { return "Ledge<double>"; }
+std::string element_type(const kernels::SideNormal<double>&) { return "SideNormal<double>"; }
+
+/// Writes the fields of a shape as an initialiser; arrays become constants of their own.
+struct LiteralWriter {
+  std::string& definitions;
+  int& arrays;
+  std::string out;
+
+  void separate() {
+    if (!out.empty()) out += ", ";
+  }
+  template <class Field>
+  std::string one(const Field& field) {
+    if constexpr (std::is_floating_point_v<Field>) {
+      return number(field);
+    } else if constexpr (std::is_integral_v<Field>) {
+      return std::to_string(field);
+    } else {
+      LiteralWriter inner{definitions, arrays, {}};
+      visit_fields(field, inner);
+      return "{" + inner.out + "}";
+    }
+  }
+  template <class Field>
+  void operator()(const char*, const Field& field) {
+    separate();
+    out += one(field);
+  }
+  template <class Field>
+  void operator()(const char*, const Field* fields, int count) {
+    separate();
+    if (count == 0) {
+      out += "nullptr";
+      return;
+    }
+    const std::string type = element_type(fields[0]);
+    std::string text;
+    for (int i = 0; i < count; ++i) text += (i == 0 ? "" : ", ") + one(fields[i]);
+    const std::string name = "array_" + std::to_string(arrays++);
+    definitions += "constexpr " + type + " " + name + "[] = {" + text + "};\n";
+    out += name;
+  }
+};
+
+}  // namespace
+
+std::string Shapes::type(const AnySolid<double>& solid) {
+  for (const char* kernel : kernels_of(solid.kind)) kernels_.insert(kernel);
+  const auto pair = [&](const char* name, const AnySolid<double>& a, const AnySolid<double>& b) {
+    return std::string(name) + "<" + type(a) + ", " + type(b) + ">";
+  };
+  switch (solid.kind) {
+    case SolidKind::placed:
+      return "Placed<double, " +
+             type(static_cast<const kernels::AnyPlaced<double>*>(solid.shape)->solid) + ">";
+    case SolidKind::union_of: {
+      const auto& s = *static_cast<const kernels::AnyUnion<double>*>(solid.shape);
+      return pair("Union", s.a, s.b);
+    }
+    case SolidKind::intersection_of: {
+      const auto& s = *static_cast<const kernels::AnyIntersection<double>*>(solid.shape);
+      return pair("Intersection", s.a, s.b);
+    }
+    case SolidKind::subtraction_of: {
+      const auto& s = *static_cast<const kernels::AnySubtraction<double>*>(solid.shape);
+      return pair("Subtraction", s.a, s.b);
+    }
+    default:
+      return shape_type(solid.kind);
+  }
+}
+
+std::string Shapes::literal(const AnySolid<double>& solid) {
+  return visit(solid, [&](const auto& shape) -> std::string {
+    using Shape = std::decay_t<decltype(shape)>;
+    if constexpr (std::is_same_v<Shape, kernels::AnyPlaced<double>>) {
+      std::string text = "{" + literal(shape.solid) + ", " + std::to_string(shape.rotated) + ", {";
+      for (const double x : shape.translation) text += number(x) + ", ";
+      text += "}, {";
+      for (const double x : shape.rotation) text += number(x) + ", ";
+      return text + "}}";
+    } else if constexpr (requires {
+                           shape.a;
+                           shape.b;
+                         }) {
+      return "{" + literal(shape.a) + ", " + literal(shape.b) + "}";
+    } else {
+      LiteralWriter writer{definitions_, arrays_, {}};
+      visit_fields(shape, writer);
+      return "{" + writer.out + "}";
+    }
+  });
+}
+
+std::string Shapes::constant(const AnySolid<double>& solid) {
+  const auto known = constants_.find(solid.shape);
+  if (known != constants_.end()) return known->second;
+  const std::string name = "solid_" + std::to_string(constants_.size());
+  const std::string solid_type = type(solid), value = literal(solid);
+  definitions_ += "constexpr " + solid_type + " " + name + value + ";\n";
+  constants_.emplace(solid.shape, name);
+  return name;
+}
+
+}  // namespace navjit::codegen

@@ -1,0 +1,32 @@
+// Solids as C++: their type, their constants, and the kernels they need.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "geometry/solids/solid.hpp"
+
+namespace navjit::codegen {
+
+/// Collects the constants of a module's solids; equal shapes are written once.
+class Shapes {
+ public:
+  /// The name of a constant that holds the shape; defines it on first use.
+  std::string constant(const kernels::AnySolid<double>& solid);
+  /// The definitions so far, in order of use.
+  const std::string& definitions() const { return definitions_; }
+  /// Names of the kernel files that the shapes need.
+  const std::set<std::string>& kernels() const { return kernels_; }
+
+ private:
+  std::string type(const kernels::AnySolid<double>& solid);
+  std::string literal(const kernels::AnySolid<double>& solid);
+
+  std::map<const void*, std::string> constants_;
+  std::set<std::string> kernels_;
+  std::string definitions_;
+  int arrays_ = 0;
+};
+
+}  // namespace navjit::codegen

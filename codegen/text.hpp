@@ -1,0 +1,14 @@
+// Numbers and names as C++ text.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace navjit::codegen {
+
+/// A double that reads back to the same bits: hexadecimal, or a builtin for infinities.
+std::string number(double value);
+/// A name from a file made harmless: letters, digits and underscores, at most 60 characters.
+std::string identifier(std::string_view name);
+
+}  // namespace navjit::codegen

@@ -1,0 +1,101 @@
+// Boxes in single precision, in groups of one SIMD width, that answer "which of these might a ray
+// meet?" without ever missing one. After S. Wenzel et al., "Accelerating navigation in the VecGeom
+// geometry modeller": a linear scan of all groups, or two levels (BVH_h), where groups of parent
+// boxes stand before clusters of a few groups of children.
+//
+// The traversals are templates in geometry/bvh/box_tree_traversal.hpp, which needs Vc and is slow
+// to parse: include it where they are called, and compile all those places for the same
+// instruction set.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/solids/solid.hpp"
+
+namespace navjit::bvh {
+
+enum class Method : std::uint8_t { linear, two_level };
+
+/// Boxes in a group. Fixed, so that the layout and the order of visits are those of every machine.
+constexpr std::uint32_t group_width = 8;
+
+/// group_width boxes as structure of arrays; unused lanes hold boxes that nothing meets.
+struct alignas(64) BoxGroup {
+  float bounds[6][group_width];  ///< rows: min x, y, z, max x, y, z
+};
+
+/// The method that is faster for `count` boxes (measured with bench/bvh_benchmark.cpp).
+Method default_method(std::size_t count);
+
+/// Immutable after construction; any number of threads may traverse it.
+///
+/// Contract of all traversals: no box is missed that the question, put in exact arithmetic to the
+/// boxes inflated by the tolerance, would find. Others may be visited: float bounds reach out by at
+/// most 2^-22 of a coordinate. Points and boxes must stay within 1e30 mm of the origin (boxes may
+/// be infinite), directions must have unit length to 1e-3. A box with min > max on an axis is
+/// empty: it may or may not be visited.
+class BoxTree {
+ public:
+  BoxTree() = default;
+
+  /// `boxes` and `tolerance` (>= 0) in mm, in the mother's frame. Throws GeometryError if a bound
+  /// or the tolerance is not a number, or there are more than 2^31 boxes.
+  BoxTree(std::span<const Extent> boxes, double tolerance, Method method);
+
+  /// As above, with the number of groups per cluster (1 ... 8) for Method::two_level: for
+  /// experiments. The other constructor chooses a good one.
+  BoxTree(std::span<const Extent> boxes, double tolerance, Method method,
+          std::uint32_t groups_per_cluster);
+
+  /// Calls visit(index, enter) for every box that the ray from `p` along `v` meets at a path length
+  /// within [0, limit]. `enter` >= 0 is a lower bound of the path length at which it does. `visit`
+  /// returns the limit from there on, at most the present one. A box met at exactly the limit is
+  /// visited. The order is by `enter` within a cluster, and mostly so among clusters.
+  template <class Visit>
+  void along_ray(const Vec3& p, const Direction& v, double limit, Visit&& visit) const;
+
+  /// Calls visit(index) for every box that contains `p`, until it returns false. The order is that
+  /// of the boxes for Method::linear only.
+  template <class Visit>
+  void containing(const Vec3& p, Visit&& visit) const;
+
+  /// Calls visit(index, distance) for every box closer to `p` than `radius`, mm. `distance` >= 0 is
+  /// a lower bound of the distance to the inflated box, 0 within it. `visit` returns the radius
+  /// from there on, at most the present one. The order is as for along_ray.
+  template <class Visit>
+  void near(const Vec3& p, double radius, Visit&& visit) const;
+
+  std::size_t size() const { return size_; }
+  Method method() const { return method_; }
+  /// Clusters of the lower level; 0 for Method::linear.
+  std::size_t clusters() const { return first_group_.empty() ? 0 : first_group_.size() - 1; }
+  /// Memory held, bytes.
+  std::size_t bytes() const;
+
+ private:
+  static constexpr std::uint32_t no_box = ~std::uint32_t{0};
+
+  std::uint32_t index_of(std::uint32_t group, std::uint32_t lane) const {
+    return index_[std::size_t{group - parent_groups_} * group_width + lane];
+  }
+
+  template <class Test, class Visit>
+  void nearest_first(const Test& test, double limit, const Visit& visit) const;
+  template <class Test, class NumberOf, class Take>
+  double scan(std::uint32_t first, std::uint32_t last, const Test& test, double limit,
+              const NumberOf& number_of, const Take& take) const;
+
+  void fill(std::span<const Extent> boxes, double tolerance, std::span<const std::uint32_t> order,
+            std::span<const std::uint32_t> begin);
+
+  std::vector<BoxGroup> groups_;            ///< parent groups, then the children's
+  std::vector<std::uint32_t> index_;        ///< of the box in each lane of a child group
+  std::vector<std::uint32_t> first_group_;  ///< per cluster, and one past the last
+  std::uint32_t parent_groups_ = 0;
+  std::size_t size_ = 0;
+  Method method_ = Method::linear;
+};
+
+}  // namespace navjit::bvh

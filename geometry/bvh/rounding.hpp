@@ -1,0 +1,25 @@
+// Doubles to floats that are certainly below or above them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace navjit::bvh {
+
+/// A float strictly below `x`; -infinity if there is no finite one. `x` may be infinite, not NaN.
+///
+/// The margin m = |x| 2^-23 + 2^-100 exceeds the error of the conversion, which is at most
+/// 2^-24 (1 + 2^-23) |x|, plus 2^-126 where subnormal floats are flushed. That 2^-100 also keeps
+/// the result away from x where x is zero or subnormal, whatever the state of the flush bits.
+inline float float_below(double x) {
+  if (std::isinf(x)) return x < 0 ? static_cast<float>(x) : std::numeric_limits<float>::max();
+  const double shifted = x - (std::fabs(x) * 0x1p-23 + 0x1p-100);
+  return static_cast<float>(
+      std::min(shifted, static_cast<double>(std::numeric_limits<float>::max())));
+}
+
+/// A float strictly above `x`; +infinity if there is no finite one. `x` may be infinite, not NaN.
+inline float float_above(double x) { return -float_below(-x); }
+
+}  // namespace navjit::bvh

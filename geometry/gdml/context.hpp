@@ -1,0 +1,160 @@
+// What the parts of the reader share: the state of one file, and typed access to attributes.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/gdml/expressions.hpp"
+#include "geometry/gdml/units.hpp"
+#include "geometry/gdml/xml.hpp"
+
+namespace navjit::gdml {
+
+using Vector = std::array<double, 3>;
+
+/// A solid of the file. One that is not supported is an error only once it is used.
+struct NamedSolid {
+  std::optional<Solid> solid;
+  const XmlElement* element = nullptr;
+  std::size_t depth = 1;  ///< levels of booleans, 1 for a primitive
+  std::size_t parts = 1;  ///< primitives it is made of
+};
+
+/// Placements that go together, relative to a frame of their own.
+struct Assembly {
+  std::vector<Placement> placements;
+  int depth = 1;  ///< levels of assemblies
+};
+
+struct Setup {
+  std::string name, world;
+  const XmlElement* world_element;
+};
+
+struct FileContext;
+
+/// What a file shares with its modules.
+struct Session {
+  explicit Session(const GdmlOptions& the_options)
+      : options(the_options), xml{options.limits.max_bytes, options.limits.max_elements} {}
+
+  const GdmlOptions& options;
+  XmlBudget xml;
+  int open_files = 0;
+  std::size_t loop_elements = 0;
+  std::size_t placements = 0;
+  std::size_t placement_name_bytes = 0;
+  World world;
+  std::map<std::string, std::size_t> notes;
+  /// Files read or being read, by canonical path.
+  std::map<std::string, std::unique_ptr<FileContext>> files;
+};
+
+/// A name's definition, read or still being read.
+template <class T>
+using Definitions = StringMap<T>;
+
+/// One GDML file: names do not cross files.
+struct FileContext {
+  explicit FileContext(Session& the_session) : session(the_session) {}
+
+  Session& session;
+  std::unique_ptr<XmlDocument> document;
+  bool complete = false;  ///< false while it is being read
+
+  Evaluator evaluator;
+  Definitions<Vector> positions, rotations, scales;
+  Definitions<double> quantities;
+  Definitions<std::uint32_t> materials;
+  Definitions<NamedSolid> solids;
+  Definitions<VolumeId> volumes;
+  Definitions<Assembly> assemblies;
+  std::vector<Setup> setups;
+  int loops = 0;          ///< how many loops we are in: names hold indices there
+  std::string open_name;  ///< the volume or assembly that is being read
+
+  /// Counts something skipped or assumed.
+  void note(const std::string& what) { ++session.notes[what]; }
+
+  /// The `name` of an element, indices resolved. Fails if it is missing.
+  std::string name(const XmlElement& element);
+  /// Empty if there is none.
+  std::string optional_name(const XmlElement& element);
+  /// The `ref` of an element.
+  std::string reference(const XmlElement& element, std::string_view attribute = "ref");
+
+  double number(const XmlElement& element, std::string_view attribute);
+  double number(const XmlElement& element, std::string_view attribute, double fallback);
+  int integer(const XmlElement& element, std::string_view attribute);
+  int integer(const XmlElement& element, std::string_view attribute, int fallback);
+  /// The value of the unit that the attribute names; `fallback` where it is missing.
+  double unit(const XmlElement& element, std::string_view attribute, Dimension dimension,
+              double fallback = 1);
+  /// A length of at most 1e30 mm, in `unit` mm. Polynomials of such lengths stay finite.
+  double length(const XmlElement& element, std::string_view attribute, double unit);
+  double length(const XmlElement& element, std::string_view attribute, double unit,
+                double fallback);
+  /// x, y, z in the element's `unit`; a missing one is `fallback`.
+  Vector vector(const XmlElement& element, Dimension dimension, double fallback = 0);
+  /// Evaluates an expression, telling where it stands.
+  double evaluate(const XmlElement& element, std::string_view expression, std::string_view what);
+
+  /// Resolves indices in a name where it is in a loop, and checks its length.
+  std::string resolved(const XmlElement& element, std::string_view text, bool always = false);
+
+  /// Runs `body` for every turn of a <loop>.
+  void loop(const XmlElement& element, const std::function<void()>& body);
+  /// Charges an element against the limit on loops, if we are in one.
+  void charge(const XmlElement& element);
+
+  /// The definition of a name. Fails, saying where it is defined if it is, but too late.
+  template <class T>
+  T& look_up(Definitions<T>& definitions, const XmlElement& element, const std::string& what,
+             const std::string& wanted) {
+    const auto found = definitions.find(wanted);
+    if (found == definitions.end()) fail_unknown(element, what, wanted);
+    return found->second;
+  }
+  /// Adds a definition unless the name is taken: the first one holds, as in Geant4.
+  template <class T>
+  void define(Definitions<T>& definitions, const std::string& what, const std::string& as,
+              T value) {
+    if (!definitions.try_emplace(as, std::move(value)).second) {
+      note("used the first of several " + what + "s of the same name");
+    }
+  }
+
+ private:
+  [[noreturn]] void fail_unknown(const XmlElement& element, const std::string& what,
+                                 const std::string& wanted);
+};
+
+/// A function that reads one kind of element.
+using ElementReader = void (*)(FileContext&, const XmlElement&);
+
+/// Runs `f`; errors of expressions and of the geometry become GdmlErrors at the element.
+template <class F>
+decltype(auto) at_element(const XmlElement& element, F&& f) {
+  try {
+    return f();
+  } catch (const ExpressionError& e) {
+    fail(element, e.what());
+  } catch (const GeometryError& e) {
+    fail(element, printable(e.what()));
+  }
+}
+
+void read_define(FileContext& file, const XmlElement& section);
+void read_materials(FileContext& file, const XmlElement& section);
+void read_solids(FileContext& file, const XmlElement& section);
+void read_structure(FileContext& file, const XmlElement& section);
+/// Reads another file, once; `from` is the element that asks for it, null for the main file.
+FileContext& read_file(Session& session, const std::filesystem::path& path, const XmlElement* from);
+/// The setup that `wanted` names; where that is empty the one named "Default", or the first.
+const Setup& choose_setup(const FileContext& file, const std::string& wanted);
+
+}  // namespace navjit::gdml

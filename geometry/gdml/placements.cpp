@@ -1,0 +1,112 @@
+// physvol: one placement of a volume, of an assembly or of another file's volume.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/gdml/solids.hpp"
+#include "geometry/gdml/structure.hpp"
+
+namespace navjit::gdml {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a physvol places: an assembly, or else a volume.
+struct Target {
+  const Assembly* assembly = nullptr;
+  VolumeId volume = 0;
+  std::string name;
+};
+
+Target find_target(FileContext& file, const XmlElement& element, const std::string& name) {
+  const auto assembly = file.assemblies.find(name);
+  if (assembly != file.assemblies.end()) return {&assembly->second, 0, name};
+  return {nullptr, file.look_up(file.volumes, element, "volume", name), name};
+}
+
+/// <file name='...' volname='...'>: the module's volume of that name, or its world.
+Target find_in_module(FileContext& file, const XmlElement& element) {
+  const auto name = element.find("name");
+  if (!name || name->empty()) fail(element, "attribute 'name' is missing; name a GDML file");
+  if (name->find("://") != std::string_view::npos) {
+    fail(element, "the module is on a network and is not fetched; save it beside the file");
+  }
+  // Geant4 looks in the working folder only.
+  fs::path path(*name);
+  std::error_code error;
+  if (path.is_relative() && !fs::exists(path, error)) {
+    path = fs::path(*element.file).parent_path() / path;
+  }
+  FileContext& module = read_file(file.session, path, &element);
+  if (element.find("volname")) {
+    return find_target(module, element, file.reference(element, "volname"));
+  }
+  const Setup& setup =
+      at_element(element, [&]() -> const Setup& { return choose_setup(module, ""); });
+  return find_target(module, *setup.world_element, setup.world);
+}
+
+/// -1 or 1 for every axis. Anything else is not a placement.
+Vector signs(const XmlElement& element, Vector scale) {
+  for (double& s : scale) {
+    if (std::abs(std::abs(s) - 1) > 1e-9) {
+      fail(element, "unsupported scale that changes lengths; scale the solid instead");
+    }
+    s = s < 0 ? -1 : 1;
+  }
+  if (scale[0] * scale[1] * scale[2] < 0) {
+    fail(element, "unsupported scale that reflects; write out the reflected volume");
+  }
+  return scale;
+}
+
+/// Geant4 places by translation * inverse rotation * scale, applied to daughter coordinates.
+Transformation transformation(const Frame& frame, const Vector& scale) {
+  double rotation[9];
+  rotation_from_angles(frame.rotation[0], frame.rotation[1], frame.rotation[2], rotation);
+  for (int i = 0; i < 9; ++i) rotation[i] *= scale[static_cast<std::size_t>(i / 3)];
+  return make_transformation({frame.position[0], frame.position[1], frame.position[2]}, rotation);
+}
+
+}  // namespace
+
+void read_physvol(FileContext& file, const XmlElement& element, Mother& mother) {
+  std::optional<Target> target;
+  Frame frame;
+  Vector scale{1, 1, 1};
+  for (const XmlElement& child : element.children()) {
+    if (child.tag == "volumeref") {
+      target = find_target(file, child, file.reference(child));
+    } else if (child.tag == "file") {
+      target = find_in_module(file, child);
+    } else if (child.tag == "scale") {
+      scale = signs(child, file.vector(child, Dimension::other, 1));
+    } else if (child.tag == "scaleref") {
+      scale = signs(child, file.look_up(file.scales, child, "scale", file.reference(child)));
+    } else if (!read_frame(file, child, "", frame)) {
+      fail(child, "unknown element in a physvol; remove it");
+    }
+  }
+  if (!target) fail(element, "it places no volume; add a <volumeref> or <file>");
+  Placement placement;
+  placement.copy_number = file.integer(element, "copynumber", 0);
+  placement.name = file.optional_name(element);
+  if (placement.name.empty()) placement.name = target->name + "_PV";
+  placement.transformation = transformation(frame, scale);
+  if (target->assembly == nullptr) {
+    placement.volume = target->volume;
+    return add_placement(file, element, mother, std::move(placement));
+  }
+  mother.assembly_depth = std::max(mother.assembly_depth, 1 + target->assembly->depth);
+  if (mother.assembly_depth > max_depth) {
+    fail(element,
+         "assemblies are nested more than " + std::to_string(max_depth) + " deep; flatten them");
+  }
+  for (const Placement& inner : target->assembly->placements) {
+    Placement imprint = inner;
+    imprint.name = placement.name + '.' + inner.name;
+    imprint.transformation = compose(placement.transformation, inner.transformation);
+    add_placement(file, element, mother, std::move(imprint));
+  }
+}
+
+}  // namespace navjit::gdml

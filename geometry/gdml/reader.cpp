@@ -1,0 +1,121 @@
+// A GDML file from its root: sections, setups and modules.
+#include "geometry/gdml/reader.hpp"
+
+#include <algorithm>
+
+#include "geometry/gdml/context.hpp"
+
+namespace navjit {
+namespace gdml {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int max_open_files = 32;
+
+void read_setup(FileContext& file, const XmlElement& setup) {
+  for (const XmlElement& child : setup.children()) {
+    if (child.tag == "world") {
+      file.setups.push_back({file.name(setup), file.reference(child), &child});
+    }
+  }
+}
+
+void skip_userinfo(FileContext& file, const XmlElement&) { file.note("skipped <userinfo>"); }
+void skip_extension(FileContext& file, const XmlElement&) { file.note("skipped <extension>"); }
+
+constexpr struct {
+  std::string_view tag;
+  ElementReader read;
+} sections[] = {
+    {"define", read_define},       {"materials", read_materials}, {"solids", read_solids},
+    {"structure", read_structure}, {"setup", read_setup},         {"userinfo", skip_userinfo},
+    {"extension", skip_extension},
+};
+
+void read_root(FileContext& file) {
+  const XmlElement& root = *file.document->root;
+  if (!root.tag.starts_with("gdml")) {
+    fail(root, "this is not a GDML file; its root element must be <gdml>");
+  }
+  for (const XmlElement& element : root.children()) {
+    const auto* section = std::find_if(std::begin(sections), std::end(sections),
+                                       [&](const auto& s) { return s.tag == element.tag; });
+    if (section == std::end(sections)) {
+      fail(element, "unknown section; use define, materials, solids, structure or setup");
+    }
+    at_element(element, [&] { section->read(file, element); });
+  }
+}
+
+std::string canonical_name(const fs::path& path) {
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(path, error);
+  return error ? path.string() : canonical.string();
+}
+
+}  // namespace
+
+FileContext& read_file(Session& session, const fs::path& path, const XmlElement* from) {
+  auto& file = session.files[canonical_name(path)];
+  if (file != nullptr) {
+    if (!file->complete) {
+      fail(*from, "file '" + printable(path.string()) + "' includes itself; remove the cycle");
+    }
+    return *file;
+  }
+  if (++session.open_files > max_open_files) {
+    fail(*from, "modules are nested more than " + std::to_string(max_open_files) +
+                    " deep; name them in one file");
+  }
+  file = std::make_unique<FileContext>(session);
+  file->document = parse_xml(path, session.options.limits, session.xml, from);
+  read_root(*file);
+  file->complete = true;
+  --session.open_files;
+  return *file;
+}
+
+const Setup& choose_setup(const FileContext& file, const std::string& wanted) {
+  const XmlElement& root = *file.document->root;
+  if (file.setups.empty()) fail(root, "it has no <setup> with a <world>; add one");
+  const auto named = [&](const std::string& name) {
+    return std::find_if(file.setups.begin(), file.setups.end(),
+                        [&](const Setup& s) { return s.name == name; });
+  };
+  const auto setup = named(wanted.empty() ? "Default" : wanted);
+  if (setup != file.setups.end()) return *setup;
+  if (wanted.empty()) return file.setups.front();
+  std::string known;
+  for (const Setup& s : file.setups)
+    known += (known.empty() ? "'" : ", '") + printable(s.name) + "'";
+  fail(root, "setup '" + printable(wanted) + "' is not defined; choose one of " + known);
+}
+
+}  // namespace gdml
+
+World read_gdml(const std::filesystem::path& path, const GdmlOptions& options, GdmlReport* report) {
+  gdml::Session session(options);
+  gdml::FileContext& file = gdml::read_file(session, path, nullptr);
+  const gdml::Setup& setup = gdml::choose_setup(file, options.setup);
+  const gdml::XmlElement& world_element = *setup.world_element;
+  World& world = session.world;
+  if (file.assemblies.contains(setup.world)) {
+    gdml::fail(world_element, "the world is an assembly; place it in a volume");
+  }
+  world.top = file.look_up(file.volumes, world_element, "volume", setup.world);
+  gdml::at_element(world_element, [&] { finish(world); });
+  if (world.volumes[world.top].touchables > options.limits.max_touchables) {
+    gdml::fail(world_element, "the world has " +
+                                  std::to_string(world.volumes[world.top].touchables) +
+                                  " touchables; raise GdmlLimits::max_touchables if this is meant");
+  }
+  if (report != nullptr) {
+    for (const auto& [what, count] : session.notes) {
+      report->notes.push_back(what + " (" + std::to_string(count) + ')');
+    }
+  }
+  return std::move(world);
+}
+
+}  // namespace navjit

@@ -1,0 +1,55 @@
+// Detectors from GDML files (https://gdml.web.cern.ch), with the conventions of Geant4's reader.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "geometry/model/world.hpp"
+
+namespace navjit {
+
+/// Thrown for anything wrong with the input. what() is one line:
+/// "FILE:LINE: <element name='...'>: problem; what to do".
+struct GdmlError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What a file may ask for, all its entities and modules counted together. The defaults are far
+/// above any real detector's; they keep a hostile file from exhausting memory or time.
+struct GdmlLimits {
+  std::size_t max_bytes = 512u << 20;           ///< XML text read
+  std::size_t max_elements = 8'000'000;         ///< XML elements
+  std::size_t max_depth = 1000;                 ///< levels of nested XML elements
+  std::size_t max_entities = 1000;              ///< entity declarations in one document
+  std::size_t max_name_length = 512;            ///< characters in a name
+  std::size_t max_loop_iterations = 1'000'000;  ///< elements processed by loops, and their turns
+  std::size_t max_placements = 4'000'000;       ///< daughters of all volumes and assemblies
+  int max_planes = 1000;                        ///< z planes, or sides, of one solid
+  std::size_t max_solid_depth = 200;            ///< levels of nested booleans
+  std::size_t max_solid_parts = 10'000;         ///< primitives that make up one boolean
+  TouchableId max_touchables = TouchableId{1} << 62;
+};
+
+struct GdmlOptions {
+  /// Name of the <setup> to read; empty: the one named "Default", or else the file's first.
+  std::string setup{};
+  GdmlLimits limits{};
+};
+
+struct GdmlReport {
+  /// What was knowingly skipped or assumed, one line per kind with a count.
+  std::vector<std::string> notes{};
+};
+
+/// Reads the world of a GDML file, finished (see finish()). Volumes keep the file's names and its
+/// order; assemblies are dissolved into the volumes that hold them. Nothing is fetched from a
+/// network; entities are opened relative to the file that declares them, modules (<file>) relative
+/// to the working folder or else to the file that names them.
+/// Throws GdmlError, and nothing else but std::bad_alloc.
+World read_gdml(const std::filesystem::path& path, const GdmlOptions& options = {},
+                GdmlReport* report = nullptr);
+
+}  // namespace navjit

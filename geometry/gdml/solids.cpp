@@ -1,0 +1,70 @@
+// <solids>: dispatch by tag.
+#include "geometry/gdml/solids.hpp"
+
+#include <algorithm>
+
+namespace navjit::gdml {
+namespace {
+
+SolidReader find_reader(std::string_view tag) {
+  for (const auto readers : {primitive_readers(), boolean_readers()}) {
+    const auto found = std::find_if(readers.begin(), readers.end(),
+                                    [&](const SolidKindReader& r) { return r.tag == tag; });
+    if (found != readers.end()) return found->read;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const NamedSolid& find_solid(FileContext& file, const XmlElement& element) {
+  const NamedSolid& found = file.look_up(file.solids, element, "solid", file.reference(element));
+  if (!found.solid) {
+    fail(*found.element, "unsupported solid '" + printable(found.element->tag) +
+                             "'; replace it by a supported one or take it out");
+  }
+  return found;
+}
+
+bool read_frame(FileContext& file, const XmlElement& child, std::string_view prefix, Frame& frame) {
+  std::string_view tag = child.tag;
+  if (!tag.starts_with(prefix)) return false;
+  tag.remove_prefix(prefix.size());
+  if (tag == "position") {
+    frame.position = file.vector(child, Dimension::length);
+  } else if (tag == "rotation") {
+    frame.rotation = file.vector(child, Dimension::angle);
+  } else if (tag == "positionref") {
+    frame.position = file.look_up(file.positions, child, "position", file.reference(child));
+  } else if (tag == "rotationref") {
+    frame.rotation = file.look_up(file.rotations, child, "rotation", file.reference(child));
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void read_solids(FileContext& file, const XmlElement& section) {
+  for (const XmlElement& element : section.children()) {
+    file.charge(element);
+    if (element.tag == "loop") {
+      file.loop(element, [&] { read_solids(file, element); });
+    } else if (element.tag == "define") {
+      read_define(file, element);
+    } else if (element.tag == "opticalsurface") {
+      file.note("skipped <opticalsurface>");
+    } else {
+      const std::string name = file.name(element);
+      NamedSolid solid;
+      if (const SolidReader read = find_reader(element.tag)) {
+        file.open_name = name;
+        solid = at_element(element, [&] { return read(file, element, name); });
+        file.open_name.clear();
+      }
+      solid.element = &element;
+      file.define(file.solids, "solid", name, std::move(solid));
+    }
+  }
+}
+
+}  // namespace navjit::gdml

@@ -1,0 +1,34 @@
+// The readers of single solids, by group; solids.cpp has the table that knows them all.
+#pragma once
+
+#include <span>
+
+#include "geometry/gdml/context.hpp"
+
+namespace navjit::gdml {
+
+/// What a reader of solids makes of an element.
+using SolidReader = NamedSolid (*)(FileContext&, const XmlElement&, const std::string& name);
+
+struct SolidKindReader {
+  std::string_view tag;
+  SolidReader read;
+};
+
+/// box, tube, cone, ...
+std::span<const SolidKindReader> primitive_readers();
+/// union, subtraction, intersection
+std::span<const SolidKindReader> boolean_readers();
+
+/// The solid that an element refers to. Fails if it is not defined or of an unsupported kind.
+const NamedSolid& find_solid(FileContext& file, const XmlElement& element);
+
+/// A position or rotation given by an element: inline, or by reference to a definition.
+/// Tags: `prefix` + "position", "rotation", and the same with "ref". Both zero if not given.
+struct Frame {
+  Vector position{0, 0, 0}, rotation{0, 0, 0};
+};
+/// True if the child is one of these; the frame then has it.
+bool read_frame(FileContext& file, const XmlElement& child, std::string_view prefix, Frame& frame);
+
+}  // namespace navjit::gdml

@@ -1,0 +1,131 @@
+// <structure>: logical volumes and assemblies.
+#include "geometry/gdml/structure.hpp"
+
+#include <algorithm>
+
+#include "geometry/gdml/solids.hpp"
+
+namespace navjit::gdml {
+namespace {
+
+void unsupported(FileContext&, const XmlElement& element, Mother&) {
+  fail(element, "unsupported structure '" + printable(element.tag) +
+                    "'; write its copies as physvols or a loop of physvols");
+}
+
+constexpr struct {
+  std::string_view tag;
+  DaughterReader read;
+} daughter_readers[] = {
+    {"physvol", read_physvol},
+    {"replicavol", unsupported},
+    {"divisionvol", unsupported},
+    {"paramvol", unsupported},
+};
+
+void read_daughters(FileContext& file, const XmlElement& section, Mother& mother) {
+  for (const XmlElement& element : section.children()) {
+    file.charge(element);
+    if (element.tag == "materialref" || element.tag == "solidref") continue;
+    if (element.tag == "loop") {
+      file.loop(element, [&] { read_daughters(file, element, mother); });
+      continue;
+    }
+    const auto* reader = std::find_if(std::begin(daughter_readers), std::end(daughter_readers),
+                                      [&](const auto& r) { return r.tag == element.tag; });
+    if (reader != std::end(daughter_readers)) {
+      reader->read(file, element, mother);
+    } else {
+      file.note("skipped <" + printable(element.tag) + "> in <" + printable(section.tag) + ">");
+    }
+  }
+}
+
+std::uint32_t find_material(FileContext& file, const XmlElement& element) {
+  const std::string name = file.reference(element);
+  // Geant4 makes materials of these names from its NIST table.
+  if (name.starts_with("G4_") && !file.materials.contains(name)) {
+    auto& materials = file.session.world.materials;
+    file.materials.emplace(name, static_cast<std::uint32_t>(materials.size()));
+    materials.push_back({name, 0});
+    file.note("kept the name but no density of materials from Geant4's NIST table");
+  }
+  return file.look_up(file.materials, element, "material", name);
+}
+
+std::uint32_t nameless_material(FileContext& file) {
+  auto& materials = file.session.world.materials;
+  const auto [position, added] =
+      file.materials.try_emplace("", static_cast<std::uint32_t>(materials.size()));
+  if (added) materials.push_back({});
+  file.note("read a <volume> without <materialref>");
+  return position->second;
+}
+
+void read_volume(FileContext& file, const XmlElement& element) {
+  const std::string name = file.name(element);
+  const NamedSolid* solid = nullptr;
+  std::optional<std::uint32_t> material;
+  for (const XmlElement& child : element.children()) {
+    if (child.tag == "solidref") solid = &find_solid(file, child);
+    if (child.tag == "materialref") material = find_material(file, child);
+  }
+  if (solid == nullptr) fail(element, "it has no solid; add a <solidref>");
+  LogicalVolume volume;
+  volume.name = name;
+  volume.solid = *solid->solid;
+  volume.material = material ? *material : nameless_material(file);
+  file.open_name = name;
+  Mother mother{volume.daughters, 1, &volume.solid};
+  read_daughters(file, element, mother);
+  file.open_name.clear();
+  auto& volumes = file.session.world.volumes;
+  const auto id = static_cast<VolumeId>(volumes.size());
+  volumes.push_back(std::move(volume));
+  file.define(file.volumes, "volume", name, id);
+}
+
+void read_assembly(FileContext& file, const XmlElement& element) {
+  const std::string name = file.name(element);
+  Assembly assembly;
+  file.open_name = name;
+  Mother mother{assembly.placements};
+  read_daughters(file, element, mother);
+  file.open_name.clear();
+  assembly.depth = mother.assembly_depth;
+  file.define(file.assemblies, "assembly", name, std::move(assembly));
+}
+
+}  // namespace
+
+void add_placement(FileContext& file, const XmlElement& element, Mother& mother,
+                   Placement placement) {
+  Session& session = file.session;
+  session.placement_name_bytes += placement.name.size();
+  if (++session.placements > session.options.limits.max_placements ||
+      session.placement_name_bytes > session.options.limits.max_bytes) {
+    fail(element, "more than " + std::to_string(session.options.limits.max_placements) +
+                      " placements, or too long names of them; raise GdmlLimits::max_placements "
+                      "if this is meant");
+  }
+  mother.placements.push_back(std::move(placement));
+}
+
+void read_structure(FileContext& file, const XmlElement& section) {
+  for (const XmlElement& element : section.children()) {
+    file.charge(element);
+    if (element.tag == "volume") {
+      read_volume(file, element);
+    } else if (element.tag == "assembly") {
+      read_assembly(file, element);
+    } else if (element.tag == "loop") {
+      file.loop(element, [&] { read_structure(file, element); });
+    } else if (element.tag == "bordersurface" || element.tag == "skinsurface") {
+      file.note("skipped <" + printable(element.tag) + ">");
+    } else {
+      fail(element, "unknown element in <structure>; use volume, assembly or loop");
+    }
+  }
+}
+
+}  // namespace navjit::gdml

@@ -1,0 +1,362 @@
+#include "geometry/gdml/xml.hpp"
+
+#include <expat.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <vector>
+
+namespace navjit::gdml {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t max_entity_nesting = 32;
+
+struct ParserDeleter {
+  void operator()(XML_Parser parser) const { XML_ParserFree(parser); }
+};
+using ParserPtr = std::unique_ptr<std::remove_pointer_t<XML_Parser>, ParserDeleter>;
+
+/// "<tag name='...'>"
+std::string label(const XmlElement& element) {
+  std::string text = '<' + printable(element.tag);
+  for (const char* attribute : {"name", "ref", "for"}) {
+    if (const auto value = element.find(attribute)) {
+      return text + ' ' + attribute + "='" + printable(*value) + "'>";
+    }
+  }
+  return text + '>';
+}
+
+/// Expat knows UTF-8, UTF-16, ISO-8859-1 and US-ASCII. Of the other names in use, only ASCII's
+/// matter: markup and numbers are in ASCII, and in names other bytes need only stay distinct.
+int XMLCALL on_unknown_encoding(void*, const XML_Char* name, XML_Encoding* encoding) {
+  std::string lower;
+  for (const char* c = name; *c != '\0'; ++c) lower += (*c >= 'A' && *c <= 'Z') ? *c + 32 : *c;
+  const bool ascii = lower == "ascii" || lower == "iso646-us" || lower == "ansi_x3.4-1968";
+  if (!ascii && !lower.starts_with("iso-8859-") && !lower.starts_with("windows-125")) {
+    return XML_STATUS_ERROR;
+  }
+  for (int i = 0; i < 256; ++i) encoding->map[i] = ascii && i > 127 ? -1 : i;
+  encoding->data = nullptr;
+  encoding->convert = nullptr;
+  encoding->release = nullptr;
+  return XML_STATUS_OK;
+}
+
+/// Builds the tree from expat's callbacks. These are called from C, so none lets an exception
+/// through: the first problem is kept and the parsers are stopped.
+class Builder {
+ public:
+  Builder(XmlDocument& document, const GdmlLimits& limits, XmlBudget& budget)
+      : document_(document), limits_(limits), budget_(budget) {}
+
+  void parse_document(const fs::path& path, const XmlElement* from);
+
+ private:
+  struct Source {
+    XML_Parser parser;
+    const std::string* file;
+  };
+  struct Open {
+    XmlElement* element;
+    XmlElement* last_child;
+  };
+
+  static void XMLCALL on_start(void* self, const XML_Char* tag, const XML_Char** attributes);
+  static void XMLCALL on_end(void* self, const XML_Char* tag);
+  static void XMLCALL on_text(void* self, const XML_Char* text, int length);
+  static void XMLCALL on_entity(void* self, const XML_Char* name, int, const XML_Char*, int,
+                                const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*);
+  static void XMLCALL on_skipped_entity(void* self, const XML_Char* name, int);
+  static int XMLCALL on_external_entity(XML_Parser parser, const XML_Char* context,
+                                        const XML_Char* base, const XML_Char* system_id,
+                                        const XML_Char*);
+
+  template <class F>
+  void guarded(F&& f);
+  void start(const XML_Char* tag, const XML_Char** attributes);
+  void external_entity(const XML_Char* context, const char* base, const char* system_id);
+  void parse_text(XML_Parser parser, const std::string& file, const std::string& text);
+  bool read_file(const fs::path& path, std::string& text, std::string& problem);
+  std::string_view keep(std::string_view text);
+  void stop(const std::string& message);
+  std::string here() const;
+
+  XmlDocument& document_;
+  const GdmlLimits& limits_;
+  XmlBudget& budget_;
+  std::vector<Source> sources_;
+  std::vector<Open> open_;
+  std::string text_;
+  std::size_t entities_ = 0;
+  std::string problem_;
+  bool out_of_memory_ = false;
+};
+
+template <class F>
+void Builder::guarded(F&& f) {
+  if (!problem_.empty() || out_of_memory_) return;
+  try {
+    f();
+  } catch (const std::bad_alloc&) {
+    out_of_memory_ = true;
+    XML_StopParser(sources_.back().parser, XML_FALSE);
+  } catch (const std::exception& e) {
+    stop(here() + e.what());
+  }
+}
+
+void Builder::stop(const std::string& message) {
+  if (problem_.empty()) problem_ = message;
+  XML_StopParser(sources_.back().parser, XML_FALSE);
+}
+
+std::string Builder::here() const {
+  const Source& source = sources_.back();
+  std::string where = printable(*source.file) + ':' +
+                      std::to_string(XML_GetCurrentLineNumber(source.parser)) + ": ";
+  if (!open_.empty()) where += "in " + label(*open_.back().element) + ": ";
+  return where;
+}
+
+std::string_view Builder::keep(std::string_view text) {
+  if (text.empty()) return {};
+  char* copy = static_cast<char*>(document_.arena.allocate(text.size(), 1));
+  std::memcpy(copy, text.data(), text.size());
+  return {copy, text.size()};
+}
+
+void Builder::on_start(void* self, const XML_Char* tag, const XML_Char** attributes) {
+  auto* builder = static_cast<Builder*>(self);
+  builder->guarded([&] { builder->start(tag, attributes); });
+}
+
+void Builder::start(const XML_Char* tag, const XML_Char** attributes) {
+  if (budget_.elements == 0) {
+    return stop(here() + "too many XML elements; raise GdmlLimits::max_elements if this is meant");
+  }
+  if (open_.size() >= limits_.max_depth) {
+    return stop(here() + "XML elements are nested more than " + std::to_string(limits_.max_depth) +
+                " deep; raise GdmlLimits::max_depth if this is meant");
+  }
+  --budget_.elements;
+  std::pmr::polymorphic_allocator<> allocator(&document_.arena);
+  auto* element = allocator.new_object<XmlElement>();
+  element->tag = keep(tag);
+  element->file = sources_.back().file;
+  element->line = XML_GetCurrentLineNumber(sources_.back().parser);
+  std::size_t count = 0;
+  while (attributes[2 * count] != nullptr) ++count;
+  auto* kept = allocator.allocate_object<XmlAttribute>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    kept[i] = {keep(attributes[2 * i]), keep(attributes[2 * i + 1])};
+  }
+  element->attributes = kept;
+  element->attribute_count = count;
+  if (open_.empty()) {
+    document_.root = element;
+  } else {
+    Open& mother = open_.back();
+    if (mother.last_child != nullptr) {
+      mother.last_child->next_sibling = element;
+    } else {
+      mother.element->first_child = element;
+    }
+    mother.last_child = element;
+  }
+  open_.push_back({element, nullptr});
+  text_.clear();
+}
+
+void Builder::on_end(void* self, const XML_Char*) {
+  auto* builder = static_cast<Builder*>(self);
+  builder->guarded([&] {
+    XmlElement* element = builder->open_.back().element;
+    if (element->tag == "expression") element->text = builder->keep(builder->text_);
+    builder->open_.pop_back();
+    builder->text_.clear();
+  });
+}
+
+void Builder::on_text(void* self, const XML_Char* text, int length) {
+  auto* builder = static_cast<Builder*>(self);
+  builder->guarded([&] {
+    if (!builder->open_.empty() && builder->open_.back().element->tag == "expression") {
+      builder->text_.append(text, static_cast<std::size_t>(length));
+    }
+  });
+}
+
+// Expat bounds how much text entities expand to, but follows a chain of them by recursion.
+void Builder::on_entity(void* self, const XML_Char*, int, const XML_Char*, int, const XML_Char*,
+                        const XML_Char*, const XML_Char*, const XML_Char*) {
+  auto* builder = static_cast<Builder*>(self);
+  builder->guarded([&] {
+    if (++builder->entities_ > builder->limits_.max_entities) {
+      builder->stop(builder->here() + "more than " + std::to_string(builder->limits_.max_entities) +
+                    " entities are declared; raise GdmlLimits::max_entities if this is meant");
+    }
+  });
+}
+
+void Builder::on_skipped_entity(void* self, const XML_Char* name, int) {
+  auto* builder = static_cast<Builder*>(self);
+  builder->guarded([&] {
+    builder->stop(builder->here() + "entity '&" + printable(name) +
+                  ";' is not declared; declare it in the file's own DOCTYPE (external DTDs are "
+                  "not read)");
+  });
+}
+
+int Builder::on_external_entity(XML_Parser argument, const XML_Char* context, const XML_Char* base,
+                                const XML_Char* system_id, const XML_Char*) {
+  // XML_SetExternalEntityRefHandlerArg put the builder in the parser's place.
+  auto* builder = reinterpret_cast<Builder*>(argument);
+  builder->guarded([&] {
+    builder->external_entity(context, base != nullptr ? base : "",
+                             system_id != nullptr ? system_id : "");
+  });
+  const bool good = builder->problem_.empty() && !builder->out_of_memory_;
+  return good ? XML_STATUS_OK : XML_STATUS_ERROR;
+}
+
+void Builder::external_entity(const XML_Char* context, const char* base, const char* system_id) {
+  std::string name = system_id;
+  const std::string what = "external entity '" + printable(name) + "' ";
+  if (name.starts_with("file:")) {
+    name.erase(0, 5);
+    if (name.starts_with("//")) name.erase(0, 2);
+  } else if (name.find("://") != std::string::npos) {
+    return stop(here() + what + "is on a network and is not fetched; save it beside the file");
+  }
+  if (sources_.size() > max_entity_nesting) {
+    return stop(here() + what + "is nested too deep; does it include itself?");
+  }
+  const fs::path path = fs::path(base).parent_path() / name;
+  std::string text, problem;
+  if (!read_file(path, text, problem)) {
+    return stop(here() + what + "cannot be read: " + printable(path.string()) + ": " + problem);
+  }
+  const ParserPtr parser(XML_ExternalEntityParserCreate(sources_.back().parser, context, nullptr));
+  if (parser == nullptr) throw std::bad_alloc();
+  parse_text(parser.get(), document_.files.emplace_back(path.string()), text);
+}
+
+bool Builder::read_file(const fs::path& path, std::string& text, std::string& problem) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) {
+    problem =
+        error && error != std::errc::no_such_file_or_directory ? error.message() : "no such file";
+  } else if (fs::is_directory(status)) {
+    problem = "it is a directory, not a file";
+  } else if (!fs::is_regular_file(status)) {
+    problem = "it is not a regular file";
+  }
+  if (!problem.empty()) return false;
+  const std::uintmax_t size = fs::file_size(path, error);
+  std::ifstream stream(path, std::ios::binary);
+  if (error || !stream) {
+    problem = "it cannot be opened; check its permissions";
+  } else if (size > budget_.bytes) {
+    problem = "too much text; raise GdmlLimits::max_bytes if this is meant";
+  } else {
+    text.resize(size);
+    stream.read(text.data(), static_cast<std::streamsize>(size));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    budget_.bytes -= text.size();
+  }
+  return problem.empty();
+}
+
+void Builder::parse_text(XML_Parser parser, const std::string& file, const std::string& text) {
+  sources_.push_back({parser, &file});
+  XML_SetBase(parser, file.c_str());
+  // As few pieces as expat's int allows: it looks at an unfinished token again with each.
+  constexpr std::size_t piece = std::size_t{1} << 30;
+  XML_Status status = XML_STATUS_OK;
+  std::size_t begin = 0;
+  do {
+    const std::size_t size = std::min(piece, text.size() - begin);
+    const bool last = begin + size == text.size();
+    status = XML_Parse(parser, text.data() + begin, static_cast<int>(size), last);
+    begin += size;
+  } while (status == XML_STATUS_OK && begin < text.size());
+  if (status != XML_STATUS_OK && problem_.empty() && !out_of_memory_) {
+    const XML_Error error = XML_GetErrorCode(parser);
+    if (error == XML_ERROR_NO_MEMORY) {
+      out_of_memory_ = true;
+    } else if (text.empty()) {
+      problem_ = printable(file) + ":1: the file is empty";
+    } else {
+      problem_ = here() + "not well-formed XML: " + XML_ErrorString(error);
+    }
+  }
+  sources_.pop_back();
+}
+
+void Builder::parse_document(const fs::path& path, const XmlElement* from) {
+  std::string text, problem;
+  if (!read_file(path, text, problem)) {
+    const std::string message = printable(path.string()) + ": " + problem;
+    if (from != nullptr) fail(*from, "cannot be read: " + message);
+    throw GdmlError(printable(path.string()) + ":0: cannot be read: " + problem);
+  }
+  const ParserPtr owner(XML_ParserCreate(nullptr));
+  if (owner == nullptr) throw std::bad_alloc();
+  XML_Parser parser = owner.get();
+  XML_SetUserData(parser, this);
+  XML_SetElementHandler(parser, on_start, on_end);
+  XML_SetCharacterDataHandler(parser, on_text);
+  XML_SetUnknownEncodingHandler(parser, on_unknown_encoding, nullptr);
+  XML_SetEntityDeclHandler(parser, on_entity);
+  XML_SetSkippedEntityHandler(parser, on_skipped_entity);
+  XML_SetExternalEntityRefHandler(parser, on_external_entity);
+  XML_SetExternalEntityRefHandlerArg(parser, this);
+  parse_text(parser, document_.files.emplace_back(path.string()), text);
+  if (out_of_memory_) throw std::bad_alloc();
+  if (!problem_.empty()) throw GdmlError(problem_);
+}
+
+}  // namespace
+
+std::optional<std::string_view> XmlElement::find(std::string_view attribute) const {
+  for (std::size_t i = 0; i < attribute_count; ++i) {
+    if (attributes[i].name == attribute) return attributes[i].value;
+  }
+  return std::nullopt;
+}
+
+std::unique_ptr<XmlDocument> parse_xml(const fs::path& path, const GdmlLimits& limits,
+                                       XmlBudget& budget, const XmlElement* from) {
+  auto document = std::make_unique<XmlDocument>();
+  Builder(*document, limits, budget).parse_document(path, from);
+  return document;
+}
+
+std::string printable(std::string_view text) {
+  constexpr std::size_t longest = 200;
+  std::size_t length = std::min(text.size(), longest);
+  // Not within a UTF-8 character.
+  while (length > 0 && length < text.size() && (text[length] & 0xc0) == 0x80) --length;
+  std::string line(text.substr(0, length));
+  for (char& c : line) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f) c = '?';
+  }
+  if (length < text.size()) line += "...";
+  return line;
+}
+
+std::string describe(const XmlElement& element) {
+  return printable(*element.file) + ':' + std::to_string(element.line) + ": " + label(element);
+}
+
+void fail(const XmlElement& element, const std::string& problem) {
+  throw GdmlError(describe(element) + ": " + problem);
+}
+
+}  // namespace navjit::gdml

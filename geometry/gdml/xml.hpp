@@ -1,0 +1,76 @@
+// XML text into a tree of elements that know their file and line.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <memory_resource>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "geometry/gdml/reader.hpp"
+
+namespace navjit::gdml {
+
+struct XmlAttribute {
+  std::string_view name, value;
+};
+
+/// An element; all it points to belongs to its XmlDocument.
+struct XmlElement {
+  std::string_view tag;
+  std::string_view text;  ///< character data, kept for <expression> only
+  const std::string* file = nullptr;
+  std::uint64_t line = 0;
+  const XmlAttribute* attributes = nullptr;
+  std::size_t attribute_count = 0;
+  const XmlElement* first_child = nullptr;
+  const XmlElement* next_sibling = nullptr;
+
+  std::optional<std::string_view> find(std::string_view attribute) const;
+
+  struct Iterator {
+    const XmlElement* element;
+    const XmlElement& operator*() const { return *element; }
+    Iterator& operator++() {
+      element = element->next_sibling;
+      return *this;
+    }
+    bool operator!=(const Iterator& other) const { return element != other.element; }
+  };
+  struct Children {
+    const XmlElement* first;
+    Iterator begin() const { return {first}; }
+    Iterator end() const { return {nullptr}; }
+  };
+  Children children() const { return {first_child}; }
+};
+
+/// Owns a tree in one arena: it is freed at once, however deep it is.
+struct XmlDocument {
+  std::pmr::monotonic_buffer_resource arena;
+  std::deque<std::string> files;
+  const XmlElement* root = nullptr;
+};
+
+/// What may still be read, shared by a file and its modules.
+struct XmlBudget {
+  std::size_t bytes;
+  std::size_t elements;
+};
+
+/// Reads a document with its external entities. `from`: the element that asked for it, for the
+/// message where the file cannot be opened; may be null. Throws GdmlError.
+std::unique_ptr<XmlDocument> parse_xml(const std::filesystem::path& path, const GdmlLimits& limits,
+                                       XmlBudget& budget, const XmlElement* from = nullptr);
+
+/// Text from a file made fit for a one-line message: control characters replaced, cut if long.
+std::string printable(std::string_view text);
+/// "FILE:LINE: <tag name='...'>"
+std::string describe(const XmlElement& element);
+/// Throws GdmlError: "FILE:LINE: <tag name='...'>: problem".
+[[noreturn]] void fail(const XmlElement& element, const std::string& problem);
+
+}  // namespace navjit::gdml

@@ -1,0 +1,221 @@
+// Boolean solids over any two kernels A and B (booleans again, or solids in a frame of their own).
+namespace navjit::kernels {
+
+/// A solid in a frame of its own: local = rotation * (p - translation), rotation row-major.
+template <class Real, class Solid>
+struct Placed {
+  Solid solid;
+  int rotated;  ///< 0: the rotation is the identity and is not applied
+  Real translation[3];
+  Real rotation[9];
+};
+
+template <class A, class B>
+struct Union {
+  A a;
+  B b;
+};
+template <class A, class B>
+struct Intersection {
+  A a;
+  B b;
+};
+template <class A, class B>
+struct Subtraction {
+  A a;
+  B b;
+};
+
+// --- Placed ---------------------------------------------------------------------------------
+
+template <class Real, class S>
+Vec3<Real> to_local(const Placed<Real, S>& s, const Vec3<Real>& p) {
+  const Real x = p.x - s.translation[0], y = p.y - s.translation[1], z = p.z - s.translation[2];
+  if (s.rotated == 0) return {x, y, z};
+  const Real* r = s.rotation;
+  return {r[0] * x + r[1] * y + r[2] * z, r[3] * x + r[4] * y + r[5] * z,
+          r[6] * x + r[7] * y + r[8] * z};
+}
+template <class Real, class S>
+Direction<Real> to_local(const Placed<Real, S>& s, const Direction<Real>& v) {
+  if (s.rotated == 0) return v;
+  const Real* r = s.rotation;
+  return make_direction<Real>(r[0] * v.x + r[1] * v.y + r[2] * v.z,
+                              r[3] * v.x + r[4] * v.y + r[5] * v.z,
+                              r[6] * v.x + r[7] * v.y + r[8] * v.z);
+}
+
+template <class Real, class S>
+Side inside(const Placed<Real, S>& s, const Vec3<Real>& p, Real tol) {
+  return inside(s.solid, to_local(s, p), tol);
+}
+template <class Real, class S>
+bool contains(const Placed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return contains(s.solid, to_local(s, p), to_local(s, v), tol);
+}
+template <class Real, class S>
+Real distance_to_in(const Placed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                    Real tol) {
+  return distance_to_in(s.solid, to_local(s, p), to_local(s, v), tol);
+}
+template <class Real, class S>
+Real distance_to_out(const Placed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                     Real tol) {
+  return distance_to_out(s.solid, to_local(s, p), to_local(s, v), tol);
+}
+template <class Real, class S>
+Real safety_to_in(const Placed<Real, S>& s, const Vec3<Real>& p) {
+  return safety_to_in(s.solid, to_local(s, p));
+}
+template <class Real, class S>
+Real safety_to_out(const Placed<Real, S>& s, const Vec3<Real>& p) {
+  return safety_to_out(s.solid, to_local(s, p));
+}
+
+/// How often the search along a ray may change operands; real booleans need a handful.
+constexpr int boolean_search_limit = 256;
+
+// --- Union ----------------------------------------------------------------------------------
+
+template <class Real, class A, class B>
+Side inside(const Union<A, B>& s, const Vec3<Real>& p, Real tol) {
+  const Side a = inside(s.a, p, tol);
+  if (a == Side::inside) return a;
+  const Side b = inside(s.b, p, tol);
+  return a > b ? a : b;
+}
+template <class Real, class A, class B>
+bool contains(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return contains(s.a, p, v, tol) || contains(s.b, p, v, tol);
+}
+template <class Real, class A, class B>
+Real distance_to_in(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return smaller(distance_to_in(s.a, p, v, tol), distance_to_in(s.b, p, v, tol));
+}
+template <class Real, class A, class B>
+Real distance_to_out(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                     Real tol) {
+  // Walk from operand to operand until the end of one lies in neither.
+  Real t = 0;
+  Vec3<Real> q = p;
+  for (int turn = 0; turn < boolean_search_limit; ++turn) {
+    const Real before = t;
+    if (contains(s.a, q, v, tol)) {
+      t += distance_to_out(s.a, q, v, tol);
+      q = advance(p, v, t);
+    }
+    if (contains(s.b, q, v, tol)) {
+      t += distance_to_out(s.b, q, v, tol);
+      q = advance(p, v, t);
+    }
+    if (!(t > before)) break;
+  }
+  return t;
+}
+template <class Real, class A, class B>
+Real safety_to_in(const Union<A, B>& s, const Vec3<Real>& p) {
+  return smaller(safety_to_in(s.a, p), safety_to_in(s.b, p));
+}
+template <class Real, class A, class B>
+Real safety_to_out(const Union<A, B>& s, const Vec3<Real>& p) {
+  // Zero in the operand that the point is not in.
+  return larger(safety_to_out(s.a, p), safety_to_out(s.b, p));
+}
+
+// --- Intersection ---------------------------------------------------------------------------
+
+template <class Real, class A, class B>
+Side inside(const Intersection<A, B>& s, const Vec3<Real>& p, Real tol) {
+  const Side a = inside(s.a, p, tol);
+  return a == Side::outside ? a : worse(a, inside(s.b, p, tol));
+}
+template <class Real, class A, class B>
+bool contains(const Intersection<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
+              Real tol) {
+  return contains(s.a, p, v, tol) && contains(s.b, p, v, tol);
+}
+template <class Real, class A, class B>
+Real distance_to_in(const Intersection<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                    Real tol) {
+  Real t = 0;
+  Vec3<Real> q = p;
+  for (int turn = 0; turn < boolean_search_limit; ++turn) {
+    const bool in_a = contains(s.a, q, v, tol), in_b = contains(s.b, q, v, tol);
+    if (in_a && in_b) {
+      if (turn > 0) return t;
+      return inside(s, q, tol) == Side::surface ? Real(0) : infinity<Real>();
+    }
+    const Real to_a = in_a ? Real(0) : distance_to_in(s.a, q, v, tol);
+    const Real to_b = in_b ? Real(0) : distance_to_in(s.b, q, v, tol);
+    const Real further = larger(to_a, to_b);
+    if (!(further < infinity<Real>())) return further;
+    if (!(further > 0)) return t;
+    t += further;
+    q = advance(p, v, t);
+  }
+  return infinity<Real>();
+}
+template <class Real, class A, class B>
+Real distance_to_out(const Intersection<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                     Real tol) {
+  return smaller(distance_to_out(s.a, p, v, tol), distance_to_out(s.b, p, v, tol));
+}
+template <class Real, class A, class B>
+Real safety_to_in(const Intersection<A, B>& s, const Vec3<Real>& p) {
+  return larger(safety_to_in(s.a, p), safety_to_in(s.b, p));
+}
+template <class Real, class A, class B>
+Real safety_to_out(const Intersection<A, B>& s, const Vec3<Real>& p) {
+  return smaller(safety_to_out(s.a, p), safety_to_out(s.b, p));
+}
+
+// --- Subtraction ----------------------------------------------------------------------------
+
+template <class Real, class A, class B>
+Side inside(const Subtraction<A, B>& s, const Vec3<Real>& p, Real tol) {
+  const Side a = inside(s.a, p, tol);
+  if (a == Side::outside) return a;
+  const Side b = inside(s.b, p, tol);
+  if (b == Side::inside) return Side::outside;
+  return b == Side::surface ? Side::surface : a;
+}
+template <class Real, class A, class B>
+bool contains(const Subtraction<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return contains(s.a, p, v, tol) && !contains(s.b, p, v, tol);
+}
+template <class Real, class A, class B>
+Real distance_to_in(const Subtraction<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                    Real tol) {
+  Real t = 0;
+  Vec3<Real> q = p;
+  for (int turn = 0; turn < boolean_search_limit; ++turn) {
+    if (!contains(s.a, q, v, tol)) {
+      const Real to_a = distance_to_in(s.a, q, v, tol);
+      if (!(to_a < infinity<Real>())) return to_a;
+      t += to_a;
+      q = advance(p, v, t);
+    } else if (turn == 0 && !contains(s.b, q, v, tol)) {
+      return inside(s, q, tol) == Side::surface ? Real(0) : infinity<Real>();
+    }
+    if (!contains(s.b, q, v, tol)) return t;
+    t += distance_to_out(s.b, q, v, tol);
+    q = advance(p, v, t);
+    if (contains(s.a, q, v, tol) && !contains(s.b, q, v, tol)) return t;
+  }
+  return infinity<Real>();
+}
+template <class Real, class A, class B>
+Real distance_to_out(const Subtraction<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                     Real tol) {
+  return smaller(distance_to_out(s.a, p, v, tol), distance_to_in(s.b, p, v, tol));
+}
+template <class Real, class A, class B>
+Real safety_to_in(const Subtraction<A, B>& s, const Vec3<Real>& p) {
+  return larger(safety_to_in(s.a, p), safety_to_out(s.b, p));
+}
+template <class Real, class A, class B>
+Real safety_to_out(const Subtraction<A, B>& s, const Vec3<Real>& p) {
+  return smaller(safety_to_out(s.a, p), safety_to_in(s.b, p));
+}
+
+}  // namespace navjit::kernels

@@ -1,0 +1,109 @@
+// A scene partitioned into buckets, walked along a ray or looked up at a point. Only a filter: it
+// may offer daughters that are not hit, and never leaves one out that is. What makes it
+// conservative is that daughters were put into buckets with a margin far above the rounding of a
+// position.
+namespace navjit::kernels {
+
+template <class Index>
+struct BucketGrid {
+  int count[3];
+  double origin[3], width[3], per_mm[3];  ///< per_mm = 1 / width
+  const unsigned* first;                  ///< by bucket: start in members
+  const Index* members;                   ///< daughters, ascending within a bucket
+};
+
+/// The bucket along one axis, clamped: the outermost buckets reach to infinity.
+inline int bucket_along(double p, double origin, double per_mm, int count) {
+  if (count == 1) return 0;
+  const double i = smaller(larger((p - origin) * per_mm, 0.0), static_cast<double>(count - 1));
+  return static_cast<int>(i);
+}
+
+template <class Index>
+inline unsigned bucket_of(const BucketGrid<Index>& g, int i, int j, int k) {
+  return static_cast<unsigned>((i * g.count[1] + j) * g.count[2] + k);
+}
+
+/// Calls visit(daughter) for those whose box may hold the point, in file order, until it returns
+/// false.
+template <class Index, class Visit>
+inline void visit_bucket_at(const BucketGrid<Index>& g, const Vec3<double>& p, Visit visit) {
+  const unsigned b = bucket_of(g, bucket_along(p.x, g.origin[0], g.per_mm[0], g.count[0]),
+                               bucket_along(p.y, g.origin[1], g.per_mm[1], g.count[1]),
+                               bucket_along(p.z, g.origin[2], g.per_mm[2], g.count[2]));
+  for (unsigned m = g.first[b]; m < g.first[b + 1]; ++m) {
+    if (!visit(static_cast<unsigned>(g.members[m]))) return;
+  }
+}
+
+/// One axis of a walk: the present bucket and the path length at which the ray leaves it.
+struct BucketAxis {
+  int index, step, end;
+  double leave;
+};
+
+inline double bucket_edge(double p, double v, double inverse, double origin, double width,
+                          int index) {
+  const int edge = v < 0 ? index : index + 1;
+  return v == 0 ? infinity<double>() : (origin + edge * width - p) * inverse;
+}
+
+inline BucketAxis bucket_axis(double p, double v, double inverse, double origin, double width,
+                              double per_mm, int count) {
+  if (count == 1) return {0, 0, 0, infinity<double>()};
+  const int index = bucket_along(p, origin, per_mm, count);
+  return {index, v < 0 ? -1 : 1, v < 0 ? -1 : count,
+          bucket_edge(p, v, inverse, origin, width, index)};
+}
+
+/// Calls visit(daughter) along the ray for those whose boxes it may meet, bucket by bucket, until
+/// it has passed `reach()`, a path length that visits may shorten.
+template <class Index, class Visit, class Reach>
+inline void walk_buckets(const BucketGrid<Index>& g, const Vec3<double>& p,
+                         const Direction<double>& v, Visit visit, Reach reach) {
+  BucketAxis x =
+      bucket_axis(p.x, v.x, v.inverse_x, g.origin[0], g.width[0], g.per_mm[0], g.count[0]);
+  BucketAxis y =
+      bucket_axis(p.y, v.y, v.inverse_y, g.origin[1], g.width[1], g.per_mm[1], g.count[1]);
+  BucketAxis z =
+      bucket_axis(p.z, v.z, v.inverse_z, g.origin[2], g.width[2], g.per_mm[2], g.count[2]);
+  for (;;) {
+    const unsigned b = bucket_of(g, x.index, y.index, z.index);
+    for (unsigned m = g.first[b]; m < g.first[b + 1]; ++m) {
+      visit(static_cast<unsigned>(g.members[m]));
+    }
+    const double leave = smaller(x.leave, smaller(y.leave, z.leave));
+    if (!(leave < reach())) return;
+    if (leave == x.leave) {
+      x.index += x.step;
+      if (x.index == x.end) return;
+      x.leave = bucket_edge(p.x, v.x, v.inverse_x, g.origin[0], g.width[0], x.index);
+    } else if (leave == y.leave) {
+      y.index += y.step;
+      if (y.index == y.end) return;
+      y.leave = bucket_edge(p.y, v.y, v.inverse_y, g.origin[1], g.width[1], y.index);
+    } else {
+      z.index += z.step;
+      if (z.index == z.end) return;
+      z.leave = bucket_edge(p.z, v.z, v.inverse_z, g.origin[2], g.width[2], z.index);
+    }
+  }
+}
+
+/// Whether the ray may meet the box within [0, reach]. The box has to carry a margin.
+inline bool may_meet_box(const Vec3<double>& low, const Vec3<double>& high, const Vec3<double>& p,
+                         const Direction<double>& v, double reach) {
+  double enter = 0, leave = reach;
+  const double x0 = (low.x - p.x) * v.inverse_x, x1 = (high.x - p.x) * v.inverse_x;
+  const double y0 = (low.y - p.y) * v.inverse_y, y1 = (high.y - p.y) * v.inverse_y;
+  const double z0 = (low.z - p.z) * v.inverse_z, z1 = (high.z - p.z) * v.inverse_z;
+  enter = larger(v.x < 0 ? x1 : x0, enter);
+  leave = smaller(v.x < 0 ? x0 : x1, leave);
+  enter = larger(v.y < 0 ? y1 : y0, enter);
+  leave = smaller(v.y < 0 ? y0 : y1, leave);
+  enter = larger(v.z < 0 ? z1 : z0, enter);
+  leave = smaller(v.z < 0 ? z0 : z1, leave);
+  return enter <= leave;
+}
+
+}  // namespace navjit::kernels

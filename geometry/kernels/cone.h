@@ -1,0 +1,204 @@
+// A cone about the z axis (a frustum with a conical bore), possibly cut to an azimuthal segment: a
+// convex body (slab, outer nappe, convex wedge) less up to two convex holes (inner nappe, missing
+// sector). The conical face also serves polycones and the polar faces of spheres.
+namespace navjit::kernels {
+
+/// One nappe of a cone about the z axis, scaled so that its signed distance is
+/// cosine * rho - slope * z - radius, with cosine^2 + slope^2 = 1 and cosine >= 0. A cylinder has
+/// slope 0, a plane across the axis cosine 0.
+template <class Real>
+struct ConicalFace {
+  Real radius, slope, cosine;
+};
+
+/// The face seen from a ray, in coordinates where its quadratic is that of a cone of 45 degrees:
+/// x^2 + y^2 = radius^2, changing at the rates vx, vy and `rate`; a t^2 + 2 b t + c.
+template <class Real>
+struct ConicalForm {
+  Real x, y, radius, vx, vy, rate;
+  Real r2, a, b;
+};
+template <class Real>
+ConicalForm<Real> conical_form(const ConicalFace<Real>& f, const Vec3<Real>& p,
+                               const Direction<Real>& v) {
+  const Real x = f.cosine * p.x, y = f.cosine * p.y, radius = f.radius + f.slope * p.z;
+  const Real vx = f.cosine * v.x, vy = f.cosine * v.y, rate = f.slope * v.z;
+  return {x,
+          y,
+          radius,
+          vx,
+          vy,
+          rate,
+          x * x + y * y,
+          vx * vx + vy * vy - rate * rate,
+          x * vx + y * vy - radius * rate};
+}
+
+/// Root of the discriminant b^2 - a c, written without the squares of the large terms.
+template <class Real>
+Real conical_discriminant(const ConicalForm<Real>& q) {
+  const Real gx = q.radius * q.vx - q.rate * q.x, gy = q.radius * q.vy - q.rate * q.y;
+  const Real cross = q.x * q.vy - q.y * q.vx;
+  return gx * gx + gy * gy - cross * cross;
+}
+
+/// Does the direction, steeper than the face, stay in the nappe for ever once in it?
+template <class Real>
+bool stays_in_nappe(const ConicalForm<Real>& q) {
+  return q.a < 0 && q.rate > 0;
+}
+
+/// Directional containment, for points not beyond the tolerance outside.
+template <class Real>
+bool heads_into_nappe(const ConicalForm<Real>& q, Real tol) {
+  const Real inner = q.radius - tol;
+  if (inner > 0 && q.r2 < inner * inner) return true;
+  // At the tip every direction is a face's: only those within the cone head in.
+  if (q.radius <= tol && q.r2 <= tol * tol) return stays_in_nappe(q);
+  return q.b < 0 || (q.b == 0 && q.radius > 0 && q.r2 < q.radius * q.radius);
+}
+template <class Real>
+bool within_tolerance_of_nappe(const ConicalForm<Real>& q, Real tol) {
+  const Real outer = q.radius + tol;
+  return outer >= 0 && q.r2 <= outer * outer;
+}
+
+template <class Real>
+bool in_cone(const ConicalFace<Real>& f, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const ConicalForm<Real> q = conical_form(f, p, v);
+  return within_tolerance_of_nappe(q, tol) && heads_into_nappe(q, tol);
+}
+
+/// Exit from the nappe, for points known to be in it and not leaving now.
+template <class Real>
+Real nappe_exit(const ConicalForm<Real>& q) {
+  if (stays_in_nappe(q)) return infinity<Real>();
+  const Real root = square_root(larger(conical_discriminant(q), Real(0)));
+  if (q.b < 0) return larger((root - q.b) / q.a, Real(0));
+  const Real h = q.b + root, c = q.r2 - q.radius * q.radius;
+  if (h > 0) return larger(-c / h, Real(0));
+  return c < 0 ? infinity<Real>() : Real(0);
+}
+
+/// Exit from the nappe, for points known to be in it.
+template <class Real>
+Real leave_cone(const ConicalFace<Real>& f, const Vec3<Real>& p, const Direction<Real>& v,
+                Real tol) {
+  const ConicalForm<Real> q = conical_form(f, p, v);
+  if (within_tolerance_of_nappe(q, tol) ? !heads_into_nappe(q, tol) : !(q.b < 0)) return Real(0);
+  return nappe_exit(q);
+}
+
+/// The span of the nappe. Accurate for starts whose z is near the part of the nappe in question.
+template <class Real>
+Span<Real> cone_span(const ConicalFace<Real>& f, const Vec3<Real>& p, const Direction<Real>& v,
+                     Real tol) {
+  const ConicalForm<Real> q = conical_form(f, p, v);
+  const bool stays = stays_in_nappe(q);
+  if (within_tolerance_of_nappe(q, tol)) {
+    if (heads_into_nappe(q, tol)) {
+      const Real leave = nappe_exit(q);
+      return {-infinity<Real>(), leave, leave};
+    }
+    if (!stays) return no_span<Real>();
+  }
+  const Real discriminant = conical_discriminant(q), c = q.r2 - q.radius * q.radius;
+  if (stays) {
+    const Real root = square_root(larger(discriminant, Real(0)));
+    const Real enter = q.b < 0 ? -c / (q.b - root) : -(q.b + root) / q.a;
+    return {larger(enter, Real(0)), infinity<Real>(), infinity<Real>()};
+  }
+  // The last condition tells this nappe from the other one.
+  if (!(q.b < 0) || !(discriminant > 0) || !(q.a >= 0) || !(q.radius * q.a > q.rate * q.b)) {
+    return no_span<Real>();
+  }
+  const Real h = q.b - square_root(discriminant);
+  const Real leave = -h / q.a;
+  return {larger(-c / h, Real(0)), leave, leave};
+}
+
+/// Signed distance to the nappe, a lower bound on the distance on either side; rho = |(x, y)|.
+template <class Real>
+constexpr Real cone_distance(const ConicalFace<Real>& f, Real rho, Real z) {
+  return f.cosine * rho - f.slope * z - f.radius;
+}
+
+/// A span that was measured from `shift` along the ray.
+template <class Real>
+constexpr Span<Real> shifted(const Span<Real>& span, Real shift) {
+  return {span.enter < 0 ? span.enter : span.enter + shift, span.leave + shift, span.until + shift};
+}
+
+template <class Real>
+struct Cone {
+  Real hz;                         ///< half length, mm
+  ConicalFace<Real> outer, inner;  ///< z from the centre
+  int bored;                       ///< 0: no inner face
+  Wedge<Real> wedge;
+};
+
+template <class Real>
+Side inside(const Cone<Real>& s, const Vec3<Real>& p, Real tol) {
+  Side side = worse(Side::inside, absolute(p.z) - s.hz, tol);
+  const Real rho = square_root(p.x * p.x + p.y * p.y);
+  side = worse(side, cone_distance(s.outer, rho, p.z), tol);
+  if (s.bored != 0) side = worse(side, -cone_distance(s.inner, rho, p.z), tol);
+  if (s.wedge.kind != 0) side = worse(side, wedge_distance(s.wedge, p.x, p.y), tol);
+  return side;
+}
+
+template <class Real>
+bool contains(const Cone<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  if (beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol)) return false;
+  if (!in_cone(s.outer, p, v, tol)) return false;
+  if (s.bored != 0 && in_cone(s.inner, p, v, tol)) return false;
+  return in_wedge(s.wedge, p, v, tol);
+}
+
+template <class Real>
+Real distance_to_in(const Cone<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  Span<Real> body = whole_ray<Real>();
+  clip_slab(body, s.hz, p.z, v.z, v.inverse_z, tol);
+  if (!is_ahead(body)) return infinity<Real>();
+  // The nappes are looked at from where the ray enters the slab.
+  const Real shift = larger(body.enter, Real(0));
+  const Vec3<Real> q = advance(p, v, shift);
+  const Span<Real> outer = shifted(cone_span(s.outer, q, v, tol), shift);
+  body.enter = larger(outer.enter, body.enter);
+  body.until = smaller(outer.until, body.until);
+  if (!is_ahead(body)) return infinity<Real>();
+  if (s.wedge.kind == 1) clip_to_wedge(s.wedge, p, v, tol, body);
+  const Span<Real> bore =
+      s.bored != 0 ? shifted(cone_span(s.inner, q, v, tol), shift) : no_span<Real>();
+  const Real t = first_entry(body, bore, gap_span(s.wedge, p, v, tol));
+  return t < 0 ? distance_from_within(s, p, tol) : t;
+}
+
+template <class Real>
+Real distance_to_out(const Cone<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  Real leave = leave_cone(s.outer, p, v, tol);
+  leave = leave_slab(s.hz, p.z, v.z, v.inverse_z, tol, leave);
+  if (s.bored != 0) leave = leave_into_hole(cone_span(s.inner, p, v, tol), leave);
+  return leave_wedge(s.wedge, p, v, tol, leave);
+}
+
+template <class Real>
+Real safety_to_in(const Cone<Real>& s, const Vec3<Real>& p) {
+  const Real rho = square_root(p.x * p.x + p.y * p.y);
+  Real away = larger(absolute(p.z) - s.hz, Real(0));
+  away = larger(cone_distance(s.outer, rho, p.z), away);
+  if (s.bored != 0) away = larger(-cone_distance(s.inner, rho, p.z), away);
+  if (s.wedge.kind != 0) away = larger(wedge_distance(s.wedge, p.x, p.y), away);
+  return away;
+}
+
+template <class Real>
+Real safety_to_out(const Cone<Real>& s, const Vec3<Real>& p) {
+  const Real rho = square_root(p.x * p.x + p.y * p.y);
+  Real depth = smaller(s.hz - absolute(p.z), -cone_distance(s.outer, rho, p.z));
+  if (s.bored != 0) depth = smaller(cone_distance(s.inner, rho, p.z), depth);
+  if (s.wedge.kind != 0) depth = smaller(-wedge_distance(s.wedge, p.x, p.y), depth);
+  return larger(depth, Real(0));
+}
+
+}  // namespace navjit::kernels

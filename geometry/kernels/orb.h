@@ -1,0 +1,89 @@
+// A ball centred on the origin; its functions also serve the shells of spheres.
+namespace navjit::kernels {
+
+template <class Real>
+struct Orb {
+  Real radius;  ///< mm
+};
+
+/// Directional containment in the ball of radius r. A tangent leaves a round surface.
+template <class Real>
+bool in_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Real r2 = p.x * p.x + p.y * p.y + p.z * p.z;
+  const Real outer = r + tol, inner = r - tol;
+  if (r2 > outer * outer) return false;
+  if (r2 < inner * inner && inner > 0) return true;
+  const Real b = p.x * v.x + p.y * v.y + p.z * v.z;
+  return b < 0 || (b == 0 && r2 < r * r);
+}
+
+/// (v.v) r^2 - |p x v|^2: the discriminant from the moment of the ray about the centre, which keeps
+/// its accuracy far away.
+template <class Real>
+Real ball_discriminant(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real a) {
+  const Real mx = p.y * v.z - p.z * v.y, my = p.z * v.x - p.x * v.z, mz = p.x * v.y - p.y * v.x;
+  return a * (r * r) - (mx * mx + my * my + mz * mz);
+}
+
+/// Exit from the ball of radius r, for points known to be in it.
+template <class Real>
+Real leave_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Real a = v.x * v.x + v.y * v.y + v.z * v.z, b = p.x * v.x + p.y * v.y + p.z * v.z;
+  const Real r2 = p.x * p.x + p.y * p.y + p.z * p.z, inner = r - tol;
+  const bool deep = r2 < inner * inner && inner > 0;
+  if (!deep && (b > 0 || (b == 0 && r2 >= r * r))) return Real(0);
+  const Real root = square_root(larger(ball_discriminant(r, p, v, a), Real(0)));
+  return larger((root - b) / a, Real(0));
+}
+
+template <class Real>
+Span<Real> ball_span(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Real outer = r + tol;
+  if (p.x * p.x + p.y * p.y + p.z * p.z <= outer * outer) {
+    if (!in_ball(r, p, v, tol)) return no_span<Real>();
+    const Real leave = leave_ball(r, p, v, tol);
+    return {-infinity<Real>(), leave, leave};
+  }
+  const Real b = p.x * v.x + p.y * v.y + p.z * v.z;
+  if (!(b < 0)) return no_span<Real>();
+  const Real a = v.x * v.x + v.y * v.y + v.z * v.z;
+  const Real discriminant = ball_discriminant(r, p, v, a);
+  if (!(discriminant > 0)) return no_span<Real>();
+  const Real root = square_root(discriminant), inverse = Real(1) / a;
+  const Real leave = (-b + root) * inverse;
+  return {(-b - root) * inverse, leave, leave};
+}
+
+template <class Real>
+Real length(const Vec3<Real>& p) {
+  return square_root(p.x * p.x + p.y * p.y + p.z * p.z);
+}
+
+template <class Real>
+Side inside(const Orb<Real>& s, const Vec3<Real>& p, Real tol) {
+  return worse(Side::inside, length(p) - s.radius, tol);
+}
+template <class Real>
+bool contains(const Orb<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return in_ball(s.radius, p, v, tol);
+}
+template <class Real>
+Real distance_to_in(const Orb<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Span<Real> span = ball_span(s.radius, p, v, tol);
+  if (!is_ahead(span)) return infinity<Real>();
+  return span.enter >= 0 ? span.enter : distance_from_within(s, p, tol);
+}
+template <class Real>
+Real distance_to_out(const Orb<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return leave_ball(s.radius, p, v, tol);
+}
+template <class Real>
+Real safety_to_in(const Orb<Real>& s, const Vec3<Real>& p) {
+  return larger(length(p) - s.radius, Real(0));
+}
+template <class Real>
+Real safety_to_out(const Orb<Real>& s, const Vec3<Real>& p) {
+  return larger(s.radius - length(p), Real(0));
+}
+
+}  // namespace navjit::kernels

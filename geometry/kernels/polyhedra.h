@@ -1,0 +1,91 @@
+// A polyhedra: prisms and pyramids with regularly spaced flat sides, stacked along z, possibly cut
+// to an azimuthal segment. Radii are the distances of the sides from the axis.
+namespace navjit::kernels {
+
+/// Outward unit normal of a side, across z.
+template <class Real>
+struct SideNormal {
+  Real x, y;
+};
+
+template <class Real>
+struct Polyhedra {
+  const Section<Real>* sections;  ///< in ascending z; those of one slab are disjoint rings
+  int count;
+  const Ledge<Real>* ledges;
+  int ledge_count;
+  Real z_low, z_high;  ///< the ends, mm
+  Real rmax;           ///< largest distance of an edge from the axis, mm
+  Wedge<Real> wedge;
+  const SideNormal<Real>* sides;  ///< an outer or inner face is where all of them hold
+  int side_count;
+};
+
+// A point in the sector of one side is never beyond another side alone: all sides hold or the
+// nearest one fails. Over any azimuthal segment, an outer or inner face is therefore the convex
+// intersection of its half-spaces, cut by the wedge.
+
+template <class Real>
+Span<Real> face_span(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const Vec3<Real>& p,
+                     const Direction<Real>& v, Real tol) {
+  Span<Real> span = whole_ray<Real>();
+  const Real radius = f.radius + f.slope * p.z, rate = f.slope * v.z;
+  for (int i = 0; i < s.side_count; ++i) {
+    const SideNormal<Real>& n = s.sides[i];
+    clip_face(span, f.cosine * (n.x * p.x + n.y * p.y) - radius,
+              f.cosine * (n.x * v.x + n.y * v.y) - rate, tol);
+  }
+  return span;
+}
+template <class Real>
+bool in_face(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const Vec3<Real>& p,
+             const Direction<Real>& v, Real tol) {
+  const Real radius = f.radius + f.slope * p.z, rate = f.slope * v.z;
+  for (int i = 0; i < s.side_count; ++i) {
+    const SideNormal<Real>& n = s.sides[i];
+    if (beyond_face(f.cosine * (n.x * p.x + n.y * p.y) - radius,
+                    f.cosine * (n.x * v.x + n.y * v.y) - rate, tol)) {
+      return false;
+    }
+  }
+  return true;
+}
+/// The distance to the side that the point is beyond most, or nearest to; `rho` is not needed.
+template <class Real>
+Real face_distance(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const Vec3<Real>& p,
+                   Real) {
+  Real across = -infinity<Real>();
+  for (int i = 0; i < s.side_count; ++i) {
+    across = larger(s.sides[i].x * p.x + s.sides[i].y * p.y, across);
+  }
+  return f.cosine * across - f.slope * p.z - f.radius;
+}
+
+template <class Real>
+Side inside(const Polyhedra<Real>& s, const Vec3<Real>& p, Real tol) {
+  return stack_inside(s, p, tol);
+}
+template <class Real>
+bool contains(const Polyhedra<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return stack_contains(s, p, v, tol);
+}
+template <class Real>
+Real distance_to_in(const Polyhedra<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                    Real tol) {
+  return stack_distance_to_in(s, p, v, tol);
+}
+template <class Real>
+Real distance_to_out(const Polyhedra<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                     Real tol) {
+  return stack_distance_to_out(s, p, v, tol);
+}
+template <class Real>
+Real safety_to_in(const Polyhedra<Real>& s, const Vec3<Real>& p) {
+  return stack_safety_to_in(s, p);
+}
+template <class Real>
+Real safety_to_out(const Polyhedra<Real>& s, const Vec3<Real>& p) {
+  return stack_safety_to_out(s, p);
+}
+
+}  // namespace navjit::kernels

@@ -1,0 +1,115 @@
+// What every kernel stands on: vectors, directions, and the few functions of a number that the
+// kernels need. Freestanding: this text is also the head of every generated navigator.
+//
+// Conventions shared by all kernels (docs/tolerance.md has the reasons):
+//   inside(s, p, tol)            where a point is, regardless of direction
+//   contains(s, p, v, tol)       is the point in the solid once it has moved on along v?
+//   distance_to_in(s, p, v, tol) path to the first crossing from outside to inside, or infinity
+//   distance_to_out(s, p, v, tol) path to the first crossing from inside to outside
+//   safety_to_in(s, p), safety_to_out(s, p)  lower bounds of the distance to the surface, >= 0
+// Points within `tol` of a face, measured across it, are on the face, and there the direction
+// decides. No kernel moves a point, and no kernel calls a transcendental function: results depend
+// on +, -, *, / and square root alone, so that every compiler gives the same bits.
+namespace navjit::kernels {
+
+enum class Side : int { outside = 0, surface = 1, inside = 2 };
+
+template <class Real>
+struct Vec3 {
+  Real x, y, z;
+};
+
+/// A direction with its reciprocals. Components are never negative zero; the reciprocal of a zero
+/// component is +infinity, which the slab tests rely on.
+template <class Real>
+struct Direction {
+  Real x, y, z;
+  Real inverse_x, inverse_y, inverse_z;
+};
+
+/// The part of a line inside a convex body, as path lengths; empty unless enter < leave.
+template <class Real>
+struct Chord {
+  Real enter, leave;
+};
+
+template <class Real>
+constexpr Real infinity() {
+  return static_cast<Real>(__builtin_inf());
+}
+
+template <class Real>
+inline Real square_root(Real x) {
+  // Newton's iteration from the double result: two steps reach 128-bit precision.
+  Real root = static_cast<Real>(__builtin_sqrt(static_cast<double>(x)));
+  if (!(root > 0)) return root;
+  root = (root + x / root) / 2;
+  return (root + x / root) / 2;
+}
+template <>
+inline double square_root<double>(double x) {
+  return __builtin_sqrt(x);
+}
+template <>
+inline float square_root<float>(float x) {
+  return __builtin_sqrtf(x);
+}
+
+template <class Real>
+constexpr Real absolute(Real x) {
+  return x < 0 ? -x : x;
+}
+template <>
+constexpr double absolute<double>(double x) {
+  return __builtin_fabs(x);
+}
+
+/// The larger of the two; `b` where a is not a number. The order of arguments matters.
+template <class Real>
+constexpr Real larger(Real a, Real b) {
+  return a > b ? a : b;
+}
+/// The smaller of the two; `b` where a is not a number.
+template <class Real>
+constexpr Real smaller(Real a, Real b) {
+  return a < b ? a : b;
+}
+/// `magnitude` (>= 0) with the sign of `sign`; positive for zero.
+template <class Real>
+constexpr Real with_sign(Real magnitude, Real sign) {
+  return sign < 0 ? -magnitude : magnitude;
+}
+template <>
+constexpr double with_sign<double>(double magnitude, double sign) {
+  return __builtin_copysign(magnitude, sign);
+}
+
+template <class Real>
+constexpr Vec3<Real> advance(const Vec3<Real>& p, const Direction<Real>& v, Real t) {
+  return {p.x + t * v.x, p.y + t * v.y, p.z + t * v.z};
+}
+
+template <class Real>
+constexpr Direction<Real> make_direction(Real x, Real y, Real z) {
+  // Adding +0 turns -0 into +0, so that reciprocals of zero are +infinity.
+  const Real cx = x + Real(0), cy = y + Real(0), cz = z + Real(0);
+  return {cx, cy, cz, Real(1) / cx, Real(1) / cy, Real(1) / cz};
+}
+
+/// The verdict on one face for `contains`: `s` is the signed distance of the point beyond the face
+/// (> 0 outside), `nv` the outward normal times the direction, both up to a positive factor.
+template <class Real>
+constexpr bool beyond_face(Real s, Real nv, Real tol) {
+  return s > tol || (s >= -tol && (nv > 0 || (nv == 0 && s > 0)));
+}
+
+/// The verdict on one face for `inside`, folded into a running one.
+template <class Real>
+constexpr Side worse(Side side, Real s, Real tol) {
+  if (s > tol) return Side::outside;
+  if (s >= -tol && side == Side::inside) return Side::surface;
+  return side;
+}
+constexpr Side worse(Side a, Side b) { return a < b ? a : b; }
+
+}  // namespace navjit::kernels

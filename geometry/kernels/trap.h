@@ -1,0 +1,97 @@
+// A general trapezoid: two faces across z and four planes in any direction.
+namespace navjit::kernels {
+
+/// Signed distance = a x + b y + c z + d, with (a, b, c) the outward unit normal.
+template <class Real>
+struct Plane {
+  Real a, b, c, d;
+};
+
+template <class Real>
+struct Trap {
+  Real hz;                                       ///< half length, mm
+  Plane<Real> y_minus, y_plus, x_minus, x_plus;  ///< the sides
+};
+
+template <class Real>
+constexpr Real plane_distance(const Plane<Real>& f, const Vec3<Real>& p) {
+  return f.a * p.x + f.b * p.y + f.c * p.z + f.d;
+}
+template <class Real>
+constexpr Real plane_rate(const Plane<Real>& f, const Direction<Real>& v) {
+  return f.a * v.x + f.b * v.y + f.c * v.z;
+}
+template <class Real>
+constexpr bool beyond_plane(const Plane<Real>& f, const Vec3<Real>& p, const Direction<Real>& v,
+                            Real tol) {
+  return beyond_face(plane_distance(f, p), plane_rate(f, v), tol);
+}
+template <class Real>
+constexpr void clip_plane(Span<Real>& span, const Plane<Real>& f, const Vec3<Real>& p,
+                          const Direction<Real>& v, Real tol) {
+  clip_face(span, plane_distance(f, p), plane_rate(f, v), tol);
+}
+template <class Real>
+constexpr Real leave_plane(const Plane<Real>& f, const Vec3<Real>& p, const Direction<Real>& v,
+                           Real tol, Real leave) {
+  return smaller(leave_face(plane_distance(f, p), plane_rate(f, v), tol, leave), leave);
+}
+
+template <class Real>
+Side inside(const Trap<Real>& s, const Vec3<Real>& p, Real tol) {
+  Side side = worse(Side::inside, absolute(p.z) - s.hz, tol);
+  side = worse(side, plane_distance(s.y_minus, p), tol);
+  side = worse(side, plane_distance(s.y_plus, p), tol);
+  side = worse(side, plane_distance(s.x_minus, p), tol);
+  return worse(side, plane_distance(s.x_plus, p), tol);
+}
+
+template <class Real>
+bool contains(const Trap<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return !(beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol) |
+           beyond_plane(s.y_minus, p, v, tol) | beyond_plane(s.y_plus, p, v, tol) |
+           beyond_plane(s.x_minus, p, v, tol) | beyond_plane(s.x_plus, p, v, tol));
+}
+
+template <class Real>
+Real distance_to_in(const Trap<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  Span<Real> span = whole_ray<Real>();
+  clip_slab(span, s.hz, p.z, v.z, v.inverse_z, tol);
+  if (!is_ahead(span)) return infinity<Real>();
+  clip_plane(span, s.y_minus, p, v, tol);
+  clip_plane(span, s.y_plus, p, v, tol);
+  clip_plane(span, s.x_minus, p, v, tol);
+  clip_plane(span, s.x_plus, p, v, tol);
+  if (!is_ahead(span)) return infinity<Real>();
+  return span.enter >= 0 ? span.enter : distance_from_within(s, p, tol);
+}
+
+template <class Real>
+Real distance_to_out(const Trap<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  Real leave = leave_slab(s.hz, p.z, v.z, v.inverse_z, tol, infinity<Real>());
+  leave = leave_plane(s.y_minus, p, v, tol, leave);
+  leave = leave_plane(s.y_plus, p, v, tol, leave);
+  leave = leave_plane(s.x_minus, p, v, tol, leave);
+  return leave_plane(s.x_plus, p, v, tol, leave);
+}
+
+template <class Real>
+Real safety_to_in(const Trap<Real>& s, const Vec3<Real>& p) {
+  Real away = larger(absolute(p.z) - s.hz, Real(0));
+  away = larger(plane_distance(s.y_minus, p), away);
+  away = larger(plane_distance(s.y_plus, p), away);
+  away = larger(plane_distance(s.x_minus, p), away);
+  return larger(plane_distance(s.x_plus, p), away);
+}
+
+template <class Real>
+Real safety_to_out(const Trap<Real>& s, const Vec3<Real>& p) {
+  Real depth = s.hz - absolute(p.z);
+  depth = smaller(-plane_distance(s.y_minus, p), depth);
+  depth = smaller(-plane_distance(s.y_plus, p), depth);
+  depth = smaller(-plane_distance(s.x_minus, p), depth);
+  depth = smaller(-plane_distance(s.x_plus, p), depth);
+  return larger(depth, Real(0));
+}
+
+}  // namespace navjit::kernels

@@ -1,0 +1,90 @@
+// A trapezoid symmetric about the z axis: half lengths in x and y that change linearly with z.
+namespace navjit::kernels {
+
+/// Two faces that mirror each other: signed distance = across * |u| + along * z - offset, where u
+/// is x or y and (across, along) a unit vector.
+template <class Real>
+struct FacePair {
+  Real across, along, offset;
+};
+
+template <class Real>
+struct Trd {
+  Real hz;              ///< half length, mm
+  FacePair<Real> x, y;  ///< the sloping sides
+};
+
+template <class Real>
+constexpr Real pair_distance(const FacePair<Real>& f, Real u, Real z) {
+  return f.across * absolute(u) + f.along * z - f.offset;
+}
+template <class Real>
+constexpr bool beyond_pair(const FacePair<Real>& f, Real u, Real z, Real vu, Real vz, Real tol) {
+  const Real common = f.along * z - f.offset, rate = f.along * vz;
+  const Real su = f.across * u, nu = f.across * vu;
+  return beyond_face(su + common, nu + rate, tol) | beyond_face(common - su, rate - nu, tol);
+}
+template <class Real>
+constexpr void clip_pair(Span<Real>& span, const FacePair<Real>& f, Real u, Real z, Real vu,
+                         Real vz, Real tol) {
+  const Real common = f.along * z - f.offset, rate = f.along * vz;
+  const Real su = f.across * u, nu = f.across * vu;
+  clip_face(span, su + common, nu + rate, tol);
+  clip_face(span, common - su, rate - nu, tol);
+}
+template <class Real>
+constexpr Real leave_pair(const FacePair<Real>& f, Real u, Real z, Real vu, Real vz, Real tol,
+                          Real leave) {
+  const Real common = f.along * z - f.offset, rate = f.along * vz;
+  const Real su = f.across * u, nu = f.across * vu;
+  leave = leave_face(su + common, nu + rate, tol, leave);
+  return smaller(leave_face(common - su, rate - nu, tol, leave), leave);
+}
+
+template <class Real>
+Side inside(const Trd<Real>& s, const Vec3<Real>& p, Real tol) {
+  Side side = worse(Side::inside, absolute(p.z) - s.hz, tol);
+  side = worse(side, pair_distance(s.x, p.x, p.z), tol);
+  return worse(side, pair_distance(s.y, p.y, p.z), tol);
+}
+
+template <class Real>
+bool contains(const Trd<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return !(beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol) |
+           beyond_pair(s.x, p.x, p.z, v.x, v.z, tol) | beyond_pair(s.y, p.y, p.z, v.y, v.z, tol));
+}
+
+template <class Real>
+Real distance_to_in(const Trd<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  Span<Real> span = whole_ray<Real>();
+  clip_slab(span, s.hz, p.z, v.z, v.inverse_z, tol);
+  if (!is_ahead(span)) return infinity<Real>();
+  clip_pair(span, s.x, p.x, p.z, v.x, v.z, tol);
+  clip_pair(span, s.y, p.y, p.z, v.y, v.z, tol);
+  if (!is_ahead(span)) return infinity<Real>();
+  return span.enter >= 0 ? span.enter : distance_from_within(s, p, tol);
+}
+
+template <class Real>
+Real distance_to_out(const Trd<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  Real leave = leave_slab(s.hz, p.z, v.z, v.inverse_z, tol, infinity<Real>());
+  leave = smaller(leave_pair(s.x, p.x, p.z, v.x, v.z, tol, leave), leave);
+  return smaller(leave_pair(s.y, p.y, p.z, v.y, v.z, tol, leave), leave);
+}
+
+template <class Real>
+Real safety_to_in(const Trd<Real>& s, const Vec3<Real>& p) {
+  Real away = larger(absolute(p.z) - s.hz, Real(0));
+  away = larger(pair_distance(s.x, p.x, p.z), away);
+  return larger(pair_distance(s.y, p.y, p.z), away);
+}
+
+template <class Real>
+Real safety_to_out(const Trd<Real>& s, const Vec3<Real>& p) {
+  Real depth = s.hz - absolute(p.z);
+  depth = smaller(-pair_distance(s.x, p.x, p.z), depth);
+  depth = smaller(-pair_distance(s.y, p.y, p.z), depth);
+  return larger(depth, Real(0));
+}
+
+}  // namespace navjit::kernels

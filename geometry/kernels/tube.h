@@ -1,0 +1,113 @@
+// A tube about the z axis: radii rmin..rmax, half length hz, possibly cut to an azimuthal segment.
+// It is a convex body (slab, outer cylinder, convex wedge) less up to two convex holes (inner
+// cylinder, missing sector).
+namespace navjit::kernels {
+
+template <class Real>
+struct Tube {
+  Real rmin, rmax, hz;  ///< mm; rmin may be 0
+  Wedge<Real> wedge;
+};
+
+/// Directional containment in the infinite cylinder of radius r. A tangent leaves a round surface.
+template <class Real>
+bool in_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Real r2 = p.x * p.x + p.y * p.y;
+  const Real outer = r + tol, inner = r - tol;
+  if (r2 > outer * outer) return false;
+  if (r2 < inner * inner && inner > 0) return true;
+  const Real b = p.x * v.x + p.y * v.y;
+  return b < 0 || (b == 0 && r2 < r * r);
+}
+
+/// Exit from the infinite cylinder of radius r, for points known to be in it.
+template <class Real>
+Real leave_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Real a = v.x * v.x + v.y * v.y, b = p.x * v.x + p.y * v.y;
+  const Real r2 = p.x * p.x + p.y * p.y, inner = r - tol;
+  const bool deep = r2 < inner * inner && inner > 0;
+  if (!deep && (b > 0 || (b == 0 && r2 >= r * r))) return Real(0);
+  if (!(a > 0)) return infinity<Real>();
+  const Real cross = p.x * v.y - p.y * v.x;
+  const Real root = square_root(larger(a * (r * r) - cross * cross, Real(0)));
+  return larger((root - b) / a, Real(0));
+}
+
+/// The span of the infinite cylinder of radius r. The discriminant comes from the moment of the ray
+/// about the axis: far away it keeps the accuracy that |p|^2 - r^2 would lose.
+template <class Real>
+Span<Real> cylinder_span(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Real outer = r + tol;
+  if (p.x * p.x + p.y * p.y <= outer * outer) {
+    if (!in_cylinder(r, p, v, tol)) return no_span<Real>();
+    const Real leave = leave_cylinder(r, p, v, tol);
+    return {-infinity<Real>(), leave, leave};
+  }
+  const Real b = p.x * v.x + p.y * v.y;
+  if (!(b < 0)) return no_span<Real>();
+  const Real a = v.x * v.x + v.y * v.y;
+  const Real cross = p.x * v.y - p.y * v.x;
+  const Real discriminant = a * (r * r) - cross * cross;
+  if (!(discriminant > 0)) return no_span<Real>();
+  const Real root = square_root(discriminant), inverse = Real(1) / a;
+  const Real leave = (-b + root) * inverse;
+  return {(-b - root) * inverse, leave, leave};
+}
+
+template <class Real>
+Side inside(const Tube<Real>& s, const Vec3<Real>& p, Real tol) {
+  Side side = worse(Side::inside, absolute(p.z) - s.hz, tol);
+  const Real r = square_root(p.x * p.x + p.y * p.y);
+  side = worse(side, r - s.rmax, tol);
+  if (s.rmin > 0) side = worse(side, s.rmin - r, tol);
+  if (s.wedge.kind != 0) side = worse(side, wedge_distance(s.wedge, p.x, p.y), tol);
+  return side;
+}
+
+template <class Real>
+bool contains(const Tube<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  if (beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol)) return false;
+  if (!in_cylinder(s.rmax, p, v, tol)) return false;
+  if (s.rmin > 0 && in_cylinder(s.rmin, p, v, tol)) return false;
+  return in_wedge(s.wedge, p, v, tol);
+}
+
+template <class Real>
+Real distance_to_in(const Tube<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  Span<Real> body = cylinder_span(s.rmax, p, v, tol);
+  clip_slab(body, s.hz, p.z, v.z, v.inverse_z, tol);
+  if (!is_ahead(body)) return infinity<Real>();
+  if (s.wedge.kind == 1) clip_to_wedge(s.wedge, p, v, tol, body);
+  const Span<Real> bore = s.rmin > 0 ? cylinder_span(s.rmin, p, v, tol) : no_span<Real>();
+  const Real t = first_entry(body, bore, gap_span(s.wedge, p, v, tol));
+  return t < 0 ? distance_from_within(s, p, tol) : t;
+}
+
+template <class Real>
+Real distance_to_out(const Tube<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  Real leave = leave_cylinder(s.rmax, p, v, tol);
+  leave = leave_slab(s.hz, p.z, v.z, v.inverse_z, tol, leave);
+  if (s.rmin > 0) leave = leave_into_hole(cylinder_span(s.rmin, p, v, tol), leave);
+  return leave_wedge(s.wedge, p, v, tol, leave);
+}
+
+template <class Real>
+Real safety_to_in(const Tube<Real>& s, const Vec3<Real>& p) {
+  const Real r = square_root(p.x * p.x + p.y * p.y);
+  Real away = larger(absolute(p.z) - s.hz, Real(0));
+  away = larger(r - s.rmax, away);
+  if (s.rmin > 0) away = larger(s.rmin - r, away);
+  if (s.wedge.kind != 0) away = larger(wedge_distance(s.wedge, p.x, p.y), away);
+  return away;
+}
+
+template <class Real>
+Real safety_to_out(const Tube<Real>& s, const Vec3<Real>& p) {
+  const Real r = square_root(p.x * p.x + p.y * p.y);
+  Real depth = smaller(s.hz - absolute(p.z), s.rmax - r);
+  if (s.rmin > 0) depth = smaller(r - s.rmin, depth);
+  if (s.wedge.kind != 0) depth = smaller(-wedge_distance(s.wedge, p.x, p.y), depth);
+  return larger(depth, Real(0));
+}
+
+}  // namespace navjit::kernels

@@ -1,0 +1,25 @@
+// Arithmetic of vectors for callers; navigation itself does not use it.
+#pragma once
+
+#include <cmath>
+
+#include "geometry/solids/solid.hpp"
+
+namespace navjit::kernels {
+
+constexpr Vec3<double> operator+(const Vec3<double>& a, const Vec3<double>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+constexpr Vec3<double> operator-(const Vec3<double>& a, const Vec3<double>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+constexpr Vec3<double> operator*(double s, const Vec3<double>& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+constexpr Vec3<double>& operator+=(Vec3<double>& a, const Vec3<double>& b) { return a = a + b; }
+constexpr bool operator==(const Vec3<double>& a, const Vec3<double>& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+inline double norm(const Vec3<double>& a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
+
+}  // namespace navjit::kernels

@@ -1,0 +1,70 @@
+// The detector: solids, logical volumes and their placements, as a tree of touchables below the
+// world volume. Immutable once built; shared by all threads.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/model/transformation.hpp"
+#include "geometry/solids/solid.hpp"
+
+namespace navjit {
+
+using VolumeId = std::uint32_t;
+using TouchableId = std::uint64_t;
+
+/// How near to a face a point counts as on it, mm: absolute, or relative to the world's size (the
+/// largest coordinate in it), whichever is larger (docs/tolerance.md).
+struct Tolerance {
+  double absolute = 1e-11;
+  double relative = 4e-15;
+};
+
+struct Material {
+  std::string name;
+  double density = 0;  ///< g/cm3; 0 where the file gives none
+};
+
+struct Placement {
+  std::string name;
+  VolumeId volume = 0;
+  int copy_number = 0;
+  Transformation transformation;
+  /// Touchable of this daughter = touchable of the mother + offset. Set by finish().
+  TouchableId offset = 0;
+};
+
+struct LogicalVolume {
+  std::string name;
+  Solid solid;
+  std::uint32_t material = 0;  ///< index into World::materials
+  std::vector<Placement> daughters;
+  /// Number of touchables in the tree below and including one placement of this volume.
+  TouchableId touchables = 0;
+};
+
+struct World {
+  std::vector<LogicalVolume> volumes;
+  std::vector<Material> materials;
+  VolumeId top = 0;
+  Tolerance tolerance_rule;
+  double tolerance = 0;  ///< mm, from the rule and the world's extent. Set by finish().
+  int depth = 0;         ///< levels of the tree, 1 for a lone world volume. Set by finish().
+};
+
+/// The deepest tree that is navigated; deeper ones are refused.
+constexpr int max_depth = 64;
+
+/// Checks a world that was filled in and sets what is derived: touchable offsets, tolerance, depth.
+/// Volumes that cannot be reached from `top` are kept, but not navigated.
+/// Touchables count in preorder: the top is 0, a daughter follows its elder sisters' trees.
+/// Throws GeometryError on a cycle (the message names the volumes), a tree deeper than max_depth or
+/// with more than 2^62 touchables, or a placement of a volume that does not exist.
+void finish(World& world);
+
+/// "world/mother/daughter": the top volume's name, then placement names down to the touchable.
+/// Throws std::out_of_range where the world has no such touchable.
+std::string path_of(const World& world, TouchableId touchable);
+
+}  // namespace navjit

@@ -1,0 +1,231 @@
+#include "geometry/navigation/generic.hpp"
+
+#include <algorithm>
+
+#include "geometry/bvh/box_tree_traversal.hpp"
+
+namespace navjit::generic {
+namespace {
+
+using kernels::AnySolid;
+
+constexpr unsigned no_daughter = ~0U;
+
+void push(Stack& stack, const Daughter& daughter, unsigned index) {
+  const Transformation& t = daughter.transformation;
+  if (t.rotated) {
+    kernels::push_rotated(&stack, daughter.volume, index, daughter.offset, t.translation[0],
+                          t.translation[1], t.translation[2], t.rotation);
+  } else {
+    kernels::push_translated(&stack, daughter.volume, index, daughter.offset, t.translation[0],
+                             t.translation[1], t.translation[2]);
+  }
+}
+
+bool contains_local(const Daughter& d, const Vec3& p, const Direction& v, double tolerance) {
+  return contains(d.solid, to_local(d.transformation, p), to_local(d.transformation, v), tolerance);
+}
+
+double distance_local(const Daughter& d, const Vec3& p, const Direction& v, double tolerance) {
+  return distance_to_in(d.solid, to_local(d.transformation, p), to_local(d.transformation, v),
+                        tolerance);
+}
+
+/// The first daughter in file order, other than `blocked`, with the local point.
+unsigned find_daughter(const Scene& scene, const Vec3& p, const Direction& v, int blocked,
+                       double tolerance) {
+  unsigned found = no_daughter;
+  const auto test = [&](unsigned k) {
+    if (k < found && static_cast<int>(k) != blocked &&
+        contains_local(scene.daughters[k], p, v, tolerance)) {
+      found = k;
+    }
+    return true;
+  };
+  switch (scene.search) {
+    case Search::none:
+      break;
+    case Search::all:
+      for (unsigned k = 0; k < scene.daughters.size() && found == no_daughter; ++k) test(k);
+      break;
+    case Search::linear_boxes:
+    case Search::bvh:
+      scene.boxes->containing(p, test);
+  }
+  return found;
+}
+
+struct Hit {
+  double distance;
+  unsigned daughter;
+};
+
+/// The nearest daughter ahead, nearer than `distance`, the mother's exit; on ties the first in file
+/// order. Daughters beyond `limit` may be left out.
+Hit nearest_daughter(const Scene& scene, const Vec3& p, const Direction& v, double distance,
+                     double limit, double tolerance) {
+  Hit hit{distance, no_daughter};
+  const auto test = [&](unsigned k) {
+    const double d = distance_local(scene.daughters[k], p, v, tolerance);
+    if (d < hit.distance ||
+        (d == hit.distance && hit.daughter != no_daughter && k < hit.daughter)) {
+      hit = {d, k};
+    }
+    return hit.distance;
+  };
+  switch (scene.search) {
+    case Search::none:
+      break;
+    case Search::all:
+      for (unsigned k = 0; k < scene.daughters.size(); ++k) test(k);
+      break;
+    case Search::linear_boxes:
+    case Search::bvh:
+      scene.boxes->along_ray(p, v, std::min(limit, distance),
+                             [&](unsigned k, double) { return std::min(limit, test(k)); });
+  }
+  return hit;
+}
+
+void enter_world(const Geometry& geometry, Stack& stack) {
+  stack.depth = 0;
+  StackLevel& top = stack.levels[0];
+  top = {};
+  top.volume = geometry.world().top;
+}
+
+}  // namespace
+
+void locate(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction) {
+  enter_world(geometry, stack);
+  stack.boundary = 0;
+  const Vec3 p{point.x + 0.0, point.y + 0.0, point.z + 0.0};
+  const Direction v = kernels::make_direction(direction.x, direction.y, direction.z);
+  if (!contains(geometry.scene(geometry.world().top).solid, p, v, geometry.tolerance())) {
+    stack.depth = -1;
+    return;
+  }
+  settle(geometry, stack, p, direction, -1);
+}
+
+void settle(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction,
+            int blocked) {
+  const double tolerance = geometry.tolerance();
+  const Scene* scene = &geometry.scene(stack.levels[stack.depth].volume);
+  if (blocked >= 0) {
+    // Out of a daughter: the mother may end at the same place.
+    for (;;) {
+      const StackLevel& level = stack.levels[stack.depth];
+      if (contains(scene->solid, kernels::to_local(level, point.x, point.y, point.z),
+                   kernels::to_local_direction(level, direction.x, direction.y, direction.z),
+                   tolerance)) {
+        break;
+      }
+      blocked = static_cast<int>(level.daughter);
+      if (--stack.depth < 0) return;
+      scene = &geometry.scene(stack.levels[stack.depth].volume);
+    }
+  }
+  while (!scene->daughters.empty()) {
+    const StackLevel& level = stack.levels[stack.depth];
+    const Vec3 p = kernels::to_local(level, point.x, point.y, point.z);
+    const Direction v = kernels::to_local_direction(level, direction.x, direction.y, direction.z);
+    const unsigned found = find_daughter(*scene, p, v, blocked, tolerance);
+    if (found == no_daughter) return;
+    push(stack, scene->daughters[found], found);
+    scene = &geometry.scene(stack.levels[stack.depth].volume);
+    blocked = -1;
+  }
+}
+
+double step(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction,
+            double limit) {
+  const StackLevel& level = stack.levels[stack.depth];
+  const Scene& scene = geometry.scene(level.volume);
+  const Vec3 p = kernels::to_local(level, point.x, point.y, point.z);
+  const Direction v = kernels::to_local_direction(level, direction.x, direction.y, direction.z);
+  const double out = distance_to_out(scene.solid, p, v, geometry.tolerance());
+  const Hit hit = nearest_daughter(scene, p, v, out, limit, geometry.tolerance());
+  if (hit.distance > limit) {
+    stack.boundary = 0;
+    return limit;
+  }
+  stack.boundary = 1;
+  const Vec3 end{point.x + hit.distance * direction.x, point.y + hit.distance * direction.y,
+                 point.z + hit.distance * direction.z};
+  if (hit.daughter != no_daughter) {
+    push(stack, scene.daughters[hit.daughter], hit.daughter);
+    settle(geometry, stack, end, direction, -1);
+  } else {
+    const int left = static_cast<int>(level.daughter);
+    if (--stack.depth >= 0) settle(geometry, stack, end, direction, left);
+  }
+  return hit.distance;
+}
+
+double safety(const Geometry& geometry, const Stack& stack, const Vec3& point) {
+  const StackLevel& level = stack.levels[stack.depth];
+  const Scene& scene = geometry.scene(level.volume);
+  const Vec3 p = kernels::to_local(level, point.x, point.y, point.z);
+  double safety = safety_to_out(scene.solid, p);
+  const auto test = [&](unsigned k) {
+    const Daughter& d = scene.daughters[k];
+    safety = std::min(safety, safety_to_in(d.solid, to_local(d.transformation, p)));
+    return safety;
+  };
+  switch (scene.search) {
+    case Search::none:
+      break;
+    case Search::all:
+      for (unsigned k = 0; k < scene.daughters.size(); ++k) test(k);
+      break;
+    case Search::linear_boxes:
+    case Search::bvh:
+      scene.boxes->near(p, safety, [&](unsigned k, double) { return test(k); });
+  }
+  // Frames are composed and applied with rounding; a bound must stay below the truth all the same.
+  return std::max(0.0, safety - geometry.tolerance());
+}
+
+void restore(const Geometry& geometry, Stack& stack, TouchableId touchable) {
+  const World& world = geometry.world();
+  // Keep the levels whose range of touchables holds the one asked for.
+  while (stack.depth >= 0) {
+    const StackLevel& level = stack.levels[stack.depth];
+    if (touchable >= level.touchable &&
+        touchable < level.touchable + world.volumes[level.volume].touchables) {
+      break;
+    }
+    --stack.depth;
+  }
+  if (stack.depth < 0) enter_world(geometry, stack);
+  while (stack.levels[stack.depth].touchable != touchable) {
+    const StackLevel& level = stack.levels[stack.depth];
+    const auto daughters = geometry.scene(level.volume).daughters;
+    const TouchableId rest = touchable - level.touchable;
+    const auto after = std::upper_bound(
+        daughters.begin(), daughters.end(), rest,
+        [](TouchableId value, const Daughter& daughter) { return value < daughter.offset; });
+    const auto index = static_cast<unsigned>(after - daughters.begin() - 1);
+    push(stack, daughters[index], index);
+  }
+}
+
+namespace {
+
+double step_record(Stack* stack, const kernels::Context* context, double x, double y, double z,
+                   double u, double v, double w, double limit) {
+  return step(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z}, {u, v, w},
+              limit);
+}
+
+void settle_record(Stack* stack, const kernels::Context* context, double x, double y, double z,
+                   double u, double v, double w, int blocked) {
+  settle(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z}, {u, v, w}, blocked);
+}
+
+}  // namespace
+
+const kernels::Navigators navigators{step_record, settle_record};
+
+}  // namespace navjit::generic

@@ -1,0 +1,31 @@
+// The generic navigator: answers for any scene, and defines what the right answer is. Specialised
+// navigators have to give the same bits.
+#pragma once
+
+#include "geometry/navigation/geometry.hpp"
+
+namespace navjit::generic {
+
+/// Brings the stack to the deepest touchable with the global point; depth -1 if outside the world.
+/// The direction (unit, or all zero) decides for points on a face.
+void locate(const Geometry&, Stack&, const Vec3& point, const Vec3& direction);
+
+/// One step from a global point (mm) along a unit direction, at most `limit` mm. Returns the length
+/// and leaves the stack at the next touchable; `stack.boundary` says whether a boundary ended the
+/// step. The stack must not be outside the world.
+double step(const Geometry&, Stack&, const Vec3& point, const Vec3& direction, double limit);
+
+/// Relocation after a crossing; see kernels::SettleFunction.
+void settle(const Geometry&, Stack&, const Vec3& point, const Vec3& direction, int blocked);
+
+/// A lower bound (mm, >= 0) of the distance from a global point to the nearest boundary of the
+/// innermost volume or of its daughters.
+double safety(const Geometry&, const Stack&, const Vec3& point);
+
+/// Rebuilds the stack for a touchable; reuses the levels that it shares with the present one.
+void restore(const Geometry&, Stack&, TouchableId touchable);
+
+/// The records of the generic navigator for a Context whose `geometry` is a Geometry.
+extern const kernels::Navigators navigators;
+
+}  // namespace navjit::generic

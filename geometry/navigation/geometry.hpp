@@ -1,0 +1,68 @@
+// The world prepared for navigation: per volume a compact scene with its acceleration structure.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "geometry/model/world.hpp"
+#include "geometry/navigation/stack.hpp"
+
+namespace navjit {
+
+namespace bvh {
+class BoxTree;
+}
+
+/// How a scene's daughters are searched.
+enum class Search : std::uint8_t { none, all, linear_boxes, bvh };
+
+/// A daughter as the navigator meets it.
+struct Daughter {
+  kernels::AnySolid<double> solid;
+  Transformation transformation;
+  TouchableId offset;
+  VolumeId volume;
+};
+
+/// One logical volume with its daughters.
+struct Scene {
+  kernels::AnySolid<double> solid;
+  std::span<const Daughter> daughters;
+  Search search = Search::none;
+  std::unique_ptr<const bvh::BoxTree> boxes;  ///< for linear_boxes and bvh
+
+  Scene();
+  Scene(Scene&&) noexcept;
+  ~Scene();
+};
+
+struct GeometryOptions {
+  /// Forces one search for all scenes with daughters, for tests and measurements.
+  enum class Force : std::uint8_t { automatic, all, linear_boxes, bvh } force = Force::automatic;
+};
+
+/// Immutable, shared by all threads. Keeps the world alive.
+class Geometry {
+ public:
+  explicit Geometry(std::shared_ptr<const World> world, const GeometryOptions& options = {});
+  Geometry(const Geometry&) = delete;
+  Geometry& operator=(const Geometry&) = delete;
+  ~Geometry();
+
+  const World& world() const { return *world_; }
+  std::shared_ptr<const World> share_world() const { return world_; }
+  const Scene& scene(VolumeId volume) const { return scenes_[volume]; }
+  std::size_t size() const { return scenes_.size(); }
+  double tolerance() const { return world_->tolerance; }
+
+ private:
+  std::shared_ptr<const World> world_;
+  std::vector<Daughter> daughters_;
+  std::vector<Scene> scenes_;
+};
+
+/// The box around a placed solid in its mother's frame, mm.
+Extent placed_extent(const Solid& solid, const Transformation& transformation);
+
+}  // namespace navjit

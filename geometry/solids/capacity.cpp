@@ -1,0 +1,108 @@
+// Volumes in closed form, from the kernels' shapes.
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geometry/solids/solid.hpp"
+
+namespace navjit {
+namespace {
+
+using std::numbers::pi;
+
+/// The angle that a wedge leaves, rad.
+double angle_of(const kernels::Wedge<double>& w) {
+  if (w.kind == 0) return 2 * pi;
+  const double angle = std::atan2(w.start_x * w.end_y - w.start_y * w.end_x,
+                                  w.start_x * w.end_x + w.start_y * w.end_y);
+  return angle > 0 ? angle : angle + 2 * pi;
+}
+
+/// Integral of the squared radius over z in [from, to].
+double squared_radius_integral(const kernels::ConicalFace<double>& f, double from, double to) {
+  const double r1 = (f.radius + f.slope * from) / f.cosine;
+  const double r2 = (f.radius + f.slope * to) / f.cosine;
+  return (to - from) * (r1 * r1 + r1 * r2 + r2 * r2) / 3;
+}
+
+double volume(const kernels::Box<double>& s) { return 8 * s.hx * s.hy * s.hz; }
+
+double volume(const kernels::Tube<double>& s) {
+  return angle_of(s.wedge) * (s.rmax - s.rmin) * (s.rmax + s.rmin) * s.hz;
+}
+
+double volume(const kernels::Cone<double>& s) {
+  double integral = squared_radius_integral(s.outer, -s.hz, s.hz);
+  if (s.bored != 0) integral -= squared_radius_integral(s.inner, -s.hz, s.hz);
+  return angle_of(s.wedge) / 2 * integral;
+}
+
+double volume(const kernels::Trd<double>& s) {
+  // Half lengths in x and y are linear in z.
+  const auto half = [](const kernels::FacePair<double>& f, double z) {
+    return (f.offset - f.along * z) / f.across;
+  };
+  const double x = half(s.x, 0), y = half(s.y, 0);
+  const double dx = half(s.x, s.hz) - x, dy = half(s.y, s.hz) - y;
+  return 8 * s.hz * (x * y + dx * dy / 3);
+}
+
+/// Area of the trapezoid at height z: the sides across y are parallel to x in every section.
+double area_at(const kernels::Trap<double>& s, double z) {
+  const auto y_on = [&](const kernels::Plane<double>& f) { return -(f.c * z + f.d) / f.b; };
+  const auto x_on = [&](const kernels::Plane<double>& f, double y) {
+    return -(f.b * y + f.c * z + f.d) / f.a;
+  };
+  const double y1 = y_on(s.y_minus), y2 = y_on(s.y_plus), y = (y1 + y2) / 2;
+  return (y2 - y1) * (x_on(s.x_plus, y) - x_on(s.x_minus, y));
+}
+double volume(const kernels::Trap<double>& s) {
+  // The area is quadratic in z.
+  return s.hz / 3 * (area_at(s, -s.hz) + 4 * area_at(s, 0) + area_at(s, s.hz));
+}
+
+double volume(const kernels::Orb<double>& s) { return 4 * pi / 3 * s.radius * s.radius * s.radius; }
+
+double volume(const kernels::Sphere<double>& s) {
+  const auto cosine = [](const kernels::PolarLimit<double>& limit, double none) {
+    if (limit.kind == 0) return none;
+    return limit.face.slope < 0 ? -limit.face.cosine : limit.face.cosine;
+  };
+  const double heights = cosine(s.low, 1) - cosine(s.high, -1);
+  const double shell = (s.rmax - s.rmin) * (s.rmax * s.rmax + s.rmax * s.rmin + s.rmin * s.rmin);
+  return angle_of(s.wedge) / 3 * heights * shell;
+}
+
+template <class Stack>
+double stack_volume(const Stack& s, double area_factor) {
+  double integral = 0;
+  for (int i = 0; i < s.count; ++i) {
+    const auto& section = s.sections[i];
+    const double length = section.z_high - section.z_low;
+    integral += squared_radius_integral(section.outer, 0, length);
+    if (section.bored != 0) integral -= squared_radius_integral(section.inner, 0, length);
+  }
+  return area_factor * integral;
+}
+double volume(const kernels::Polycone<double>& s) { return stack_volume(s, angle_of(s.wedge) / 2); }
+double volume(const kernels::Polyhedra<double>& s) {
+  return stack_volume(s, s.side_count * std::tan(angle_of(s.wedge) / (2 * s.side_count)));
+}
+
+double volume(const kernels::AnySolid<double>& s);
+
+double volume(const kernels::AnyPlaced<double>& s) { return volume(s.solid); }
+template <class Boolean>
+double volume(const Boolean&) {
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double volume(const kernels::AnySolid<double>& s) {
+  return kernels::visit(s, [](const auto& shape) { return volume(shape); });
+}
+
+}  // namespace
+
+double capacity(const Solid& solid) { return volume(solid.any()); }
+
+}  // namespace navjit

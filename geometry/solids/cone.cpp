@@ -1,0 +1,31 @@
+#include "geometry/solids/make.hpp"
+
+namespace navjit {
+namespace {
+
+/// The face through r1 at -hz and r2 at +hz, with z from the centre.
+kernels::ConicalFace<double> centred_face(double r1, double r2, double hz) {
+  kernels::ConicalFace<double> face = detail::conical_face(r1, r2, 2 * hz);
+  face.radius = face.cosine * ((r1 + r2) / 2);
+  return face;
+}
+
+}  // namespace
+
+Solid make_cone(std::string name, double rmin1, double rmax1, double rmin2, double rmax2, double hz,
+                double start_phi, double delta_phi) {
+  detail::require_finite({rmin1, rmax1, rmin2, rmax2, hz}, name);
+  detail::require(rmin1 >= 0 && rmin2 >= 0, name, "a cone needs radii that are not negative");
+  detail::require(rmax1 >= rmin1 && rmax2 >= rmin2, name, "a cone needs rmin <= rmax at both ends");
+  detail::require(rmax1 > rmin1 || rmax2 > rmin2, name, "a cone needs rmin < rmax at one end");
+  detail::require(hz > 0, name, "a cone needs a positive length");
+  const kernels::Cone<double> shape{hz, centred_face(rmax1, rmax2, hz),
+                                    centred_face(rmin1, rmin2, hz), rmin1 > 0 || rmin2 > 0 ? 1 : 0,
+                                    detail::make_wedge(start_phi, delta_phi, name)};
+  const Extent extent =
+      detail::merged(detail::sector_extent(rmin1, rmax1, start_phi, delta_phi, -hz, hz),
+                     detail::sector_extent(rmin2, rmax2, start_phi, delta_phi, -hz, hz));
+  return detail::make_solid(std::move(name), SolidKind::cone, shape, extent);
+}
+
+}  // namespace navjit

@@ -1,0 +1,151 @@
+// The fields of every kernel's shape, in declaration order: what code generation prints, the
+// fingerprint hashes, `inspect` shows and the high-precision reference converts.
+//
+// visit_fields(shape, visitor) calls visitor(name, field) for numbers and nested structs, and
+// visitor(name, pointer, count) for arrays.
+#pragma once
+
+#include "geometry/solids/kernels.hpp"
+
+namespace navjit::kernels {
+
+template <class Real, class V>
+void visit_fields(const Box<Real>& s, V&& visit) {
+  visit("hx", s.hx);
+  visit("hy", s.hy);
+  visit("hz", s.hz);
+}
+
+template <class Real, class V>
+void visit_fields(const Wedge<Real>& s, V&& visit) {
+  visit("kind", s.kind);
+  visit("start_x", s.start_x);
+  visit("start_y", s.start_y);
+  visit("end_x", s.end_x);
+  visit("end_y", s.end_y);
+}
+
+template <class Real, class V>
+void visit_fields(const Tube<Real>& s, V&& visit) {
+  visit("rmin", s.rmin);
+  visit("rmax", s.rmax);
+  visit("hz", s.hz);
+  visit("wedge", s.wedge);
+}
+
+template <class Real, class V>
+void visit_fields(const ConicalFace<Real>& s, V&& visit) {
+  visit("radius", s.radius);
+  visit("slope", s.slope);
+  visit("cosine", s.cosine);
+}
+
+template <class Real, class V>
+void visit_fields(const Cone<Real>& s, V&& visit) {
+  visit("hz", s.hz);
+  visit("outer", s.outer);
+  visit("inner", s.inner);
+  visit("bored", s.bored);
+  visit("wedge", s.wedge);
+}
+
+template <class Real, class V>
+void visit_fields(const FacePair<Real>& s, V&& visit) {
+  visit("across", s.across);
+  visit("along", s.along);
+  visit("offset", s.offset);
+}
+
+template <class Real, class V>
+void visit_fields(const Trd<Real>& s, V&& visit) {
+  visit("hz", s.hz);
+  visit("x", s.x);
+  visit("y", s.y);
+}
+
+template <class Real, class V>
+void visit_fields(const Plane<Real>& s, V&& visit) {
+  visit("a", s.a);
+  visit("b", s.b);
+  visit("c", s.c);
+  visit("d", s.d);
+}
+
+template <class Real, class V>
+void visit_fields(const Trap<Real>& s, V&& visit) {
+  visit("hz", s.hz);
+  visit("y_minus", s.y_minus);
+  visit("y_plus", s.y_plus);
+  visit("x_minus", s.x_minus);
+  visit("x_plus", s.x_plus);
+}
+
+template <class Real, class V>
+void visit_fields(const Orb<Real>& s, V&& visit) {
+  visit("radius", s.radius);
+}
+
+template <class Real, class V>
+void visit_fields(const PolarLimit<Real>& s, V&& visit) {
+  visit("kind", s.kind);
+  visit("face", s.face);
+}
+
+template <class Real, class V>
+void visit_fields(const Sphere<Real>& s, V&& visit) {
+  visit("rmin", s.rmin);
+  visit("rmax", s.rmax);
+  visit("wedge", s.wedge);
+  visit("low", s.low);
+  visit("high", s.high);
+}
+
+template <class Real, class V>
+void visit_fields(const Section<Real>& s, V&& visit) {
+  visit("z_low", s.z_low);
+  visit("z_high", s.z_high);
+  visit("outer", s.outer);
+  visit("inner", s.inner);
+  visit("bored", s.bored);
+}
+
+template <class Real, class V>
+void visit_fields(const Ledge<Real>& s, V&& visit) {
+  visit("z", s.z);
+  visit("rmin", s.rmin);
+  visit("rmax", s.rmax);
+}
+
+template <class Real, class V>
+void visit_fields(const Polycone<Real>& s, V&& visit) {
+  visit("sections", s.sections, s.count);
+  visit("count", s.count);
+  visit("ledges", s.ledges, s.ledge_count);
+  visit("ledge_count", s.ledge_count);
+  visit("z_low", s.z_low);
+  visit("z_high", s.z_high);
+  visit("rmax", s.rmax);
+  visit("wedge", s.wedge);
+}
+
+template <class Real, class V>
+void visit_fields(const SideNormal<Real>& s, V&& visit) {
+  visit("x", s.x);
+  visit("y", s.y);
+}
+
+template <class Real, class V>
+void visit_fields(const Polyhedra<Real>& s, V&& visit) {
+  visit("sections", s.sections, s.count);
+  visit("count", s.count);
+  visit("ledges", s.ledges, s.ledge_count);
+  visit("ledge_count", s.ledge_count);
+  visit("z_low", s.z_low);
+  visit("z_high", s.z_high);
+  visit("rmax", s.rmax);
+  visit("wedge", s.wedge);
+  visit("sides", s.sides, s.side_count);
+  visit("side_count", s.side_count);
+}
+
+}  // namespace navjit::kernels

@@ -1,0 +1,19 @@
+// All kernels in the order they build on one another. Kernels include nothing themselves.
+#pragma once
+
+// clang-format off
+#include "geometry/kernels/prelude.h"
+#include "geometry/kernels/convex.h"
+#include "geometry/kernels/box.h"
+#include "geometry/kernels/trd.h"
+#include "geometry/kernels/trap.h"
+#include "geometry/kernels/wedge.h"
+#include "geometry/kernels/tube.h"
+#include "geometry/kernels/cone.h"
+#include "geometry/kernels/orb.h"
+#include "geometry/kernels/sphere.h"
+#include "geometry/kernels/stack.h"
+#include "geometry/kernels/polycone.h"
+#include "geometry/kernels/polyhedra.h"
+#include "geometry/kernels/boolean.h"
+// clang-format on

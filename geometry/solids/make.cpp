@@ -1,0 +1,73 @@
+#include "geometry/solids/make.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace navjit::detail {
+// cos and sin of multiples of a right angle come out a rounding away from 0 and 1; the faces of
+// half and quarter tubes are meant to lie on the axes.
+UnitVector unit_vector(double angle) {
+  const double quarter = angle / (std::numbers::pi / 2);
+  const double nearest = std::round(quarter);
+  if (std::abs(quarter - nearest) < 1e-12) {
+    constexpr UnitVector axes[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    return axes[static_cast<long long>(nearest) & 3];
+  }
+  return {std::cos(angle), std::sin(angle)};
+}
+
+kernels::ConicalFace<double> conical_face(double r_low, double r_high, double length) {
+  const double rise = r_high - r_low, slant = std::hypot(rise, length);
+  const double cosine = length / slant;
+  return {cosine * r_low, rise / slant, cosine};
+}
+
+Extent merged(const Extent& a, const Extent& b) {
+  return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y), std::min(a.min.z, b.min.z)},
+          {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y), std::max(a.max.z, b.max.z)}};
+}
+
+void require(bool condition, const std::string& solid_name, const char* what) {
+  if (!condition) throw GeometryError("solid '" + solid_name + "': " + what);
+}
+
+void require_finite(std::initializer_list<double> values, const std::string& solid_name) {
+  for (const double value : values) {
+    require(std::isfinite(value), solid_name, "a dimension is not a finite number");
+  }
+}
+
+kernels::Wedge<double> make_wedge(double start, double delta, const std::string& solid_name) {
+  require_finite({start, delta}, solid_name);
+  require(std::abs(start) < 1e6, solid_name, "the start angle is out of range");
+  require(delta > 0, solid_name, "the angle spanned must be positive");
+  if (delta >= 2 * std::numbers::pi - 1e-9) return {0, 1, 0, 1, 0};
+  const UnitVector a = unit_vector(start), b = unit_vector(start + delta);
+  const bool convex = delta <= std::numbers::pi * (1 + 1e-15);
+  return {convex ? 1 : 2, a.x, a.y, b.x, b.y};
+}
+
+Extent sector_extent(double rmin, double rmax, double start, double delta, double zmin,
+                     double zmax) {
+  Extent e{{-rmax, -rmax, zmin}, {rmax, rmax, zmax}};
+  if (delta >= 2 * std::numbers::pi - 1e-9) return e;
+  e.min.x = e.min.y = INFINITY;
+  e.max.x = e.max.y = -INFINITY;
+  const auto add = [&](double r, UnitVector u) {
+    e.min.x = std::min(e.min.x, r * u.x);
+    e.max.x = std::max(e.max.x, r * u.x);
+    e.min.y = std::min(e.min.y, r * u.y);
+    e.max.y = std::max(e.max.y, r * u.y);
+  };
+  for (const double r : {rmin, rmax}) {
+    add(r, unit_vector(start));
+    add(r, unit_vector(start + delta));
+    const double quarter = std::numbers::pi / 2;
+    for (double k = std::ceil(start / quarter); k * quarter <= start + delta; ++k) {
+      add(r, unit_vector(k * quarter));
+    }
+  }
+  return e;
+}
+
+}  // namespace navjit::detail

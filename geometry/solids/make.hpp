@@ -1,0 +1,39 @@
+// What the factories of solids share. Private to geometry/solids.
+#pragma once
+
+#include <cmath>
+
+#include "geometry/solids/solid.hpp"
+
+namespace navjit::detail {
+
+/// Throws GeometryError unless the condition holds: "solid 'N': WHAT".
+void require(bool condition, const std::string& solid_name, const char* what);
+/// Throws unless all values are finite.
+void require_finite(std::initializer_list<double> values, const std::string& solid_name);
+
+struct UnitVector {
+  double x, y;
+};
+/// (cos, sin) of an angle; exact for multiples of a right angle.
+UnitVector unit_vector(double angle);
+
+/// The conical face through radius r_low at z = 0 and r_high at z = length > 0.
+kernels::ConicalFace<double> conical_face(double r_low, double r_high, double length);
+
+/// The smallest box around two.
+Extent merged(const Extent& a, const Extent& b);
+
+/// The wedge for [start, start + delta], rad. A delta within 1e-9 of a full turn is a full turn;
+/// sines and cosines of right angles are exact.
+kernels::Wedge<double> make_wedge(double start, double delta, const std::string& solid_name);
+/// Extent in x and y of the annulus sector rmin..rmax within the wedge.
+Extent sector_extent(double rmin, double rmax, double start, double delta, double zmin,
+                     double zmax);
+
+template <class Shape>
+Solid make_solid(std::string name, SolidKind kind, const Shape& shape, const Extent& extent) {
+  return {std::move(name), kind, std::make_shared<const Shape>(shape), extent};
+}
+
+}  // namespace navjit::detail

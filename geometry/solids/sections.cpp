@@ -1,0 +1,121 @@
+#include "geometry/solids/sections.hpp"
+
+#include <algorithm>
+
+namespace navjit::detail {
+namespace {
+
+/// A part of the contour that changes z, with z1 < z2.
+struct Edge {
+  double z1, r1, z2, r2;
+
+  double radius_at(double z) const {
+    if (z == z1) return r1;
+    if (z == z2) return r2;
+    return r1 + (r2 - r1) * ((z - z1) / (z2 - z1));
+  }
+};
+
+/// A ring's radii at the two ends of its slab.
+struct Ring {
+  double rmin_low, rmax_low, rmin_high, rmax_high;
+};
+
+std::vector<Edge> contour_edges(std::span<const ZPlane> planes) {
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i + 1 < planes.size(); ++i) {
+    const ZPlane &a = planes[i], &b = planes[i + 1];
+    if (a.z == b.z) continue;
+    const auto add = [&](double ra, double rb) {
+      edges.push_back(a.z < b.z ? Edge{a.z, ra, b.z, rb} : Edge{b.z, rb, a.z, ra});
+    };
+    add(a.rmin, b.rmin);
+    add(a.rmax, b.rmax);
+  }
+  return edges;
+}
+
+/// The rings between two neighbouring heights: inside and outside alternate along r.
+std::vector<Ring> rings_between(const std::vector<Edge>& edges, double low, double high,
+                                const std::string& name) {
+  struct Crossing {
+    double at_low, at_high;
+  };
+  std::vector<Crossing> crossings;
+  for (const Edge& edge : edges) {
+    if (edge.z1 <= low && edge.z2 >= high) {
+      crossings.push_back({edge.radius_at(low), edge.radius_at(high)});
+    }
+  }
+  std::stable_sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
+    return a.at_low + a.at_high < b.at_low + b.at_high;
+  });
+  std::vector<Ring> rings;
+  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+    const Crossing &a = crossings[i], &b = crossings[i + 1];
+    require(a.at_low <= b.at_low && a.at_high <= b.at_high, name, "the contour crosses itself");
+    const bool empty = a.at_low == b.at_low && a.at_high == b.at_high;
+    if (i % 2 == 0 && !empty) rings.push_back({a.at_low, b.at_low, a.at_high, b.at_high});
+  }
+  return rings;
+}
+
+/// Where, at one height, there is a ring on one side only.
+void add_ledges(double z, const std::vector<Ring>& below, const std::vector<Ring>& above,
+                std::vector<kernels::Ledge<double>>& ledges) {
+  std::vector<double> radii;
+  for (const Ring& ring : below) radii.insert(radii.end(), {ring.rmin_high, ring.rmax_high});
+  for (const Ring& ring : above) radii.insert(radii.end(), {ring.rmin_low, ring.rmax_low});
+  std::sort(radii.begin(), radii.end());
+  for (std::size_t i = 0; i + 1 < radii.size(); ++i) {
+    const double low = radii[i], high = radii[i + 1];
+    if (low == high) continue;
+    const bool in_below = std::any_of(below.begin(), below.end(), [&](const Ring& ring) {
+      return ring.rmin_high <= low && ring.rmax_high >= high;
+    });
+    const bool in_above = std::any_of(above.begin(), above.end(), [&](const Ring& ring) {
+      return ring.rmin_low <= low && ring.rmax_low >= high;
+    });
+    if (in_below != in_above) ledges.push_back({z, low, high});
+  }
+}
+
+}  // namespace
+
+Sections make_sections(std::span<const ZPlane> planes, const std::string& name) {
+  require(planes.size() >= 2, name, "at least two z planes are needed");
+  Sections made{{}, {}, 0};
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const ZPlane& plane = planes[i];
+    require_finite({plane.z, plane.rmin, plane.rmax}, name);
+    require(plane.rmin >= 0 && plane.rmax >= plane.rmin, name, "a z plane needs 0 <= rmin <= rmax");
+    if (i > 0 && planes[i - 1].z == plane.z) {
+      require(plane.rmin <= planes[i - 1].rmax && planes[i - 1].rmin <= plane.rmax, name,
+              "the parts on the two sides of a step do not touch");
+    }
+    heights.push_back(plane.z);
+    made.rmax = std::max(made.rmax, plane.rmax);
+  }
+  std::sort(heights.begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+
+  const std::vector<Edge> edges = contour_edges(planes);
+  std::vector<Ring> below;
+  for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
+    const double low = heights[i], high = heights[i + 1];
+    std::vector<Ring> above = rings_between(edges, low, high, name);
+    add_ledges(low, below, above, made.ledges);
+    for (const Ring& ring : above) {
+      made.sections.push_back({low, high, conical_face(ring.rmax_low, ring.rmax_high, high - low),
+                               conical_face(ring.rmin_low, ring.rmin_high, high - low),
+                               ring.rmin_low > 0 || ring.rmin_high > 0 ? 1 : 0});
+    }
+    below = std::move(above);
+  }
+  require(!made.sections.empty(), name, "the z planes enclose nothing");
+  add_ledges(heights.back(), below, {}, made.ledges);
+  return made;
+}
+
+}  // namespace navjit::detail

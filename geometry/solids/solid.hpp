@@ -1,0 +1,90 @@
+// A solid of the detector: its name, its shape (a kernel's struct in double precision, which *is*
+// the definition of the solid), and what is derived from it once.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "geometry/solids/any_solid.hpp"
+
+namespace navjit {
+
+using kernels::Side;
+using kernels::SolidKind;
+using Vec3 = kernels::Vec3<double>;
+using Direction = kernels::Direction<double>;
+
+/// An axis-parallel box, mm.
+struct Extent {
+  Vec3 min, max;
+};
+
+/// Dimensions that make no solid: negative, not finite, or contradictory.
+struct GeometryError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// An immutable solid. Copies share the shape.
+struct Solid {
+  std::string name;
+  SolidKind kind;
+  std::shared_ptr<const void> shape;  ///< the kernel's struct; keeps operands and arrays alive
+  Extent extent;                      ///< contains the solid; tight for the primitives
+
+  kernels::AnySolid<double> any() const { return {kind, shape.get()}; }
+};
+
+/// mother-to-local of a solid within a boolean: local = rotation * (p - translation).
+struct SolidFrame {
+  double translation[3] = {0, 0, 0};
+  double rotation[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+};
+
+/// Lengths are mm, angles rad, h* are half lengths. All throw GeometryError on dimensions that
+/// make no solid; the message says which.
+Solid make_box(std::string name, double hx, double hy, double hz);
+Solid make_tube(std::string name, double rmin, double rmax, double hz, double start_phi,
+                double delta_phi);
+/// rmin1, rmax1 at -hz and rmin2, rmax2 at +hz. Either end may be a point or a circle.
+Solid make_cone(std::string name, double rmin1, double rmax1, double rmin2, double rmax2, double hz,
+                double start_phi, double delta_phi);
+/// hx1, hy1 at -hz and hx2, hy2 at +hz. One of each pair may be zero.
+Solid make_trd(std::string name, double hx1, double hx2, double hy1, double hy2, double hz);
+/// theta, phi: direction of the line through the centres of the faces at -hz and +hz. At -hz: hy1,
+/// hx1 at -hy1, hx2 at +hy1, and alpha1 the slant of the line through the middles of those edges;
+/// at +hz likewise hy2, hx3, hx4, alpha2. The sides must be planar.
+Solid make_trap(std::string name, double hz, double theta, double phi, double hy1, double hx1,
+                double hx2, double alpha1, double hy2, double hx3, double hx4, double alpha2);
+Solid make_orb(std::string name, double radius);
+/// theta is measured from +z. A whole ball becomes an orb.
+Solid make_sphere(std::string name, double rmin, double rmax, double start_phi, double delta_phi,
+                  double start_theta, double delta_theta);
+
+/// The radii of a polycone or polyhedra at one z.
+struct ZPlane {
+  double z, rmin, rmax;
+};
+/// The contour runs along the planes' rmax and back along their rmin; it may step (equal z) and
+/// turn back, but not cross itself.
+Solid make_polycone(std::string name, std::span<const ZPlane> planes, double start_phi,
+                    double delta_phi);
+/// `sides` flat sides spread evenly over delta_phi, with an edge at start_phi; radii are the
+/// distances of the sides from the axis.
+Solid make_polyhedra(std::string name, std::span<const ZPlane> planes, int sides, double start_phi,
+                     double delta_phi);
+
+Solid make_placed(std::string name, const Solid& solid, const SolidFrame& frame);
+Solid make_union(std::string name, const Solid& a, const Solid& b);
+Solid make_intersection(std::string name, const Solid& a, const Solid& b);
+Solid make_subtraction(std::string name, const Solid& a, const Solid& b);
+
+/// Volume, mm^3, from closed forms; not a number if a boolean is involved.
+double capacity(const Solid& solid);
+
+/// The lower-case name used in output: "box", "subtraction", ...
+const char* kind_name(SolidKind kind);
+
+}  // namespace navjit

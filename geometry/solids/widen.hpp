@@ -1,0 +1,137 @@
+// The same solid in another number type, for references in higher precision. The solid's numbers
+// are taken over as they are: the shape in double is the definition.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+#include "geometry/solids/solid.hpp"
+
+namespace navjit {
+
+/// Owns a copy of a solid, with everything that it is made of, in numbers of type Real.
+template <class Real>
+class WideSolid {
+ public:
+  explicit WideSolid(const Solid& solid) : root_(wide(solid.any())) {}
+
+  /// Valid as long as this object or a copy of it lives.
+  kernels::AnySolid<Real> any() const { return root_; }
+
+ private:
+  kernels::AnySolid<Real> wide(const kernels::AnySolid<double>& s) {
+    const void* shape = kernels::visit(s, [this](const auto& from) -> const void* {
+      auto to = wide(from);
+      return keep(std::make_shared<decltype(to)>(to));
+    });
+    return {s.kind, shape};
+  }
+  template <class Shape>
+  const Shape* keep(std::shared_ptr<Shape> shape) {
+    kept_.push_back(shape);
+    return shape.get();
+  }
+  template <class Element>
+  auto wide_array(const Element* from, int count) {
+    using WideElement = decltype(wide(*from));
+    auto to = std::make_shared<std::vector<WideElement>>();
+    for (int i = 0; i < count; ++i) to->push_back(wide(from[i]));
+    return keep(to)->data();
+  }
+
+  static Real wide(double x) { return static_cast<Real>(x); }
+
+  kernels::Box<Real> wide(const kernels::Box<double>& s) {
+    return {wide(s.hx), wide(s.hy), wide(s.hz)};
+  }
+  kernels::Wedge<Real> wide(const kernels::Wedge<double>& s) {
+    return {s.kind, wide(s.start_x), wide(s.start_y), wide(s.end_x), wide(s.end_y)};
+  }
+  kernels::Tube<Real> wide(const kernels::Tube<double>& s) {
+    return {wide(s.rmin), wide(s.rmax), wide(s.hz), wide(s.wedge)};
+  }
+  kernels::ConicalFace<Real> wide(const kernels::ConicalFace<double>& s) {
+    return {wide(s.radius), wide(s.slope), wide(s.cosine)};
+  }
+  kernels::Cone<Real> wide(const kernels::Cone<double>& s) {
+    return {wide(s.hz), wide(s.outer), wide(s.inner), s.bored, wide(s.wedge)};
+  }
+  kernels::FacePair<Real> wide(const kernels::FacePair<double>& s) {
+    return {wide(s.across), wide(s.along), wide(s.offset)};
+  }
+  kernels::Trd<Real> wide(const kernels::Trd<double>& s) {
+    return {wide(s.hz), wide(s.x), wide(s.y)};
+  }
+  kernels::Plane<Real> wide(const kernels::Plane<double>& s) {
+    return {wide(s.a), wide(s.b), wide(s.c), wide(s.d)};
+  }
+  kernels::Trap<Real> wide(const kernels::Trap<double>& s) {
+    return {wide(s.hz), wide(s.y_minus), wide(s.y_plus), wide(s.x_minus), wide(s.x_plus)};
+  }
+  kernels::Orb<Real> wide(const kernels::Orb<double>& s) { return {wide(s.radius)}; }
+  kernels::PolarLimit<Real> wide(const kernels::PolarLimit<double>& s) {
+    return {s.kind, wide(s.face)};
+  }
+  kernels::Sphere<Real> wide(const kernels::Sphere<double>& s) {
+    return {wide(s.rmin), wide(s.rmax), wide(s.wedge), wide(s.low), wide(s.high)};
+  }
+  kernels::Section<Real> wide(const kernels::Section<double>& s) {
+    return {wide(s.z_low), wide(s.z_high), wide(s.outer), wide(s.inner), s.bored};
+  }
+  kernels::Ledge<Real> wide(const kernels::Ledge<double>& s) {
+    return {wide(s.z), wide(s.rmin), wide(s.rmax)};
+  }
+  kernels::Polycone<Real> wide(const kernels::Polycone<double>& s) {
+    return {wide_array(s.sections, s.count),
+            s.count,
+            wide_array(s.ledges, s.ledge_count),
+            s.ledge_count,
+            wide(s.z_low),
+            wide(s.z_high),
+            wide(s.rmax),
+            wide(s.wedge)};
+  }
+  kernels::SideNormal<Real> wide(const kernels::SideNormal<double>& s) {
+    return {wide(s.x), wide(s.y)};
+  }
+  kernels::Polyhedra<Real> wide(const kernels::Polyhedra<double>& s) {
+    return {wide_array(s.sections, s.count),
+            s.count,
+            wide_array(s.ledges, s.ledge_count),
+            s.ledge_count,
+            wide(s.z_low),
+            wide(s.z_high),
+            wide(s.rmax),
+            wide(s.wedge),
+            wide_array(s.sides, s.side_count),
+            s.side_count};
+  }
+  kernels::AnyPlaced<Real> wide(const kernels::AnyPlaced<double>& s) {
+    kernels::AnyPlaced<Real> to{wide(s.solid), s.rotated, {}, {}};
+    std::copy_n(s.translation, 3, to.translation);
+    std::copy_n(s.rotation, 9, to.rotation);
+    return to;
+  }
+  kernels::AnyUnion<Real> wide(const kernels::AnyUnion<double>& s) {
+    return {wide(s.a), wide(s.b)};
+  }
+  kernels::AnyIntersection<Real> wide(const kernels::AnyIntersection<double>& s) {
+    return {wide(s.a), wide(s.b)};
+  }
+  kernels::AnySubtraction<Real> wide(const kernels::AnySubtraction<double>& s) {
+    return {wide(s.a), wide(s.b)};
+  }
+
+  std::vector<std::shared_ptr<const void>> kept_;
+  kernels::AnySolid<Real> root_;
+};
+
+/// The solid in numbers of type Real, which holds every double exactly.
+template <class Real>
+WideSolid<Real> widen(const Solid& solid) {
+  return WideSolid<Real>(solid);
+}
+
+}  // namespace navjit

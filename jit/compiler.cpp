@@ -1,0 +1,169 @@
+#include "jit/compiler.hpp"
+
+#include <llvm/IR/DiagnosticInfo.h>
+#include <llvm/IR/DiagnosticPrinter.h>
+#include <llvm/IR/LLVMContext.h>
+#include <llvm/IR/Module.h>
+#include <llvm/Support/raw_ostream.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <optional>
+
+#include "jit/detail/backend.hpp"
+#include "jit/detail/frontend.hpp"
+#include "jit/detail/large_stack.hpp"
+#include "jit/detail/source_check.hpp"
+#include "jit/detail/target.hpp"
+
+namespace navjit::jit {
+namespace {
+
+// Parsing and code generation recurse with the nesting of expressions. Only touched pages cost.
+constexpr std::size_t stack_bytes = std::size_t{256} << 20;
+
+class Stopwatch {
+ public:
+  /// Milliseconds since construction or the last call.
+  double lap_ms() {
+    const auto now = std::chrono::steady_clock::now();
+    const double ms = std::chrono::duration<double, std::milli>(now - start_).count();
+    start_ = now;
+    return ms;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// What the passes and the code generator have to say. Without a handler LLVM prints and exits.
+struct BackendDiagnostics {
+  std::string errors;
+  std::string warnings;
+};
+
+void collect(const llvm::DiagnosticInfo* info, void* destination) {
+  auto& diagnostics = *static_cast<BackendDiagnostics*>(destination);
+  if (info->getSeverity() != llvm::DS_Error && info->getSeverity() != llvm::DS_Warning) return;
+  std::string text;
+  llvm::raw_string_ostream stream(text);
+  llvm::DiagnosticPrinterRawOStream printer(stream);
+  info->print(printer);
+  stream << '\n';
+  (info->getSeverity() == llvm::DS_Error ? diagnostics.errors : diagnostics.warnings) +=
+      stream.str();
+}
+
+/// Names are used as paths and inside lines of text; "-" would mean standard input.
+bool is_usable_name(std::string_view name) {
+  return name.front() != '-' && std::none_of(name.begin(), name.end(), [](char c) {
+           return static_cast<unsigned char>(c) < ' ' || c == 0x7f;
+         });
+}
+
+bool defines_visible_function(const llvm::Module& module) {
+  for (const llvm::Function& function : module) {
+    if (!function.isDeclaration() && !function.hasLocalLinkage()) return true;
+  }
+  return false;
+}
+
+/// Nothing runs initialisers after linking, so code that relies on them would see zeros.
+bool needs_initialisation(const llvm::Module& module) {
+  return module.getNamedGlobal("llvm.global_ctors") != nullptr ||
+         module.getNamedGlobal("llvm.global_dtors") != nullptr;
+}
+
+}  // namespace
+
+struct Compiler::Impl {
+  CompileOptions options;
+  detail::Target target;
+  std::vector<std::string> flags;
+  std::shared_ptr<llvm::TargetMachine> machine;
+  std::string description;
+
+  Expected<Object> compile(std::string_view source, const std::string& unit_name) const {
+    Stopwatch stopwatch;
+    BackendDiagnostics diagnostics;
+    llvm::LLVMContext context;
+    context.setDiagnosticHandlerCallBack(collect, &diagnostics, /*RespectFilters=*/true);
+    Expected<detail::ParsedUnit> unit = detail::parse(source, unit_name, flags, target, context);
+    if (!unit) return unit.failure();
+    llvm::Module& module = *unit->module;
+    if (!defines_visible_function(module)) {
+      return Failure{unit_name + ": no function visible from outside is defined"};
+    }
+    Object object;
+    object.report.frontend_ms = stopwatch.lap_ms();
+
+    detail::make_floating_point_strict(module);
+    detail::optimise(module, *machine, options.optimisation);
+    if (needs_initialisation(module)) {
+      return Failure{unit_name + ": a global variable is not initialised by a constant"};
+    }
+    object.report.optimise_ms = stopwatch.lap_ms();
+
+    Expected<std::vector<char>> bytes = detail::emit_object(module, *machine);
+    if (!bytes) return bytes.failure();
+    if (!diagnostics.errors.empty()) return Failure{unit_name + ": " + diagnostics.errors};
+    object.bytes = *std::move(bytes);
+    object.report.codegen_ms = stopwatch.lap_ms();
+    object.report.code_bytes = detail::machine_code_bytes(object.bytes);
+    object.warnings = std::move(unit->warnings) + diagnostics.warnings;
+    return object;
+  }
+};
+
+Compiler::Compiler(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Compiler::Compiler(Compiler&&) noexcept = default;
+Compiler& Compiler::operator=(Compiler&&) noexcept = default;
+Compiler::~Compiler() = default;
+
+Expected<Compiler> Compiler::create(const CompileOptions& options) {
+  if (options.optimisation < 0 || options.optimisation > 3) {
+    return Failure{"optimisation level " + std::to_string(options.optimisation) + " is not 0 to 3"};
+  }
+  auto impl = std::make_unique<Impl>();
+  impl->options = options;
+  impl->target = detail::resolve_target(options);
+  auto machine = detail::make_target_machine(impl->target, options.optimisation);
+  if (!machine) return machine.failure();
+  impl->machine = *std::move(machine);
+  impl->flags = detail::frontend_flags(options);
+  impl->description = navjit::jit::target_description(options);
+  return Compiler(std::move(impl));
+}
+
+Expected<Object> Compiler::compile(std::string_view source, std::string_view unit_name) {
+  const std::string name(unit_name.empty() ? "unnamed.cpp" : unit_name);
+  if (!is_usable_name(name)) return Failure{"not usable as the name of a unit: '" + name + "'"};
+  if (source.size() > impl_->options.max_source_bytes) {
+    return Failure{name + ": source of " + std::to_string(source.size()) +
+                   " bytes is longer than the limit of " +
+                   std::to_string(impl_->options.max_source_bytes)};
+  }
+  if (std::optional<Failure> failure = detail::too_deep(source, name)) return *failure;
+  Expected<Object> result = Failure{name + ": compilation did not finish"};
+  const std::optional<Failure> not_run = detail::run_on_large_stack(stack_bytes, [&] {
+    try {
+      result = impl_->compile(source, name);
+    } catch (const std::exception& error) {
+      result = Failure{name + ": " + error.what()};
+    }
+  });
+  if (not_run) return *not_run;
+  return result;
+}
+
+const std::string& Compiler::target_description() const { return impl_->description; }
+
+Expected<Object> compile(std::string_view source, std::string_view unit_name,
+                         const CompileOptions& options) {
+  Expected<Compiler> compiler = Compiler::create(options);
+  if (!compiler) return compiler.failure();
+  return compiler->compile(source, unit_name);
+}
+
+}  // namespace navjit::jit

@@ -1,0 +1,136 @@
+#include "jit/detail/frontend.hpp"
+
+#include <clang/Basic/Diagnostic.h>
+#include <clang/Basic/DiagnosticOptions.h>
+#include <clang/CodeGen/ModuleBuilder.h>
+#include <clang/Frontend/CompilerInstance.h>
+#include <clang/Frontend/CompilerInvocation.h>
+#include <clang/Frontend/FrontendAction.h>
+#include <clang/Frontend/TextDiagnosticPrinter.h>
+#include <llvm/IR/LLVMContext.h>
+#include <llvm/IR/Module.h>
+#include <llvm/Support/MemoryBuffer.h>
+#include <llvm/Support/VirtualFileSystem.h>
+#include <llvm/Support/raw_ostream.h>
+
+namespace navjit::jit::detail {
+namespace {
+
+/// Generates IR for the whole unit and keeps it. Clang's own actions for this would also set up
+/// and run its back end, which has its own idea of the pass pipeline.
+class KeepModule : public clang::ASTFrontendAction {
+ public:
+  explicit KeepModule(llvm::LLVMContext& context) : context_(context) {}
+
+  std::unique_ptr<llvm::Module> take_module() { return std::move(module_); }
+
+ protected:
+  std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& instance,
+                                                        llvm::StringRef file) override {
+    generator_ =
+        clang::CreateLLVMCodeGen(instance.getDiagnostics(), file, &instance.getVirtualFileSystem(),
+                                 instance.getHeaderSearchOpts(), instance.getPreprocessorOpts(),
+                                 instance.getCodeGenOpts(), context_);
+    return std::unique_ptr<clang::ASTConsumer>(generator_);
+  }
+
+  void EndSourceFileAction() override {
+    if (generator_ != nullptr) module_.reset(generator_->ReleaseModule());
+    generator_ = nullptr;
+  }
+
+ private:
+  llvm::LLVMContext& context_;
+  clang::CodeGenerator* generator_ = nullptr;  // owned by the compiler instance
+  std::unique_ptr<llvm::Module> module_;
+};
+
+std::vector<std::string> target_flags(const Target& target) {
+  std::vector<std::string> flags = {"-triple", target.triple, "-target-cpu", target.cpu};
+  for (const std::string& feature : target.features) {
+    flags.push_back("-target-feature");
+    flags.push_back(feature);
+  }
+  return flags;
+}
+
+}  // namespace
+
+std::vector<std::string> frontend_flags(const CompileOptions& options) {
+  // Options of the compiler proper, not of the driver: what the driver would turn on and is not
+  // listed (exceptions, errno for mathematical functions) is off.
+  std::vector<std::string> flags = {"-x",
+                                    "c++",
+                                    "-std=c++20",
+                                    "-ffp-contract=off",
+                                    "-fno-rtti",
+                                    "-nostdsysteminc",
+                                    "-nobuiltininc",
+                                    "-nostdinc++",
+                                    "-mrelocation-model",
+                                    "pic",
+                                    "-pic-level",
+                                    "2",
+                                    "-funwind-tables=2",
+                                    "-discard-value-names",
+                                    "-ferror-limit",
+                                    "20",
+                                    "-O" + std::to_string(options.optimisation)};
+  if (options.optimisation >= 2) {
+    flags.insert(flags.end(), {"-vectorize-loops", "-vectorize-slp"});
+  }
+  if (options.debug_info) {
+    flags.insert(flags.end(), {"-debug-info-kind=standalone", "-dwarf-version=4",
+                               "-debugger-tuning=gdb", "-mframe-pointer=all"});
+  }
+  return flags;
+}
+
+Expected<ParsedUnit> parse(std::string_view source, std::string_view unit_name,
+                           const std::vector<std::string>& flags, const Target& target,
+                           llvm::LLVMContext& context) {
+  const std::string name(unit_name);
+  std::string text;
+  llvm::raw_string_ostream text_stream(text);
+
+  // Declared before the instance, which uses both until it is destroyed.
+  llvm::IntrusiveRefCntPtr<clang::DiagnosticOptions> diagnostic_options(
+      new clang::DiagnosticOptions());
+  clang::TextDiagnosticPrinter printer(text_stream, diagnostic_options.get());
+  // The source is the only file there is to include.
+  llvm::IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem> files(
+      new llvm::vfs::InMemoryFileSystem());
+  files->setCurrentWorkingDirectory("/");
+  files->addFile(
+      name, 0,
+      llvm::MemoryBuffer::getMemBufferCopy(llvm::StringRef(source.data(), source.size()), name));
+
+  clang::CompilerInstance instance;
+  instance.createDiagnostics(&printer, /*ShouldOwnClient=*/false);
+  // The count of errors would go to stderr otherwise.
+  instance.setVerboseOutputStream(std::make_unique<llvm::raw_null_ostream>());
+
+  std::vector<std::string> arguments = target_flags(target);
+  arguments.insert(arguments.end(), flags.begin(), flags.end());
+  arguments.insert(arguments.end(), {"-main-file-name", name.substr(name.rfind('/') + 1)});
+  std::vector<const char*> pointers;
+  pointers.reserve(arguments.size());
+  for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
+  if (!clang::CompilerInvocation::CreateFromArgs(instance.getInvocation(), pointers,
+                                                 instance.getDiagnostics())) {
+    return Failure{"compiler flags not understood:\n" + text_stream.str()};
+  }
+  instance.getFrontendOpts().Inputs = {clang::FrontendInputFile(name, clang::Language::CXX)};
+  instance.createFileManager(files);
+
+  KeepModule action(context);
+  const bool succeeded = instance.ExecuteAction(action);
+  std::shared_ptr<llvm::Module> module = action.take_module();
+  if (!succeeded || !module || instance.getDiagnostics().hasErrorOccurred()) {
+    if (text_stream.str().empty()) text_stream << name << ": compilation failed";
+    return Failure{text_stream.str()};
+  }
+  return ParsedUnit{std::move(module), text_stream.str()};
+}
+
+}  // namespace navjit::jit::detail

@@ -1,0 +1,83 @@
+#include "runtime/navigator.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include "runtime/shared.hpp"
+
+namespace navjit {
+namespace {
+
+void require_finite(const Vec3& v, const char* what) {
+  if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) {
+    throw std::invalid_argument(std::string("navjit: ") + what + " is not finite");
+  }
+}
+
+}  // namespace
+
+Navigator::Navigator(std::shared_ptr<detail::Shared> shared)
+    : shared_(std::move(shared)),
+      own_(std::make_shared<Own>(shared_->geometry.size())),
+      context_(&shared_->table.context()),
+      shadow_(shared_->options.jit == JitMode::shadow) {
+  own_->presence = shared_->table.add_thread();
+  const std::lock_guard lock(shared_->profiles_mutex);
+  shared_->profiles.push_back(std::shared_ptr<Profile>(own_, &own_->profile));
+}
+
+Navigator::~Navigator() {
+  if (own_ && own_->presence) shared_->table.remove_thread(own_->presence);
+}
+
+State Navigator::locate(const Vec3& point) { return locate(point, {0, 0, 0}); }
+
+State Navigator::locate(const Vec3& point, const Vec3& direction) {
+  require_finite(point, "point");
+  require_finite(direction, "direction");
+  generic::locate(shared_->geometry, own_->stack, point, direction);
+  return state();
+}
+
+double Navigator::safety(const State& from, const Vec3& point) {
+  const Stack& stack = own_->stack;
+  if (stack.depth < 0 || stack.levels[stack.depth].touchable != from.touchable()) restore(from);
+  return generic::safety(shared_->geometry, stack, point);
+}
+
+void Navigator::restore(const State& from) {
+  if (!from.inside()) throw std::invalid_argument("navjit: the state is outside the world");
+  ++own_->counts.restored;
+  generic::restore(shared_->geometry, own_->stack, from.touchable());
+}
+
+void Navigator::record(const Vec3& point, const Vec3& direction, double limit) {
+  // A sample is also the moment to look at what costs too much to look at in every step.
+  require_finite(point, "point");
+  require_finite(direction, "direction");
+  const kernels::StackLevel& level = own_->stack.levels[own_->stack.depth];
+  own_->profile.record({level.touchable, level.volume, point, direction, limit});
+}
+
+double Navigator::decline(const Vec3& point, const Vec3& direction, double limit) {
+  ++own_->counts.declined;
+  return generic::step(shared_->geometry, own_->stack, point, direction, limit);
+}
+
+double Navigator::shadow(const kernels::Navigators& navigators, const Vec3& point,
+                         const Vec3& direction, double limit) {
+  Stack expected;
+  copy(own_->stack, expected);
+  const double right = generic::step(shared_->geometry, expected, point, direction, limit);
+  double length = navigators.step(&own_->stack, context_, point.x, point.y, point.z, direction.x,
+                                  direction.y, direction.z, limit);
+  if (length < 0) length = decline(point, direction, limit);
+  if (std::memcmp(&length, &right, sizeof length) != 0 || !identical(own_->stack, expected)) {
+    ++own_->counts.differences;
+    copy(expected, own_->stack);
+  }
+  return right;
+}
+
+}  // namespace navjit

@@ -1,0 +1,99 @@
+// One thread's view of the geometry.
+#pragma once
+
+#include <limits>
+#include <memory>
+
+#include "geometry/navigation/generic.hpp"
+#include "runtime/profile.hpp"
+#include "runtime/state.hpp"
+#include "runtime/table.hpp"
+
+namespace navjit {
+
+namespace detail {
+struct Shared;  ///< what a Runtime and its navigators share
+}
+
+/// Counts of one navigator, beside the profile.
+struct NavigatorCounts {
+  std::uint64_t declined = 0;     ///< states that a specialised navigator did not take
+  std::uint64_t differences = 0;  ///< shadow mode: answers that were not the generic one's
+  std::uint64_t restored = 0;     ///< states that were not the last one returned
+};
+
+/// Answers where, how far and what next. One per thread; keeps the runtime's data alive. Points and
+/// directions are global, directions of unit length; both have to be finite.
+class Navigator {
+ public:
+  Navigator(Navigator&&) noexcept = default;
+  Navigator& operator=(Navigator&&) = delete;
+  ~Navigator();
+
+  /// The deepest touchable with the point, or outside. On a face, the first volume in file order
+  /// that touches it. Throws std::invalid_argument if a coordinate is not finite.
+  State locate(const Vec3& point);
+  /// As above; on a face the direction decides.
+  State locate(const Vec3& point, const Vec3& direction);
+
+  /// One step from `point` in `state`, at most `limit` mm. The state must be inside the world.
+  Step step(const State& state, const Vec3& point, const Vec3& direction,
+            double limit = std::numeric_limits<double>::infinity());
+
+  /// A lower bound of the distance to the nearest boundary, mm. The state must be inside.
+  double safety(const State& state, const Vec3& point);
+
+  const NavigatorCounts& counts() const { return own_->counts; }
+
+ private:
+  friend class Runtime;
+  struct Own {
+    Stack stack;
+    Profile profile;
+    std::shared_ptr<Presence> presence;
+    NavigatorCounts counts;
+    explicit Own(std::size_t volumes) : profile(volumes) { stack.depth = -1; }
+  };
+
+  explicit Navigator(std::shared_ptr<detail::Shared> shared);
+  void restore(const State& state);
+  void record(const Vec3& point, const Vec3& direction, double limit);
+  double shadow(const kernels::Navigators& navigators, const Vec3& point, const Vec3& direction,
+                double limit);
+  double decline(const Vec3& point, const Vec3& direction, double limit);
+  State state() const {
+    const Stack& s = own_->stack;
+    return s.depth < 0 ? State{} : State{s.levels[s.depth].touchable, s.levels[s.depth].volume};
+  }
+
+  std::shared_ptr<detail::Shared> shared_;
+  std::shared_ptr<Own> own_;  ///< shared with the specialiser, which reads the profile
+  const kernels::Context* context_;
+  bool shadow_;
+};
+
+inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& direction,
+                            double limit) {
+  Own& own = *own_;
+  Stack& stack = own.stack;
+  if (stack.depth < 0 || stack.levels[stack.depth].touchable != from.touchable()) restore(from);
+  const VolumeId volume = stack.levels[stack.depth].volume;
+  own.profile.count(volume);
+  if (own.profile.due()) [[unlikely]]
+    record(point, direction, limit);
+  own.presence->enter();
+  const kernels::Navigators* navigators = kernels::navigators_of(context_, volume);
+  double length;
+  if (shadow_) [[unlikely]] {
+    length = shadow(*navigators, point, direction, limit);
+  } else {
+    length = navigators->step(&stack, context_, point.x, point.y, point.z, direction.x, direction.y,
+                              direction.z, limit);
+    if (length < 0) [[unlikely]]
+      length = decline(point, direction, limit);
+  }
+  own.presence->leave();
+  return {length, stack.boundary != 0, state()};
+}
+
+}  // namespace navjit

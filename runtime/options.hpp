@@ -1,0 +1,47 @@
+// How a Runtime shall work.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace navjit {
+
+/// What specialised navigators may do to the answers; docs/accuracy.md.
+enum class Level : std::uint8_t {
+  exact,  ///< every bit as the generic navigator's
+};
+
+enum class JitMode : std::uint8_t {
+  off,     ///< generic navigators only; scenes are still profiled
+  on,      ///< hot scenes are specialised in the background
+  wait,    ///< every scene is specialised before the Runtime's constructor returns
+  shadow,  ///< as `on`, and every step is also made generically and compared
+};
+
+/// When a scene is worth compiling, and how. Reasons in docs/decisions.md.
+struct SpecialiserOptions {
+  double poll_ms = 5;               ///< between looks at the profile
+  double compile_ms_per_scene = 8;  ///< expected; a scene pays this back before it is compiled
+  double gain_ns_per_step = 60;     ///< expected
+  std::uint64_t min_steps = 2000;   ///< fewer steps in a scene tell nothing
+  std::size_t batch = 12;           ///< scenes in one module at the most
+  int optimisation = 2;             ///< of the compiler
+  bool perf_map = false;            ///< name generated functions for perf
+  bool debug_info = false;          ///< line tables of generated code for gdb
+};
+
+/// For tests: ways to make specialisation go wrong.
+struct Faults {
+  std::function<void(std::string& source)> edit_source{};
+  bool fail_verification = false;
+};
+
+struct RuntimeOptions {
+  Level level = Level::exact;
+  JitMode jit = JitMode::on;
+  SpecialiserOptions specialiser{};
+  Faults faults{};
+};
+
+}  // namespace navjit

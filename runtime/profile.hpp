@@ -1,0 +1,68 @@
+// What one thread's navigation tells the specialiser: steps per volume, and now and then a state.
+// Written by the navigating thread, read by one other; no locks.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+#include "geometry/model/world.hpp"
+
+namespace navjit {
+
+/// A recorded question.
+struct Sample {
+  TouchableId touchable;
+  VolumeId volume;
+  Vec3 point, direction;
+  double limit;
+};
+
+class Profile {
+ public:
+  explicit Profile(std::size_t volumes)
+      : size_(volumes), steps_(std::make_unique<std::atomic<std::uint64_t>[]>(volumes)) {}
+
+  /// By the owner. Not an atomic increment: there is one writer.
+  void count(VolumeId volume) {
+    std::atomic<std::uint64_t>& n = steps_[volume];
+    n.store(n.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  }
+  /// By the owner, once a step: true when the step should be recorded.
+  bool due() { return --countdown_ == 0; }
+  /// By the owner. A full queue drops the sample.
+  void record(const Sample& sample) {
+    countdown_ = period;
+    const std::uint32_t head = head_.load(std::memory_order_relaxed);
+    if (head - tail_.load(std::memory_order_acquire) == queue_.size()) return;
+    queue_[head % queue_.size()] = sample;
+    head_.store(head + 1, std::memory_order_release);
+  }
+
+  /// By the reader.
+  std::uint64_t steps(VolumeId volume) const {
+    return steps_[volume].load(std::memory_order_relaxed);
+  }
+  std::size_t size() const { return size_; }
+  /// By the reader: takes the oldest sample; false if there is none.
+  bool take(Sample& sample) {
+    const std::uint32_t tail = tail_.load(std::memory_order_relaxed);
+    if (tail == head_.load(std::memory_order_acquire)) return false;
+    sample = queue_[tail % queue_.size()];
+    tail_.store(tail + 1, std::memory_order_release);
+    return true;
+  }
+
+ private:
+  /// Prime, so that it does not beat with the detector's own periods.
+  static constexpr std::uint32_t period = 61;
+
+  std::size_t size_;
+  std::unique_ptr<std::atomic<std::uint64_t>[]> steps_;
+  std::uint32_t countdown_ = 1;
+  std::array<Sample, 1024> queue_;
+  std::atomic<std::uint32_t> head_{0}, tail_{0};
+};
+
+}  // namespace navjit

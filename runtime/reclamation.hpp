@@ -1,0 +1,51 @@
+// When may code that was replaced be freed? Once no thread can be in it. Navigating threads mark
+// entry and exit by plain stores; the one who frees pays for the ordering with a memory barrier on
+// all threads of the process (membarrier(2)).
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace navjit {
+
+/// One navigating thread's mark: odd while it is inside a navigator.
+struct alignas(64) Presence {
+  std::atomic<std::uint64_t> passages{0};
+
+  void enter() {
+    passages.store(passages.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+  }
+  void leave() {
+    passages.store(passages.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+  }
+};
+
+/// Things to be destroyed once every thread has left what it was in when they were retired. Not
+/// thread-safe: the owner calls all of it.
+class Graveyard {
+ public:
+  Graveyard();
+
+  /// Call after the last pointer to `garbage` was replaced. `threads` may be in it.
+  void retire(std::shared_ptr<const void> garbage,
+              const std::vector<std::shared_ptr<Presence>>& threads);
+  /// Destroys what no thread can be in any more; returns how many things still wait.
+  std::size_t sweep();
+
+ private:
+  struct Wait {
+    std::shared_ptr<Presence> thread;
+    std::uint64_t passage;  ///< the odd count seen: it has to change
+  };
+  struct Grave {
+    std::shared_ptr<const void> garbage;
+    std::vector<Wait> waits;
+  };
+  bool can_free_;  ///< false where the system has no membarrier: all waits for the destructor
+  std::vector<Grave> graves_;
+};
+
+}  // namespace navjit

@@ -1,0 +1,43 @@
+// What a run was like.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace navjit {
+
+enum class SceneStatus : std::uint8_t {
+  generic,  ///< not hot enough, or the JIT is off
+  compiling,
+  specialised,
+  unprofitable,  ///< analysed or measured: no gain
+  failed,        ///< did not compile, link or verify
+};
+
+const char* status_name(SceneStatus status);
+
+/// One scene; times are 0 where not measured.
+struct SceneReport {
+  std::uint32_t volume_id = 0;
+  std::string volume;
+  std::uint64_t steps = 0;
+  double share = 0;                ///< of all steps
+  double generic_ns_per_step = 0;  ///< on the recorded states, replayed
+  double specialised_ns_per_step = 0;
+  double compile_ms = 0;    ///< this scene's part of its module
+  double swapped_at_s = 0;  ///< since the runtime was made
+  SceneStatus status = SceneStatus::generic;
+  std::string note;  ///< why it failed or does not pay
+};
+
+struct RuntimeReport {
+  std::uint64_t steps = 0;
+  std::vector<SceneReport> scenes;  ///< by steps, most first; scenes without a step are left out
+  std::size_t modules = 0;          ///< compiled
+  double compile_ms = 0;            ///< all modules, link and verification
+  std::size_t code_bytes = 0;
+  std::size_t waiting_to_be_freed = 0;
+};
+
+}  // namespace navjit

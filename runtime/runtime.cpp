@@ -1,0 +1,37 @@
+#include "runtime/runtime.hpp"
+
+#include "runtime/shared.hpp"
+#include "runtime/specialiser.hpp"
+
+namespace navjit {
+
+Runtime::Runtime(World world, RuntimeOptions options)
+    : Runtime(std::make_shared<const World>(std::move(world)), std::move(options)) {}
+
+Runtime::Runtime(std::shared_ptr<const World> world, RuntimeOptions options)
+    : shared_(std::make_shared<detail::Shared>(std::move(world), std::move(options))),
+      specialiser_(std::make_unique<Specialiser>(shared_)) {
+  if (shared_->options.jit == JitMode::wait) {
+    specialiser_->specialise_all();
+  } else if (shared_->options.jit != JitMode::off) {
+    specialiser_->start();
+  }
+}
+
+Runtime::~Runtime() = default;
+
+Navigator Runtime::navigator() { return Navigator(shared_); }
+
+const World& Runtime::world() const { return shared_->geometry.world(); }
+
+RuntimeReport Runtime::report() const { return specialiser_->report(); }
+
+RuntimeReport Runtime::final_report() {
+  specialiser_->stop();
+  specialiser_->time_generic();
+  return specialiser_->report();
+}
+
+void Runtime::wait_until_idle() { specialiser_->wait_until_idle(); }
+
+}  // namespace navjit

@@ -1,0 +1,41 @@
+// The runtime that a simulation embeds.
+#pragma once
+
+#include <memory>
+
+#include "runtime/navigator.hpp"
+#include "runtime/options.hpp"
+#include "runtime/report.hpp"
+
+namespace navjit {
+
+class Specialiser;
+
+/// Owns a detector's navigation: the generic navigators, and the thread that specialises hot scenes
+/// while navigators are in use. Navigators may outlive it; no scene is specialised any more then.
+class Runtime {
+ public:
+  explicit Runtime(World world, RuntimeOptions options = {});
+  explicit Runtime(std::shared_ptr<const World> world, RuntimeOptions options = {});
+  Runtime(const Runtime&) = delete;
+  Runtime& operator=(const Runtime&) = delete;
+  ~Runtime();
+
+  /// A navigator for the calling thread. Thread-safe.
+  Navigator navigator();
+
+  const World& world() const;
+  /// Steps and specialisations so far. Thread-safe; cheap enough for a progress line.
+  RuntimeReport report() const;
+  /// As report(), and times the generic navigator on recorded states of scenes that were not
+  /// specialised. Takes some milliseconds a scene. No scene is specialised after it.
+  RuntimeReport final_report();
+  /// Returns when no specialisation is under way or due on what was counted until now.
+  void wait_until_idle();
+
+ private:
+  std::shared_ptr<detail::Shared> shared_;
+  std::unique_ptr<Specialiser> specialiser_;
+};
+
+}  // namespace navjit

@@ -1,0 +1,53 @@
+// A ray through the detector, step by step: what the commands, tests and benchmarks share.
+#pragma once
+
+#include <cstdint>
+
+#include "runtime/navigator.hpp"
+
+namespace navjit {
+
+struct Ray {
+  Vec3 position;   ///< mm
+  Vec3 direction;  ///< unit
+};
+
+struct RayTotals {
+  std::uint64_t steps = 0;
+  double length = 0;  ///< mm
+  bool stuck = false;
+};
+
+/// So many steps in a row that do not move the point beyond the tolerance make a stuck ray.
+constexpr int stuck_after = 100;
+
+/// Transports one ray until it leaves the world, calling sink(state, length) for each step with the
+/// state it was made in. A ray that starts outside makes no steps.
+template <class Sink>
+RayTotals transport(Navigator& navigator, const Ray& ray, double tolerance, Sink&& sink) {
+  RayTotals totals;
+  Vec3 point = ray.position;
+  int standing = 0;
+  for (State state = navigator.locate(point, ray.direction); state.inside();) {
+    const Step step = navigator.step(state, point, ray.direction);
+    standing = step.length > tolerance ? 0 : standing + 1;
+    if (standing == stuck_after) {
+      totals.stuck = true;
+      return totals;
+    }
+    sink(state, step.length);
+    ++totals.steps;
+    totals.length += step.length;
+    point.x += step.length * ray.direction.x;
+    point.y += step.length * ray.direction.y;
+    point.z += step.length * ray.direction.z;
+    state = step.next;
+  }
+  return totals;
+}
+
+inline RayTotals transport(Navigator& navigator, const Ray& ray, double tolerance) {
+  return transport(navigator, ray, tolerance, [](const State&, double) {});
+}
+
+}  // namespace navjit

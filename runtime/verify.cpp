@@ -1,0 +1,127 @@
+#include "runtime/verify.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <vector>
+
+#include "geometry/navigation/generic.hpp"
+
+namespace navjit {
+namespace {
+
+std::string describe(const Sample& s, const char* what, double right, double wrong) {
+  char text[512];
+  std::snprintf(text, sizeof text,
+                "%s: %.17g instead of %.17g in touchable %llu at (%.17g, %.17g, %.17g) along "
+                "(%.17g, %.17g, %.17g)",
+                what, wrong, right, static_cast<unsigned long long>(s.touchable), s.point.x,
+                s.point.y, s.point.z, s.direction.x, s.direction.y, s.direction.z);
+  return text;
+}
+
+/// The two stacks of a comparison; large, so made once.
+struct Pair {
+  Stack generic, specialised;
+};
+
+std::string verify_step(const Geometry& geometry, const kernels::Context& context,
+                        const kernels::Navigators& specialised, const Sample& s, Pair& stacks) {
+  generic::restore(geometry, stacks.generic, s.touchable);
+  copy(stacks.generic, stacks.specialised);
+  const double wrong =
+      specialised.step(&stacks.specialised, &context, s.point.x, s.point.y, s.point.z,
+                       s.direction.x, s.direction.y, s.direction.z, s.limit);
+  if (wrong < 0) {
+    return identical(stacks.generic, stacks.specialised)
+               ? ""
+               : describe(s, "a declined state was changed", 0, wrong);
+  }
+  const double right = generic::step(geometry, stacks.generic, s.point, s.direction, s.limit);
+  if (std::memcmp(&right, &wrong, sizeof right) != 0) {
+    return describe(s, "step length", right, wrong);
+  }
+  if (stacks.generic.boundary != stacks.specialised.boundary) {
+    return describe(s, "boundary flag", stacks.generic.boundary, stacks.specialised.boundary);
+  }
+  if (!identical(stacks.generic, stacks.specialised)) {
+    const auto top = [](const Stack& stack) {
+      return stack.depth < 0 ? -1.0 : static_cast<double>(stack.levels[stack.depth].touchable);
+    };
+    return describe(s, "next touchable", top(stacks.generic), top(stacks.specialised));
+  }
+  return "";
+}
+
+std::string verify_settle(const Geometry& geometry, const kernels::Context& context,
+                          const kernels::Navigators& specialised, const Sample& s, int blocked,
+                          Pair& stacks) {
+  generic::restore(geometry, stacks.generic, s.touchable);
+  copy(stacks.generic, stacks.specialised);
+  generic::settle(geometry, stacks.generic, s.point, s.direction, blocked);
+  specialised.settle(&stacks.specialised, &context, s.point.x, s.point.y, s.point.z, s.direction.x,
+                     s.direction.y, s.direction.z, blocked);
+  return identical(stacks.generic, stacks.specialised)
+             ? ""
+             : describe(s, "relocation", stacks.generic.depth, stacks.specialised.depth);
+}
+
+}  // namespace
+
+std::string verify(const Geometry& geometry, const kernels::Context& context,
+                   const kernels::Navigators& specialised, VolumeId volume,
+                   std::span<const Sample> samples) {
+  const auto stacks = std::make_unique<Pair>();
+  stacks->generic.depth = stacks->specialised.depth = -1;
+  const std::size_t daughters = geometry.scene(volume).daughters.size();
+  std::size_t n = 0;
+  for (const Sample& s : samples) {
+    if (s.volume != volume) continue;
+    std::string problem = verify_step(geometry, context, specialised, s, *stacks);
+    if (problem.empty()) {
+      problem = verify_settle(geometry, context, specialised, s, -1, *stacks);
+    }
+    if (problem.empty() && daughters > 0) {
+      problem = verify_settle(geometry, context, specialised, s, static_cast<int>(n++ % daughters),
+                              *stacks);
+    }
+    if (!problem.empty()) return problem;
+  }
+  return "";
+}
+
+double time_per_step(const Geometry& geometry, const kernels::Context& context,
+                     const kernels::Navigators& navigators, std::span<const Sample> samples) {
+  using Clock = std::chrono::steady_clock;
+  if (samples.empty()) return 0;
+  // Each state starts from its own stack, made in advance; few, to stay in the cache.
+  const std::size_t count = std::min<std::size_t>(samples.size(), 64);
+  std::vector<Stack> stacks(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    stacks[i].depth = -1;
+    generic::restore(geometry, stacks[i], samples[i].touchable);
+  }
+  std::vector<int> depths(count);
+  for (std::size_t i = 0; i < count; ++i) depths[i] = stacks[i].depth;
+  double best = 0;
+  for (int pass = 0; pass < 12; ++pass) {
+    const auto start = Clock::now();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Sample& s = samples[i];
+      navigators.step(&stacks[i], &context, s.point.x, s.point.y, s.point.z, s.direction.x,
+                      s.direction.y, s.direction.z, s.limit);
+    }
+    const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count() /
+                      static_cast<double>(count);
+    best = pass == 0 ? ns : std::min(best, ns);
+    // Steps overwrite inner levels: outer ones, and the state's own, need to be put back.
+    for (std::size_t i = 0; i < count; ++i) {
+      stacks[i].depth = std::min(stacks[i].depth, depths[i]);
+      generic::restore(geometry, stacks[i], samples[i].touchable);
+    }
+  }
+  return best;
+}
+
+}  // namespace navjit
