@@ -208,7 +208,7 @@ std::string SceneText::search() const {
   const std::string n = std::to_string(scene_.daughters.size());
   if (plan_.candidates == Candidates::all) {
     text += "inline int find(const Vec3<double>& p, const Direction<double>& d, int blocked) {\n";
-    for (std::size_t k = 0; k < scene_.daughters.size(); ++k) {
+    for (std::size_t k = scene_.daughters.size(); k-- > 0;) {
       const std::string i = std::to_string(k);
       text += "  if (blocked != " + i + " && holds(" + i + ", p, d)) return " + i + ";\n";
     }

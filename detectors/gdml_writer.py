@@ -1,6 +1,10 @@
 """Writes the subset of GDML that the sample detectors need, with a fixed layout and order."""
 
 
+MOTHER = "@mother@"  # stands for the mother's name: some readers want unique names of positions
+SCHEMA = "http://service-spi.web.cern.ch/service-spi/app/releases/GDML/schema/gdml.xsd"
+
+
 def number(x):
     """The shortest decimal text of a number; strings (expressions) are left as they are."""
     if isinstance(x, str):
@@ -36,7 +40,8 @@ class Gdml:
         self._add("define", f"<variable{attributes(name=name, value=value)}/>")
 
     def quantity(self, name, kind, value, unit):
-        self._add("define", f"<quantity{attributes(name=name, type=kind, value=value, unit=unit)}/>")
+        self._add("define",
+                  f"<quantity{attributes(name=name, type=kind, value=value, unit=unit)}/>")
 
     def position(self, name, x=0, y=0, z=0, unit="mm"):
         self._add("define", f"<position{attributes(name=name, x=x, y=y, z=z, unit=unit)}/>")
@@ -90,11 +95,13 @@ class Gdml:
 
     def _structure(self, kind, name, body, placements):
         lines = [f"<{kind}{attributes(name=name)}>{body}"]
-        lines += [f"      {text}" for text in placements]
+        lines += ["      " + text.replace(MOTHER, name) for text in placements]
         self._add("structure", "\n".join(lines) + f"\n    </{kind}>")
 
     def text(self, world):
-        lines = ['<?xml version="1.0" encoding="UTF-8"?>', f"<!-- {self.comment} -->", "<gdml>"]
+        lines = ['<?xml version="1.0" encoding="UTF-8"?>', f"<!-- {self.comment} -->",
+                 '<gdml xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" '
+                 f'xsi:noNamespaceSchemaLocation="{SCHEMA}">']
         for section, entries in self.sections.items():
             lines.append(f"  <{section}>")
             lines += [f"    {entry}" for entry in entries]
@@ -105,19 +112,19 @@ class Gdml:
 
 
 def place(name, volume, position=None, rotation=None, copy=None, unit="deg"):
-    """A <physvol>."""
+    """A <physvol>, for the list of daughters of a volume or an assembly."""
     number_of = "" if copy is None else attributes(copynumber=copy)
     text = f'<physvol{attributes(name=name)}{number_of}><volumeref{attributes(ref=volume)}/>'
     if isinstance(position, str):
         text += f"<positionref{attributes(ref=position)}/>"
     elif position is not None:
         x, y, z = position
-        text += f"<position{attributes(name=name + '_at', x=x, y=y, z=z, unit='mm')}/>"
+        text += f"<position{attributes(name=f'{MOTHER}_{name}_at', x=x, y=y, z=z, unit='mm')}/>"
     if isinstance(rotation, str):
         text += f"<rotationref{attributes(ref=rotation)}/>"
     elif rotation is not None:
         x, y, z = rotation
-        text += f"<rotation{attributes(name=name + '_turn', x=x, y=y, z=z, unit=unit)}/>"
+        text += f"<rotation{attributes(name=f'{MOTHER}_{name}_turn', x=x, y=y, z=z, unit=unit)}/>"
     return text + "</physvol>"
 
 

@@ -13,11 +13,10 @@
 //     distance per box instead; here the scale is free.) Where D is negative, so is the product:
 //     the near face is then cut to 0, and a far face behind the origin is a true miss.
 //  4. Direction components that are zero or tiny: r of the near face is cut to 2^100, which
-//  shortens
-//     the way; r of the far face may become infinite, which lengthens it. 0 * inf = NaN can occur
-//     at the far face alone, if D = 0: but the float of step 1 is *strictly* beyond p, so D = 0
-//     means that p is outside the slab and moves no nearer. Whatever the minimum makes of NaN is
-//     right. The subnormal floats that step 1 avoids make all this hold with flush-to-zero on, too.
+//     shortens the way; r of the far face may become infinite, which lengthens it. 0 * inf = NaN
+//     can occur at the far face alone, if D = 0: but the float of step 1 is *strictly* beyond p, so
+//     D = 0 means that p is outside the slab and moves no nearer. Whatever the minimum makes of NaN
+//     is right. As step 1 avoids subnormal floats, all this holds with flush-to-zero on, too.
 //  5. The limit is rounded up. Comparisons are <=, so that ties are visited.
 // A box at infinity passes because inf - p = inf; unused lanes (min = inf, max = -inf) have an
 // infinite near and a negative far distance.
@@ -94,8 +93,7 @@ class RayTest {
 /// square of the distance takes 1 rounding for each difference, squared, 1 for each square and 2
 /// for the sums, all relative, as all terms are positive; where a square underflows, it is less.
 /// The square root halves that and adds 1: 3.5 u in all, of which the factor 1 - 2^-21 = 1 - 8 u
-/// takes care. An overflow of the square gives the largest float, whose root is still a lower
-/// bound.
+/// takes care. Where the square overflows, the root of the largest float is still a lower bound.
 class DistanceTest {
  public:
   explicit DistanceTest(const Vec3& p) {

@@ -90,7 +90,10 @@ bool contains(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>& 
 }
 template <class Real, class A, class B>
 Real distance_to_in(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  return smaller(distance_to_in(s.a, p, v, tol), distance_to_in(s.b, p, v, tol));
+  const Real t = smaller(distance_to_in(s.a, p, v, tol), distance_to_in(s.b, p, v, tol));
+  // From within one operand, the surface of the other is no way in.
+  if (t < infinity<Real>() && contains(s, p, v, tol)) return distance_from_within(s, p, tol);
+  return t;
 }
 template <class Real, class A, class B>
 Real distance_to_out(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,

@@ -24,14 +24,14 @@ inline unsigned bucket_of(const BucketGrid<Index>& g, int i, int j, int k) {
   return static_cast<unsigned>((i * g.count[1] + j) * g.count[2] + k);
 }
 
-/// Calls visit(daughter) for those whose box may hold the point, in file order, until it returns
-/// false.
+/// Calls visit(daughter) for those whose box may hold the point, last in file order first, until it
+/// returns false.
 template <class Index, class Visit>
 inline void visit_bucket_at(const BucketGrid<Index>& g, const Vec3<double>& p, Visit visit) {
   const unsigned b = bucket_of(g, bucket_along(p.x, g.origin[0], g.per_mm[0], g.count[0]),
                                bucket_along(p.y, g.origin[1], g.per_mm[1], g.count[1]),
                                bucket_along(p.z, g.origin[2], g.per_mm[2], g.count[2]));
-  for (unsigned m = g.first[b]; m < g.first[b + 1]; ++m) {
+  for (unsigned m = g.first[b + 1]; m-- > g.first[b];) {
     if (!visit(static_cast<unsigned>(g.members[m]))) return;
   }
 }

@@ -92,7 +92,7 @@ bool stack_contains(const Stack& s, const Vec3<Real>& p, const Direction<Real>& 
 
 template <class Stack, class Real>
 Real stack_distance_to_in(const Stack& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  // The whole stack: its ends, and a cylinder around it.
+  // The whole stack: its ends, and a cylinder around it that leaves the surface well inside.
   Span<Real> body = whole_ray<Real>();
   if (v.z == 0) {
     if (p.z < s.z_low || p.z > s.z_high) return infinity<Real>();
@@ -105,7 +105,7 @@ Real stack_distance_to_in(const Stack& s, const Vec3<Real>& p, const Direction<R
     body.until = (depth - tol) * rate;
     if (!is_ahead(body)) return infinity<Real>();
   }
-  const Span<Real> around = cylinder_span(s.rmax + tol, p, v, tol);
+  const Span<Real> around = cylinder_span(s.rmax * Real(1.0625), p, v, Real(0));
   if (!is_ahead(around) || !(around.enter < body.leave) || !(body.enter < around.leave)) {
     return infinity<Real>();
   }

@@ -31,12 +31,13 @@ double distance_local(const Daughter& d, const Vec3& p, const Direction& v, doub
                         tolerance);
 }
 
-/// The first daughter in file order, other than `blocked`, with the local point.
+/// The daughter, other than `blocked`, with the local point. Where daughters overlap the last in
+/// file order wins, as in Geant4.
 unsigned find_daughter(const Scene& scene, const Vec3& p, const Direction& v, int blocked,
                        double tolerance) {
   unsigned found = no_daughter;
   const auto test = [&](unsigned k) {
-    if (k < found && static_cast<int>(k) != blocked &&
+    if ((found == no_daughter || k > found) && static_cast<int>(k) != blocked &&
         contains_local(scene.daughters[k], p, v, tolerance)) {
       found = k;
     }
@@ -46,7 +47,10 @@ unsigned find_daughter(const Scene& scene, const Vec3& p, const Direction& v, in
     case Search::none:
       break;
     case Search::all:
-      for (unsigned k = 0; k < scene.daughters.size() && found == no_daughter; ++k) test(k);
+      for (unsigned k = static_cast<unsigned>(scene.daughters.size());
+           k-- > 0 && found == no_daughter;) {
+        test(k);
+      }
       break;
     case Search::linear_boxes:
     case Search::bvh:

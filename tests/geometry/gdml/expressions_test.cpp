@@ -47,7 +47,6 @@ TEST_F(GdmlExpressions, HaveTheValuesOfClhep) {
       {"width/2+1", 21},
       {"2*(i-1)", 4},
       {"-width", -40},
-      {"- - 2", 2},
       {"3--2", 5},
       {"2*-3", -6},
       {"2^3", 8},

@@ -225,6 +225,21 @@ inline SolidCase random_polycone(Random& random) {
           polycone_distance(planes, phi.start, phi.delta), 4 * s};
 }
 
+inline SolidCase random_turning_polycone(Random& random) {
+  const double s = random.scale(1e-3, 1e4);
+  const auto planes = turning_planes(s);
+  const Segment phi = random_segment(random);
+  return {make_polycone("polycone", planes, phi.start, phi.delta),
+          polycone_distance(planes, phi.start, phi.delta), 3 * s};
+}
+inline SolidCase random_turning_polyhedra(Random& random) {
+  const double s = random.scale(1e-3, 1e4);
+  const auto planes = turning_planes(s);
+  const Segment phi = random_segment(random);
+  return {make_polyhedra("polyhedra", planes, 7, phi.start, phi.delta),
+          polyhedra_distance(planes, 7, phi.start, phi.delta), 3 * s};
+}
+
 inline SolidCase random_polyhedra(Random& random) {
   const double s = random.scale(1e-3, 1e4);
   const auto planes = random_planes(random, s);
@@ -312,5 +327,9 @@ inline SolidCase random_boolean(Random& random, double s, int depth) {
 inline SolidCase random_composite(Random& random) {
   return random_boolean(random, random.scale(1e-3, 1e4), 3);
 }
+
+constexpr Maker composite_makers[] = {{"turning_polycone", random_turning_polycone},
+                                      {"turning_polyhedra", random_turning_polyhedra},
+                                      {"boolean", random_composite}};
 
 }  // namespace navjit::test

@@ -271,8 +271,10 @@ TEST_P(RayProperties, SteppingThroughAlternatesAndEnds) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Primitives, RayProperties, testing::ValuesIn(primitive_makers),
-                         [](const auto& test) { return test.param.name; });
+std::string name_of(const testing::TestParamInfo<Maker>& test) { return test.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Primitives, RayProperties, testing::ValuesIn(primitive_makers), name_of);
+INSTANTIATE_TEST_SUITE_P(Composites, RayProperties, testing::ValuesIn(composite_makers), name_of);
 
 }  // namespace
 }  // namespace navjit::test

@@ -1,0 +1,165 @@
+// Whole-detector transport, side by side: navjit's generic and specialised navigators and, where it
+// was found, VecGeom's, on the same rays in the same process, repetition by repetition in turn.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "apps/rays.hpp"
+#include "bench/statistics.hpp"
+#include "geometry/gdml/reader.hpp"
+#include "runtime/runtime.hpp"
+#ifdef NAVJIT_VECGEOM
+#include "bench/peers/vecgeom_peer.hpp"
+#endif
+
+namespace {
+
+using namespace navjit;
+using Clock = std::chrono::steady_clock;
+
+struct Totals {
+  std::uint64_t steps = 0;
+  std::uint64_t stuck = 0;
+  double length = 0;
+};
+
+struct Engine {
+  std::string name;
+  std::function<void()> prepare;  ///< before each repetition, not timed
+  std::function<Totals()> run;
+  Totals totals{};
+  std::vector<double> ns_per_ray{};
+};
+
+Totals transport_all(Navigator& navigator, const World& world, const std::vector<Ray>& rays) {
+  Totals totals;
+  for (const Ray& ray : rays) {
+    const RayTotals t = transport(navigator, ray, world.tolerance);
+    totals.steps += t.steps;
+    totals.length += t.length;
+    totals.stuck += t.stuck ? 1 : 0;
+  }
+  return totals;
+}
+
+#ifdef NAVJIT_VECGEOM
+void add_vecgeom(const std::string& detector, const std::vector<Ray>& rays,
+                 std::vector<Engine>& engines, std::shared_ptr<void>& keep) {
+  std::string error;
+  std::shared_ptr<peers::VecGeomPeer> peer = peers::VecGeomPeer::load(detector, error);
+  if (!peer) {
+    std::printf("VecGeom does not read this file: %s\n", error.c_str());
+    return;
+  }
+  auto own_rays = std::make_shared<std::vector<peers::Ray>>();
+  for (const Ray& r : rays) {
+    own_rays->push_back({{r.position.x, r.position.y, r.position.z},
+                         {r.direction.x, r.direction.y, r.direction.z}});
+  }
+  using N = peers::VecGeomNavigator;
+  for (const auto& [name, navigator] :
+       {std::pair{"VecGeom simple", N::simple}, std::pair{"VecGeom ABBox", N::abbox},
+        std::pair{"VecGeom Hybrid", N::hybrid}, std::pair{"VecGeom BVH", N::bvh},
+        std::pair{"VecGeom auto", N::automatic}}) {
+    engines.push_back({name, [peer, n = navigator] { peer->use(n); },
+                       [peer, own_rays] {
+                         const auto t = peer->transport(*own_rays, 1'000'000);
+                         return Totals{t.steps - t.zero_steps, t.stuck, t.length};
+                       }});
+  }
+  keep = peer;
+}
+#endif
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  CLI::App app{"Transport through a whole detector: navjit and VecGeom side by side"};
+  std::string detector, rays_file, json_file;
+  std::uint64_t count = 2000, seed = 1;
+  int repetitions = 9;
+  bool forward = false, without_peers = false;
+  app.add_option("detector", detector, "GDML file")->required();
+  app.add_option("--rays", rays_file, "CSV file of rays (default: random ones)");
+  app.add_option("--count", count, "random rays");
+  app.add_option("--seed", seed, "of random rays");
+  app.add_flag("--forward", forward, "random rays from the origin with eta 2..5");
+  app.add_option("--repetitions", repetitions, "of each engine, in turn");
+  app.add_option("--json", json_file, "write the figures");
+  app.add_flag("--without-peers", without_peers, "navjit alone");
+  CLI11_PARSE(app, argc, argv);
+
+  const auto world = std::make_shared<const World>(read_gdml(detector));
+  std::vector<Ray> rays;
+  if (!rays_file.empty()) {
+    rays = apps::read_rays(rays_file);
+  } else {
+    apps::RaySource source;
+    source.seed = seed;
+    if (forward) {
+      source.origin = Vec3{0, 0, 0};
+      source.eta = {2, 5};
+    }
+    for (std::uint64_t i = 0; i < count; ++i) rays.push_back(make_ray(source, *world, i));
+  }
+
+  RuntimeOptions off;
+  off.jit = JitMode::off;
+  RuntimeOptions wait;
+  wait.jit = JitMode::wait;
+  Runtime generic(world, off), specialised(world, wait);
+  Navigator generic_navigator = generic.navigator();
+  Navigator specialised_navigator = specialised.navigator();
+  std::vector<Engine> engines;
+  engines.push_back(
+      {"navjit generic", [] {}, [&] { return transport_all(generic_navigator, *world, rays); }});
+  engines.push_back({"navjit specialised", [] {},
+                     [&] { return transport_all(specialised_navigator, *world, rays); }});
+  std::shared_ptr<void> keep;
+#ifdef NAVJIT_VECGEOM
+  if (!without_peers) add_vecgeom(detector, rays, engines, keep);
+#endif
+  for (int r = -1; r < repetitions; ++r) {  // the first one warms up and is not counted
+    for (Engine& engine : engines) {
+      engine.prepare();
+      const auto start = Clock::now();
+      engine.totals = engine.run();
+      const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+      if (r >= 0) engine.ns_per_ray.push_back(ns / static_cast<double>(rays.size()));
+    }
+  }
+
+  // Engines that make more steps for the same rays must not look better for it: the ratio is that
+  // of times per ray, and ns/step counts steps that get on.
+  std::printf("%s: %zu rays, %d repetitions\n\n", detector.c_str(), rays.size(), repetitions);
+  std::printf(
+      "| engine | steps | length, mm | stuck | ns/step (quartiles) | ns/ray | speed-up over "
+      "navjit generic (quartiles) |\n|---|--:|--:|--:|--:|--:|--:|\n");
+  nlohmann::ordered_json json{{"detector", detector}, {"rays", rays.size()}};
+  for (const Engine& engine : engines) {
+    const bench::Summary ns = bench::summarise(engine.ns_per_ray);
+    const double per_step = static_cast<double>(rays.size()) /
+                            static_cast<double>(std::max<std::uint64_t>(engine.totals.steps, 1));
+    const bench::Summary gain = bench::ratio(engines[0].ns_per_ray, engine.ns_per_ray);
+    std::printf("| %s | %llu | %.9g | %llu | %.1f (%.1f..%.1f) | %.0f | %.2f (%.2f..%.2f) |\n",
+                engine.name.c_str(), static_cast<unsigned long long>(engine.totals.steps),
+                engine.totals.length, static_cast<unsigned long long>(engine.totals.stuck),
+                ns.median * per_step, ns.low * per_step, ns.high * per_step, ns.median, gain.median,
+                gain.low, gain.high);
+    json["engines"].push_back({{"name", engine.name},
+                               {"steps", engine.totals.steps},
+                               {"stuck", engine.totals.stuck},
+                               {"length_mm", engine.totals.length},
+                               {"ns_per_ray", engine.ns_per_ray},
+                               {"ns_per_step", ns.median * per_step},
+                               {"speed_up_over_generic", gain.median}});
+  }
+  if (!json_file.empty()) std::ofstream(json_file) << json.dump(2) << '\n';
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "transport: %s\n", error.what());
+  return 1;
+}
