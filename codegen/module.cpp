@@ -79,13 +79,16 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
   std::string& source = module.source;
   source += "// Navigators for ";
   source += std::to_string(hot.size()) + " scenes. Generated: do not edit.\n";
+  // Constants fold only into kernels that are inlined.
+  source +=
+      "#pragma clang attribute push(__attribute__((always_inline)), apply_to = function)\n";
   source += kernel_text("prelude");
   for (const char* kernel : kernel_order()) {
     if (shapes.kernels().contains(kernel)) source += kernel_text(kernel);
   }
   source += kernel_text("buckets");
   source += kernel_text("navigation");
-  source += "\nnamespace navjit::kernels {\n\n";
+  source += "#pragma clang attribute pop\n\nnamespace navjit::kernels {\n\n";
   source += "constexpr double tolerance = " + number(geometry.tolerance()) + ";\n";
   source += shapes.definitions() + declarations + bodies;
   source += "\n}  // namespace navjit::kernels\n";

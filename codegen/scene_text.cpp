@@ -58,12 +58,12 @@ SceneText::SceneText(const Geometry& geometry, const ScenePlan& plan, const Neig
 bool SceneText::leaf(VolumeId volume) const { return geometry_.scene(volume).daughters.empty(); }
 
 std::string SceneText::enter_declaration() const {
-  return "static inline void enter_" + id(plan_.volume) +
+  return "[[gnu::noinline]] static void enter_" + id(plan_.volume) +
          "(Stack* stack, const Context* context, " + point_arguments + ");\n";
 }
 
 std::string SceneText::reenter_declaration() const {
-  return "static inline void reenter_" + id(plan_.volume) +
+  return "[[gnu::noinline]] static void reenter_" + id(plan_.volume) +
          "(Stack* stack, const Context* context, " + point_arguments + ", unsigned blocked);\n";
 }
 
@@ -77,27 +77,27 @@ std::string SceneText::frame() const {
   }
   std::string text;
   if (!f.never_rotated && !f.only_rotation) {
-    return "inline Vec3<double> point(const StackLevel& level, double x, double y, double z) {\n"
+    return "static inline Vec3<double> point(const StackLevel& level, double x, double y, double z) {\n"
            "  return to_local(level, x, y, z);\n}\n"
-           "inline Direction<double> direction(const StackLevel& level, double u, double v, double "
+           "static inline Direction<double> direction(const StackLevel& level, double u, double v, double "
            "w) "
            "{\n  return to_local_direction(level, u, v, w);\n}\n";
   }
   text +=
-      "inline Vec3<double> point([[maybe_unused]] const StackLevel& level, double x, double y, "
+      "static inline Vec3<double> point([[maybe_unused]] const StackLevel& level, double x, double y, "
       "double z) {\n";
   if (f.never_rotated) {
     text += "  if (level.rotation != nullptr) __builtin_unreachable();\n";
     text += "  return {x - " + t[0] + ", y - " + t[1] + ", z - " + t[2] + "};\n}\n";
     text +=
-        "inline Direction<double> direction(const StackLevel&, double u, double v, double w) {\n"
+        "static inline Direction<double> direction(const StackLevel&, double u, double v, double w) {\n"
         "  return make_direction<double>(u, v, w);\n}\n";
     return text;
   }
   text += "  const double dx = x - " + t[0] + ", dy = y - " + t[1] + ", dz = z - " + t[2] + ";\n";
   text += "  return {" + rows(f.only_rotation->data(), "dx", "dy", "dz") + "};\n}\n";
   text +=
-      "inline Direction<double> direction(const StackLevel&, double u, double v, double w) {\n"
+      "static inline Direction<double> direction(const StackLevel&, double u, double v, double w) {\n"
       "  return make_direction<double>(" +
       rows(f.only_rotation->data(), "u", "v", "w") + ");\n}\n";
   return text;
@@ -187,9 +187,9 @@ std::string SceneText::search() const {
   const bool one = plan_.classes.size() == 1;
   for (const char* call : {"contains", "distance_to_in"}) {
     const bool distance = std::string_view(call) == "distance_to_in";
-    text += std::string(distance ? "inline double distance(unsigned k, const Vec3<double>& p, "
+    text += std::string(distance ? "static inline double distance(unsigned k, const Vec3<double>& p, "
                                    "const Direction<double>& d, [[maybe_unused]] double reach) {\n"
-                                 : "inline bool holds(unsigned k, const Vec3<double>& p, const "
+                                 : "static inline bool holds(unsigned k, const Vec3<double>& p, const "
                                    "Direction<double>& d) {\n");
     text += "  const Daughter& at = daughters[k];\n";
     if (!one) text += "  switch (at.kind) {\n";
@@ -207,14 +207,14 @@ std::string SceneText::search() const {
   // Searches. Spelled-out daughters unroll: the index is a constant at each call.
   const std::string n = std::to_string(scene_.daughters.size());
   if (plan_.candidates == Candidates::all) {
-    text += "inline int find(const Vec3<double>& p, const Direction<double>& d, int blocked) {\n";
+    text += "static inline int find(const Vec3<double>& p, const Direction<double>& d, int blocked) {\n";
     for (std::size_t k = scene_.daughters.size(); k-- > 0;) {
       const std::string i = std::to_string(k);
       text += "  if (blocked != " + i + " && holds(" + i + ", p, d)) return " + i + ";\n";
     }
     text += "  return -1;\n}\n";
     text +=
-        "inline int nearest(const Vec3<double>& p, const Direction<double>& d, double& best, "
+        "static inline int nearest(const Vec3<double>& p, const Direction<double>& d, double& best, "
         "double limit) {\n  int hit = -1;\n";
     for (std::size_t k = 0; k < scene_.daughters.size(); ++k) {
       const std::string i = std::to_string(k);
@@ -237,14 +237,14 @@ std::string SceneText::search() const {
     for (int a = 0; a < 3; ++a) text += (a == 0 ? "" : ", ") + number(1 / b.width[a]);
     text += "}, first, members};\n";
     text +=
-        "inline int find(const Vec3<double>& p, const Direction<double>& d, int blocked) {\n"
+        "static inline int find(const Vec3<double>& p, const Direction<double>& d, int blocked) {\n"
         "  int found = -1;\n"
         "  visit_bucket_at(grid, p, [&](unsigned k) {\n"
         "    if (static_cast<int>(k) == blocked || !holds(k, p, d)) return true;\n"
         "    found = static_cast<int>(k);\n"
         "    return false;\n  });\n  return found;\n}\n";
     text +=
-        "inline int nearest(const Vec3<double>& p, const Direction<double>& d, double& best, "
+        "static inline int nearest(const Vec3<double>& p, const Direction<double>& d, double& best, "
         "double limit) {\n  int hit = -1;\n"
         "  walk_buckets(grid, p, d, [&](unsigned k) {\n"
         "    const double t = distance(k, p, d, smaller(limit, best));\n"
@@ -266,7 +266,7 @@ std::string SceneText::push() const {
   const std::string rotated =
       "push_rotated(stack, at.volume, k, at.offset, at.x, at.y, at.z, rotations[at.rotation]);\n";
   std::string text =
-      "inline void push(Stack* stack, unsigned k) {\n"
+      "static inline void push(Stack* stack, unsigned k) {\n"
       "  const Daughter& at = daughters[k];\n";
   if (plan_.frame.never_rotated) {
     text += "  if (stack->levels[stack->depth].rotation != nullptr) __builtin_unreachable();\n";
@@ -285,7 +285,7 @@ std::string SceneText::push() const {
 /// Into the daughter just pushed, and further down.
 std::string SceneText::descend() const {
   std::string text =
-      "inline void descend([[maybe_unused]] Stack* stack, [[maybe_unused]] const "
+      "static inline void descend([[maybe_unused]] Stack* stack, [[maybe_unused]] const "
       "Context* context, [[maybe_unused]] unsigned k";
   for (const char* name : {"x", "y", "z", "u", "v", "w"}) {
     text += std::string(", [[maybe_unused]] double ") + name;
@@ -324,7 +324,7 @@ std::string SceneText::descend() const {
 }
 
 std::string SceneText::enter() const {
-  std::string text = "static inline void enter_" + id(plan_.volume) +
+  std::string text = "[[gnu::noinline]] static void enter_" + id(plan_.volume) +
                      "(Stack* stack, const Context* context, " + point_arguments + ") {\n";
   text +=
       "  const StackLevel& level = stack->levels[stack->depth];\n"
@@ -360,7 +360,7 @@ std::string SceneText::leave_to_mother(const char* blocked) const {
 }
 
 std::string SceneText::reenter() const {
-  std::string text = "static inline void reenter_" + id(plan_.volume) +
+  std::string text = "[[gnu::noinline]] static void reenter_" + id(plan_.volume) +
                      "(Stack* stack, const Context* context, " + point_arguments +
                      ", unsigned blocked) {\n";
   text +=

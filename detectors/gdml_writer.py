@@ -130,12 +130,13 @@ def place(name, volume, position=None, rotation=None, copy=None, unit="deg"):
 
 def common_materials(gdml):
     """Elements and materials that all detectors use."""
-    for name, formula, z, atom in (("hydrogen", "H", 1, 1.008), ("carbon", "C", 6, 12.011),
-                                   ("nitrogen", "N", 7, 14.007), ("oxygen", "O", 8, 15.999),
-                                   ("silicon_atom", "Si", 14, 28.086), ("tungsten", "W", 74, 183.84),
-                                   ("lead_atom", "Pb", 82, 207.2), ("iron_atom", "Fe", 26, 55.845),
-                                   ("chromium", "Cr", 24, 51.996), ("nickel", "Ni", 28, 58.693),
-                                   ("copper_atom", "Cu", 29, 63.546), ("zinc", "Zn", 30, 65.38)):
+    for name, formula, z, atom in (
+            ("hydrogen", "H", 1, 1.008), ("carbon", "C", 6, 12.011), ("nitrogen", "N", 7, 14.007),
+            ("oxygen", "O", 8, 15.999), ("silicon_atom", "Si", 14, 28.086),
+            ("tungsten", "W", 74, 183.84), ("lead_atom", "Pb", 82, 207.2),
+            ("iron_atom", "Fe", 26, 55.845), ("chromium", "Cr", 24, 51.996),
+            ("nickel", "Ni", 28, 58.693), ("copper_atom", "Cu", 29, 63.546),
+            ("zinc", "Zn", 30, 65.38)):
         gdml.element(name, formula, z, atom)
     gdml.mixture("Vacuum", 1e-25, hydrogen=1)
     gdml.mixture("Air", 0.001205, nitrogen=0.76, oxygen=0.24)

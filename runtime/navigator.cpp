@@ -56,8 +56,10 @@ void Navigator::record(const Vec3& point, const Vec3& direction, double limit) {
   // A sample is also the moment to look at what costs too much to look at in every step.
   require_finite(point, "point");
   require_finite(direction, "direction");
-  const kernels::StackLevel& level = own_->stack.levels[own_->stack.depth];
-  own_->profile.record({level.touchable, level.volume, point, direction, limit});
+  const Stack& stack = own_->stack;
+  const kernels::StackLevel& level = stack.levels[stack.depth];
+  own_->profile.record({level.touchable, level.volume, point, direction, limit,
+                        stack.depth > 0 ? stack.levels[stack.depth - 1].volume : Sample::no_volume});
 }
 
 double Navigator::decline(const Vec3& point, const Vec3& direction, double limit) {

@@ -17,6 +17,9 @@ struct Sample {
   VolumeId volume;
   Vec3 point, direction;
   double limit;
+  VolumeId mother = no_volume;  ///< of the touchable, where it was recorded
+
+  static constexpr VolumeId no_volume = ~VolumeId{0};
 };
 
 class Profile {
@@ -54,9 +57,10 @@ class Profile {
     return true;
   }
 
- private:
-  /// Prime, so that it does not beat with the detector's own periods.
+  /// Steps between samples; prime, so that it does not beat with the detector's own periods.
   static constexpr std::uint32_t period = 61;
+
+ private:
 
   std::size_t size_;
   std::unique_ptr<std::atomic<std::uint64_t>[]> steps_;

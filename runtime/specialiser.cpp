@@ -56,6 +56,7 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
       facts_(analyse_world(shared_->geometry)),
       sampler_(shared_->geometry),
       steps_(shared_->geometry.size(), 0),
+      steps_below_(shared_->geometry.size(), 0),
       started_at_(now()) {
   if (shared_->options.jit == JitMode::off) return;
   const SpecialiserOptions& options = shared_->options.specialiser;
@@ -133,6 +134,7 @@ void Specialiser::gather() {
       steps_[v] += profile->steps(static_cast<VolumeId>(v));
     }
     for (Sample sample; profile->take(sample);) {
+      if (sample.mother != Sample::no_volume) steps_below_[sample.mother] += Profile::period;
       auto& kept = samples_[sample.volume];
       if (kept.size() < samples_kept) {
         kept.push_back(sample);
@@ -144,22 +146,26 @@ void Specialiser::gather() {
   }
 }
 
-/// Scenes whose steps so far would have paid for compiling them: what was spent is the estimate of
-/// what is still to come.
+/// Scenes whose use so far would have paid for compiling them: what was spent is the estimate of
+/// what is still to come. Relocation in a mother costs about as much as a step.
 std::vector<VolumeId> Specialiser::choose() {
   const SpecialiserOptions& options = shared_->options.specialiser;
   const double break_even = options.compile_ms_per_scene * 1e6 / options.gain_ns_per_step;
+  const auto heat = [&](VolumeId v) { return steps_[v] + steps_below_[v]; };
   std::vector<VolumeId> hot;
   {
     const std::lock_guard lock(mutex_);
     for (std::size_t v = 0; v < steps_.size(); ++v) {
       const auto volume = static_cast<VolumeId>(v);
-      if (steps_[v] < options.min_steps || static_cast<double>(steps_[v]) < break_even) continue;
+      if (heat(volume) < options.min_steps || static_cast<double>(heat(volume)) < break_even) {
+        continue;
+      }
       if (scenes_.contains(volume)) continue;
       hot.push_back(volume);
     }
   }
-  std::sort(hot.begin(), hot.end(), [&](VolumeId a, VolumeId b) { return steps_[a] > steps_[b]; });
+  std::sort(hot.begin(), hot.end(),
+            [&](VolumeId a, VolumeId b) { return heat(a) > heat(b); });
   if (hot.size() > options.batch) hot.resize(options.batch);
   return hot;
 }

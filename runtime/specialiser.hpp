@@ -46,6 +46,8 @@ class Specialiser {
   StateSampler sampler_;
   std::unique_ptr<Compiler> compiler_;
   std::vector<std::uint64_t> steps_;  ///< by volume, at the last look
+  /// By volume: steps made in its daughters, as sampled. Many of those end with a relocation in it.
+  std::vector<std::uint64_t> steps_below_;
   std::map<VolumeId, std::vector<Sample>> samples_;
   double started_at_;
 

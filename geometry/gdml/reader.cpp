@@ -94,7 +94,10 @@ const Setup& choose_setup(const FileContext& file, const std::string& wanted) {
 
 }  // namespace gdml
 
-World read_gdml(const std::filesystem::path& path, const GdmlOptions& options, GdmlReport* report) {
+namespace {
+
+World read_world(const std::filesystem::path& path, const GdmlOptions& options,
+                 GdmlReport* report) {
   gdml::Session session(options);
   gdml::FileContext& file = gdml::read_file(session, path, nullptr);
   const gdml::Setup& setup = gdml::choose_setup(file, options.setup);
@@ -116,6 +119,20 @@ World read_gdml(const std::filesystem::path& path, const GdmlOptions& options, G
     }
   }
   return std::move(world);
+}
+
+}  // namespace
+
+World read_gdml(const std::filesystem::path& path, const GdmlOptions& options, GdmlReport* report) {
+  try {
+    return read_world(path, options, report);
+  } catch (const GdmlError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& e) {
+    throw GdmlError(gdml::printable(path.string()) + ":0: " + gdml::printable(e.what()));
+  }
 }
 
 }  // namespace navjit

@@ -18,8 +18,8 @@ constexpr struct {
   DaughterReader read;
 } daughter_readers[] = {
     {"physvol", read_physvol},
-    {"replicavol", unsupported},
-    {"divisionvol", unsupported},
+    {"replicavol", read_replica},
+    {"divisionvol", read_division},
     {"paramvol", unsupported},
 };
 

@@ -22,5 +22,9 @@ void add_placement(FileContext& file, const XmlElement& element, Mother& mother,
 
 /// physvol
 void read_physvol(FileContext& file, const XmlElement& element, Mother& mother);
+/// divisionvol: a box cut into boxes along x, y or z
+void read_division(FileContext& file, const XmlElement& element, Mother& mother);
+/// replicavol: copies along x, y, z or around z
+void read_replica(FileContext& file, const XmlElement& element, Mother& mother);
 
 }  // namespace navjit::gdml

@@ -19,17 +19,6 @@ struct ParserDeleter {
 };
 using ParserPtr = std::unique_ptr<std::remove_pointer_t<XML_Parser>, ParserDeleter>;
 
-/// "<tag name='...'>"
-std::string label(const XmlElement& element) {
-  std::string text = '<' + printable(element.tag);
-  for (const char* attribute : {"name", "ref", "for"}) {
-    if (const auto value = element.find(attribute)) {
-      return text + ' ' + attribute + "='" + printable(*value) + "'>";
-    }
-  }
-  return text + '>';
-}
-
 /// Expat knows UTF-8, UTF-16, ISO-8859-1 and US-ASCII. Of the other names in use, only ASCII's
 /// matter: markup and numbers are in ASCII, and in names other bytes need only stay distinct.
 int XMLCALL on_unknown_encoding(void*, const XML_Char* name, XML_Encoding* encoding) {
@@ -323,40 +312,11 @@ void Builder::parse_document(const fs::path& path, const XmlElement* from) {
 
 }  // namespace
 
-std::optional<std::string_view> XmlElement::find(std::string_view attribute) const {
-  for (std::size_t i = 0; i < attribute_count; ++i) {
-    if (attributes[i].name == attribute) return attributes[i].value;
-  }
-  return std::nullopt;
-}
-
 std::unique_ptr<XmlDocument> parse_xml(const fs::path& path, const GdmlLimits& limits,
                                        XmlBudget& budget, const XmlElement* from) {
   auto document = std::make_unique<XmlDocument>();
   Builder(*document, limits, budget).parse_document(path, from);
   return document;
-}
-
-std::string printable(std::string_view text) {
-  constexpr std::size_t longest = 200;
-  std::size_t length = std::min(text.size(), longest);
-  // Not within a UTF-8 character.
-  while (length > 0 && length < text.size() && (text[length] & 0xc0) == 0x80) --length;
-  std::string line(text.substr(0, length));
-  for (char& c : line) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7f) c = '?';
-  }
-  if (length < text.size()) line += "...";
-  return line;
-}
-
-std::string describe(const XmlElement& element) {
-  return printable(*element.file) + ':' + std::to_string(element.line) + ": " + label(element);
-}
-
-void fail(const XmlElement& element, const std::string& problem) {
-  throw GdmlError(describe(element) + ": " + problem);
 }
 
 }  // namespace navjit::gdml

@@ -68,6 +68,8 @@ std::unique_ptr<XmlDocument> parse_xml(const std::filesystem::path& path, const 
 
 /// Text from a file made fit for a one-line message: control characters replaced, cut if long.
 std::string printable(std::string_view text);
+/// "<tag name='...'>"
+std::string label(const XmlElement& element);
 /// "FILE:LINE: <tag name='...'>"
 std::string describe(const XmlElement& element);
 /// Throws GdmlError: "FILE:LINE: <tag name='...'>: problem".

@@ -34,7 +34,7 @@ ConicalForm<Real> conical_form(const ConicalFace<Real>& f, const Vec3<Real>& p,
           x * vx + y * vy - radius * rate};
 }
 
-/// Root of the discriminant b^2 - a c, written without the squares of the large terms.
+/// The discriminant b^2 - a c, written without the squares of the large terms.
 template <class Real>
 Real conical_discriminant(const ConicalForm<Real>& q) {
   const Real gx = q.radius * q.vx - q.rate * q.x, gy = q.radius * q.vy - q.rate * q.y;
@@ -77,7 +77,8 @@ Real nappe_exit(const ConicalForm<Real>& q) {
   if (q.b < 0) return larger((root - q.b) / q.a, Real(0));
   const Real h = q.b + root, c = q.r2 - q.radius * q.radius;
   if (h > 0) return larger(-c / h, Real(0));
-  return c < 0 ? infinity<Real>() : Real(0);
+  if (!(c < 0)) return Real(0);
+  return q.a > 0 ? square_root(-c / q.a) : infinity<Real>();
 }
 
 /// Exit from the nappe, for points known to be in it.

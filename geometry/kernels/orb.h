@@ -32,7 +32,9 @@ Real leave_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol)
   const Real r2 = p.x * p.x + p.y * p.y + p.z * p.z, inner = r - tol;
   const bool deep = r2 < inner * inner && inner > 0;
   if (!deep && (b > 0 || (b == 0 && r2 >= r * r))) return Real(0);
-  const Real root = square_root(larger(ball_discriminant(r, p, v, a), Real(0)));
+  // From the closest approach on, exactly what containment there compares.
+  const Real discriminant = b == 0 ? a * (r * r - r2) : ball_discriminant(r, p, v, a);
+  const Real root = square_root(larger(discriminant, Real(0)));
   return larger((root - b) / a, Real(0));
 }
 

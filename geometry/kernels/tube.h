@@ -29,7 +29,9 @@ Real leave_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real 
   if (!deep && (b > 0 || (b == 0 && r2 >= r * r))) return Real(0);
   if (!(a > 0)) return infinity<Real>();
   const Real cross = p.x * v.y - p.y * v.x;
-  const Real root = square_root(larger(a * (r * r) - cross * cross, Real(0)));
+  // From the closest approach on, exactly what containment there compares.
+  const Real discriminant = b == 0 ? a * (r * r - r2) : a * (r * r) - cross * cross;
+  const Real root = square_root(larger(discriminant, Real(0)));
   return larger((root - b) / a, Real(0));
 }
 

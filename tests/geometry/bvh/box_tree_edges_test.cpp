@@ -127,7 +127,7 @@ TEST_P(BoxTreeMethods, CandidatesComeNearestFirst) {
 
 TEST_P(BoxTreeMethods, TheSameBoxesGiveTheSameOrder) {
   Generator generator(3);
-  const std::vector<Extent> boxes = boxes(generator, 3000, 100, 40);
+  const std::vector<Extent> boxes = test::boxes(generator, 3000, 100, 40);
   const BoxTree a(boxes, 1e-6, GetParam()), b(boxes, 1e-6, GetParam());
   for (int i = 0; i < 50; ++i) {
     const Vec3 p = point(generator, 100);
@@ -184,7 +184,7 @@ TEST(BoxTree, RejectsWhatIsNotANumber) {
 
 TEST(BoxTree, GroupsPerClusterChangeNothingButSpeed) {
   Generator generator(4);
-  const std::vector<Extent> boxes = boxes(generator, 700, 10, 3);
+  const std::vector<Extent> boxes = test::boxes(generator, 700, 10, 3);
   for (std::uint32_t groups = 1; groups <= 8; ++groups) {
     const BoxTree tree(boxes, 0, Method::two_level, groups);
     EXPECT_EQ(tree.clusters(), (700 + 8 * groups - 1) / (8 * groups));

@@ -65,6 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
         RealFile{"dune/dune10kt_v6_refactored_nowires.gdml", 7530, 10'900, 100, 5, 9704},
         RealFile{"dune/nd_hall_mpd_lar_ECal12sides_42l_SPY_v3_wMuID.gdml", 4641, 182'000, 1000, 24,
                  101},
+        RealFile{"alice/znenv.gdml", 15, 4400, 100, 9, 11},
         RealFile{"celeritas/testem3.gdml", 5, 152, 1, 4, 50},
         RealFile{"testem3/testEm3.gdml", 54, 152, 1, 4, 50}));
 

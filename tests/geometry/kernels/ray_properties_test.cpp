@@ -250,15 +250,14 @@ TEST_P(RayProperties, SteppingThroughAlternatesAndEnds) {
       const Direction v = random.any_direction();
       const double far = c.size * random.scale(1, 1e4);
       Vec3 p{target.x - far * v.x, target.y - far * v.y, target.z - far * v.z};
+      if (c.distance({p.x, p.y, p.z}) < 10 * tol) continue;
       SCOPED_TRACE(describe(c, p, v));
-      Wide path = 0;
       int crossings = 0;
       for (bool in = false;; in = !in) {
         const double t = in ? distance_to_out(s, p, v, tol) : distance_to_in(s, p, v, tol);
         ASSERT_GE(t, 0);
         if (!in && !(t < inf)) break;
         ASSERT_LT(t, inf);
-        path += t;
         p = kernels::advance(p, v, t);
         ASSERT_LT(++crossings, 200);
       }

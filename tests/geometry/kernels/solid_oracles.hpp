@@ -78,6 +78,8 @@ inline SignedDistance polyhedra_distance(std::vector<ZPlane> planes, int sides, 
     if (azimuth > 0) return azimuth;
     Wide from_start = std::fmod(std::atan2(p.y, p.x) - start, 2 * wide_pi);
     if (from_start < 0) from_start += 2 * wide_pi;
+    // A rounding before the start is not the last side.
+    if (from_start > delta && 2 * wide_pi - from_start < from_start - delta) from_start = 0;
     const Wide step = std::min(delta, 2 * wide_pi) / sides;
     const int side = std::clamp(static_cast<int>(from_start / step), 0, sides - 1);
     const Wide across = std::hypot(p.x, p.y) * std::cos(from_start - (side + 0.5L) * step);

@@ -1,0 +1,47 @@
+// Elements as looked up and as named in messages.
+#include <algorithm>
+
+#include "geometry/gdml/xml.hpp"
+
+namespace navjit::gdml {
+
+std::optional<std::string_view> XmlElement::find(std::string_view attribute) const {
+  for (std::size_t i = 0; i < attribute_count; ++i) {
+    if (attributes[i].name == attribute) return attributes[i].value;
+  }
+  return std::nullopt;
+}
+
+std::string printable(std::string_view text) {
+  constexpr std::size_t longest = 200;
+  std::size_t length = std::min(text.size(), longest);
+  // Not within a UTF-8 character.
+  while (length > 0 && length < text.size() && (text[length] & 0xc0) == 0x80) --length;
+  std::string line(text.substr(0, length));
+  for (char& c : line) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f) c = '?';
+  }
+  if (length < text.size()) line += "...";
+  return line;
+}
+
+std::string label(const XmlElement& element) {
+  std::string text = '<' + printable(element.tag);
+  for (const char* attribute : {"name", "ref", "for"}) {
+    if (const auto value = element.find(attribute)) {
+      return text + ' ' + attribute + "='" + printable(*value) + "'>";
+    }
+  }
+  return text + '>';
+}
+
+std::string describe(const XmlElement& element) {
+  return printable(*element.file) + ':' + std::to_string(element.line) + ": " + label(element);
+}
+
+void fail(const XmlElement& element, const std::string& problem) {
+  throw GdmlError(describe(element) + ": " + problem);
+}
+
+}  // namespace navjit::gdml

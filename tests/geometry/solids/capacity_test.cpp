@@ -1,0 +1,84 @@
+// Volumes and extents against sampling, with the oracles deciding what is inside.
+#include <gtest/gtest.h>
+
+#include "tests/geometry/kernels/random_solids.hpp"
+
+namespace navjit::test {
+namespace {
+
+class SampledSolid : public testing::TestWithParam<Maker> {};
+
+TEST_P(SampledSolid, HasTheCapacityThatSamplingFinds) {
+  Random random(41);
+  constexpr int samples = 20000;
+  for (int i = 0; i < 12; ++i) {
+    const SolidCase c = GetParam().make(random);
+    const Extent& e = c.solid.extent;
+    int hits = 0;
+    for (int k = 0; k < samples; ++k) {
+      const Vec3 p = random.point_in(e, 0);
+      if (c.distance({p.x, p.y, p.z}) < 0) ++hits;
+    }
+    const double box = (e.max.x - e.min.x) * (e.max.y - e.min.y) * (e.max.z - e.min.z);
+    const double share = capacity(c.solid) / box;
+    ASSERT_GT(share, 0);
+    ASSERT_LE(share, 1 + 1e-12);
+    const double sigma = std::sqrt(share * (1 - share) / samples);
+    ASSERT_NEAR(static_cast<double>(hits) / samples, share, 5 * sigma + 1e-4);
+  }
+}
+
+TEST_P(SampledSolid, FitsItsExtentTightly) {
+  Random random(42);
+  for (int i = 0; i < 20; ++i) {
+    const SolidCase c = GetParam().make(random);
+    const Extent& e = c.solid.extent;
+    const double rounding = 1e-14 * c.size;
+    for (int k = 0; k < 2000; ++k) {
+      const Vec3 p = random.point_in(e, 0.2);
+      if (c.distance({p.x, p.y, p.z}) >= 0) continue;
+      ASSERT_TRUE(p.x >= e.min.x - rounding && p.x <= e.max.x + rounding);
+      ASSERT_TRUE(p.y >= e.min.y - rounding && p.y <= e.max.y + rounding);
+      ASSERT_TRUE(p.z >= e.min.z - rounding && p.z <= e.max.z + rounding);
+    }
+    // Each side of the box touches the solid: moving a plane inwards from it soon meets some.
+    const double low[3] = {e.min.x, e.min.y, e.min.z}, high[3] = {e.max.x, e.max.y, e.max.z};
+    for (int side = 0; side < 6; ++side) {
+      const int axis = side / 2;
+      Wide nearest = INFINITY;
+      for (int k = 0; k < 1500; ++k) {
+        double p[3];
+        for (int j = 0; j < 3; ++j) p[j] = random.uniform(low[j], high[j]);
+        p[axis] = side % 2 == 0 ? low[axis] : high[axis];
+        nearest = std::min(nearest, std::max<Wide>(c.distance({p[0], p[1], p[2]}), 0));
+      }
+      ASSERT_LT(nearest, 0.1 * c.size) << kind_name(c.solid.kind) << " side " << side;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Primitives, SampledSolid, testing::ValuesIn(primitive_makers),
+                         [](const testing::TestParamInfo<Maker>& test) { return test.param.name; });
+
+TEST(Capacity, MatchesTextbookVolumes) {
+  constexpr double pi = std::numbers::pi;
+  EXPECT_DOUBLE_EQ(capacity(make_box("s", 1, 2, 3)), 48);
+  EXPECT_DOUBLE_EQ(capacity(make_tube("s", 1, 2, 3, 0, 2 * pi)), 18 * pi);
+  EXPECT_DOUBLE_EQ(capacity(make_cone("s", 0, 3, 0, 0, 2, 0, 2 * pi)), 12 * pi);
+  EXPECT_DOUBLE_EQ(capacity(make_trd("s", 3, 0, 3, 0, 2)), 48);
+  EXPECT_DOUBLE_EQ(capacity(make_trap("s", 1, 0.3, 1, 2, 3, 3, 0.2, 2, 3, 3, 0.2)), 48);
+  EXPECT_DOUBLE_EQ(capacity(make_orb("s", 3)), 36 * pi);
+  EXPECT_DOUBLE_EQ(capacity(make_sphere("s", 0, 3, 0, pi, 0, pi / 2)), 9 * pi);
+  const ZPlane planes[] = {{0, 0, 1}, {1, 0, 1}, {1, 0, 2}, {2, 0, 2}};
+  EXPECT_DOUBLE_EQ(capacity(make_polycone("s", planes, 0, 2 * pi)), 5 * pi);
+  EXPECT_NEAR(capacity(make_polyhedra("s", planes, 4, 0, 2 * pi)), 20, 1e-13);
+}
+
+TEST(Capacity, IsOpenForBooleansAndKeptByPlacing) {
+  const Solid box = make_box("b", 1, 2, 3), orb = make_orb("o", 1);
+  EXPECT_TRUE(std::isnan(capacity(make_union("u", box, orb))));
+  EXPECT_DOUBLE_EQ(capacity(make_placed("p", box, {{1, 2, 3}})), 48);
+}
+
+}  // namespace
+}  // namespace navjit::test

@@ -1,0 +1,187 @@
+// What the factories accept and refuse, and the conventions of their dimensions.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "geometry/solids/fields.hpp"
+#include "geometry/solids/solid.hpp"
+
+namespace navjit {
+namespace {
+
+constexpr double pi = std::numbers::pi, turn = 2 * pi;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+using Planes = std::vector<ZPlane>;
+
+Side where(const Solid& s, double x, double y, double z) {
+  return inside(s.any(), Vec3{x, y, z}, 1e-9);
+}
+
+template <class Make>
+std::string refusal(Make make) {
+  try {
+    make();
+  } catch (const GeometryError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Factories, RefuseDimensionsThatMakeNoSolid) {
+  EXPECT_EQ(refusal([] { make_box("b", 1, 0, 1); }), "solid 'b': a box needs positive lengths");
+  EXPECT_THROW(make_box("s", 1, nan, 1), GeometryError);
+  EXPECT_THROW(make_tube("s", 2, 1, 1, 0, turn), GeometryError);
+  EXPECT_THROW(make_tube("s", 0, 1, 1, 0, 0), GeometryError);
+  EXPECT_THROW(make_tube("s", 0, 1, 1, inf, 1), GeometryError);
+  EXPECT_THROW(make_cone("s", 1, 1, 2, 2, 1, 0, turn), GeometryError);
+  EXPECT_THROW(make_cone("s", -1, 1, 0, 2, 1, 0, turn), GeometryError);
+  EXPECT_THROW(make_cone("s", 0, 1, 3, 2, 1, 0, turn), GeometryError);
+  EXPECT_THROW(make_cone("s", 0, 1, 0, 2, 0, 0, turn), GeometryError);
+  EXPECT_THROW(make_trd("s", 0, 0, 1, 1, 1), GeometryError);
+  EXPECT_THROW(make_trd("s", 1, -1, 1, 1, 1), GeometryError);
+  EXPECT_THROW(make_trap("s", 1, 0, 0, 1, 1, 1, 0, 1, 1, 0, 0), GeometryError);
+  EXPECT_THROW(make_trap("s", 1, pi / 2, 0, 1, 1, 1, 0, 1, 1, 1, 0), GeometryError);
+  EXPECT_THROW(make_orb("s", 0), GeometryError);
+  EXPECT_THROW(make_sphere("s", 1, 1, 0, turn, 0, pi), GeometryError);
+  EXPECT_THROW(make_sphere("s", 0, 1, 0, turn, -0.1, pi), GeometryError);
+  EXPECT_THROW(make_sphere("s", 0, 1, 0, turn, 0, 0), GeometryError);
+  EXPECT_THROW(make_polycone("s", Planes{{0, 0, 1}}, 0, turn), GeometryError);
+  EXPECT_THROW(make_polycone("s", Planes{{0, 2, 1}, {1, 0, 1}}, 0, turn), GeometryError);
+  EXPECT_THROW(make_polycone("s", Planes{{0, 1, 1}, {1, 2, 2}}, 0, turn), GeometryError);
+  EXPECT_THROW(make_polycone("s", Planes{{0, 0, 1}, {0, 0, 2}}, 0, turn), GeometryError);
+  EXPECT_THROW(make_polycone("s", Planes{{0, 0, nan}, {1, 0, 2}}, 0, turn), GeometryError);
+  EXPECT_THROW(make_polyhedra("s", Planes{{0, 0, 1}, {1, 0, 2}}, 2, 0, turn), GeometryError);
+  EXPECT_THROW(make_polyhedra("s", Planes{{0, 0, 1}, {1, 0, 2}}, 0, 0, 1), GeometryError);
+}
+
+TEST(Factories, SayWhatIsWrong) {
+  EXPECT_EQ(refusal([] { make_trap("t", 1, 0, 0, 1, 1, 1, 0, 1, 1, 3, 1.4); }),
+            "solid 't': a side of the trap is not planar");
+  EXPECT_EQ(refusal([] {
+              make_polycone("p", Planes{{0, 0, 1}, {1, 0, 1}, {1, 2, 3}, {2, 2, 3}}, 0, turn);
+            }),
+            "solid 'p': the parts on the two sides of a step do not touch");
+  EXPECT_EQ(refusal([] {
+              make_polycone("p", Planes{{0, 0, 1}, {2, 0, 1}, {1, 0, 0.5}, {1.5, 0, 2}}, 0, turn);
+            }),
+            "solid 'p': the contour crosses itself");
+}
+
+TEST(Factories, AcceptShapesThatTaperToNothing) {
+  EXPECT_EQ(where(make_cone("s", 0, 2, 0, 0, 1, 0, turn), 0, 0, 0.999), Side::inside);
+  EXPECT_EQ(where(make_cone("s", 0, 2, 2, 2, 1, 0, turn), 1.99, 0, 0.97), Side::inside);
+  EXPECT_EQ(where(make_trd("s", 2, 0, 1, 0, 1), 0, 0, 1), Side::surface);
+  EXPECT_EQ(where(make_trd("s", 0, 2, 1, 1, 1), 0.4, 0, -0.5), Side::inside);
+  EXPECT_EQ(where(make_polycone("s", Planes{{0, 1, 1}, {1, 0, 2}}, 0, turn), 1, 0, 0.1),
+            Side::inside);
+}
+
+TEST(Factories, TakeSpheresApartByPolarAngle) {
+  EXPECT_EQ(make_sphere("s", 0, 1, 0.3, turn, 0, pi).kind, SolidKind::orb);
+  EXPECT_EQ(make_sphere("s", 0, 1, 0, 7, 0, 4).kind, SolidKind::orb);
+  const Solid upper = make_sphere("s", 0, 1, 0, turn, 0, pi / 2);
+  EXPECT_EQ(where(upper, 0.5, 0, 0.1), Side::inside);
+  EXPECT_EQ(where(upper, 0.5, 0, 0), Side::surface);
+  EXPECT_EQ(where(upper, 0.5, 0, -0.1), Side::outside);
+  EXPECT_EQ(upper.extent.min.z, 0);
+  const Solid band = make_sphere("s", 0, 1, 0, turn, pi / 4, pi / 2);
+  EXPECT_EQ(where(band, 0.1, 0, 0.5), Side::outside);
+  EXPECT_EQ(where(band, 0.5, 0, 0.3), Side::inside);
+  EXPECT_EQ(where(band, 0.1, 0, -0.5), Side::outside);
+  EXPECT_NEAR(band.extent.max.z, std::sqrt(0.5), 1e-15);
+}
+
+TEST(Factories, DropRedundantPlanesOfAPolycone) {
+  const Solid s = make_polycone(
+      "s", Planes{{0, 0, 1}, {0, 0, 1}, {1, 0, 1}, {1, 0, 1.5}, {1, 0, 2}, {2, 0, 2}}, 0, turn);
+  const auto& shape = *static_cast<const kernels::Polycone<double>*>(s.shape.get());
+  EXPECT_EQ(shape.count, 2);
+  EXPECT_EQ(where(s, 0.5, 0, 1), Side::inside);   // a seam within the solid
+  EXPECT_EQ(where(s, 1.6, 0, 1), Side::surface);  // a step
+  EXPECT_EQ(where(s, 1.6, 0, 0.9), Side::outside);
+  EXPECT_NEAR(safety_to_out(s.any(), Vec3{0.5, 0, 1}), 0.5, 1e-15);
+}
+
+TEST(Factories, MeasurePolyhedraAcrossTheirSides) {
+  // Four sides over a full turn from -45 degrees: a square prism with sides across x and y.
+  const Solid s = make_polyhedra("s", Planes{{-1, 0, 2}, {1, 0, 2}}, 4, -pi / 4, turn);
+  EXPECT_EQ(where(s, 2, 1.5, 0), Side::surface);
+  EXPECT_EQ(where(s, 1.9, 1.9, 0), Side::inside);
+  EXPECT_NEAR(s.extent.max.x, 2, 1e-15);
+  EXPECT_NEAR(s.extent.min.y, -2, 1e-15);
+  // Two sides over half a turn: edges at 0, 90 and 180 degrees.
+  const Solid half = make_polyhedra("s", Planes{{-1, 0, 1}, {1, 0, 1}}, 2, 0, pi);
+  EXPECT_EQ(where(half, 0, std::sqrt(2.0), 0), Side::surface);
+  EXPECT_EQ(where(half, 0.1, std::sqrt(2.0), 0), Side::outside);
+  EXPECT_EQ(where(half, 1, 0, 0), Side::surface);
+}
+
+TEST(Factories, PutTheCornersOfATrapWhereTheyBelong) {
+  // The upper face is moved by theta and phi; alpha slants both.
+  const double theta = 0.3, phi = 0.7, alpha = 0.2;
+  const Solid s = make_trap("s", 5, theta, phi, 2, 1, 1.5, alpha, 4, 2, 3, alpha);
+  const double x = 5 * std::tan(theta) * std::cos(phi), y = 5 * std::tan(theta) * std::sin(phi);
+  EXPECT_EQ(where(s, -x - 2 * std::tan(alpha) - 1, -y - 2, -5), Side::surface);
+  EXPECT_EQ(where(s, -x + 2 * std::tan(alpha) + 1.5, -y + 2, -5), Side::surface);
+  EXPECT_EQ(where(s, x - 4 * std::tan(alpha) + 2, y - 4, 5), Side::surface);
+  EXPECT_EQ(where(s, x + 4 * std::tan(alpha) - 3, y + 4, 5), Side::surface);
+  EXPECT_EQ(where(s, x + 4 * std::tan(alpha) - 3.01, y + 4, 5), Side::outside);
+}
+
+TEST(Factories, KeepRightAnglesExact) {
+  for (int quarter = -8; quarter < 8; ++quarter) {
+    const Solid s = make_tube("s", 1, 2, 1, quarter * pi / 2, pi / 2);
+    const auto& w = static_cast<const kernels::Tube<double>*>(s.shape.get())->wedge;
+    EXPECT_EQ(w.kind, 1);
+    EXPECT_EQ(std::abs(w.start_x) + std::abs(w.start_y), 1);
+    EXPECT_EQ(w.start_x * w.end_x + w.start_y * w.end_y, 0);
+    EXPECT_EQ(w.start_x * w.end_y - w.start_y * w.end_x, 1);
+  }
+}
+
+TEST(Factories, OutliveTheirOperands) {
+  Solid s = [] {
+    const Solid pcone = make_polycone("p", Planes{{0, 0, 1}, {1, 0, 2}}, 0, turn);
+    return make_subtraction("s", make_placed("m", pcone, {{0, 0, 1}}), make_box("b", 1, 1, 1));
+  }();
+  EXPECT_EQ(where(s, 1.1, 0, 1.5), Side::inside);
+  EXPECT_EQ(where(s, 0.1, 0, 0.5), Side::outside);
+}
+
+struct FieldCounter {
+  int numbers = 0, arrays = 0;
+  void operator()(const char*, double) { ++numbers; }
+  void operator()(const char*, int) { ++numbers; }
+  template <class Struct>
+  void operator()(const char*, const Struct& fields) {
+    visit_fields(fields, *this);
+  }
+  template <class Element>
+  void operator()(const char*, const Element* elements, int count) {
+    ++arrays;
+    for (int i = 0; i < count; ++i) visit_fields(elements[i], *this);
+  }
+};
+
+TEST(Fields, NameEveryNumberOfAShape) {
+  const Solid s = make_polyhedra("s", Planes{{-1, 0, 2}, {1, 0.5, 2}}, 5, 0, 3);
+  FieldCounter visitor;
+  visit_fields(*static_cast<const kernels::Polyhedra<double>*>(s.shape.get()), visitor);
+  EXPECT_EQ(visitor.arrays, 3);
+  // A section of 9, 2 ledges of 3, 3 counts, 3 lengths, a wedge of 5, 5 normals of 2.
+  EXPECT_EQ(visitor.numbers, 9 + 2 * 3 + 3 + 3 + 5 + 5 * 2);
+}
+
+TEST(Kinds, HaveNames) {
+  EXPECT_STREQ(kind_name(make_orb("s", 1).kind), "orb");
+  EXPECT_STREQ(kind_name(SolidKind::polyhedra), "polyhedra");
+  EXPECT_STREQ(kind_name(SolidKind::subtraction_of), "subtraction");
+}
+
+}  // namespace
+}  // namespace navjit
