@@ -37,16 +37,6 @@ std::string figure(double value, const char* format) {
 
 }  // namespace
 
-double generic_steps_per_second(const RunReport& report) {
-  double timed = 0, ns = 0;
-  for (const SceneReport& scene : report.runtime.scenes) {
-    if (!(scene.generic_ns_per_step > 0)) continue;
-    timed += scene.share;
-    ns += scene.share * scene.generic_ns_per_step;
-  }
-  return timed > 0.9 ? 1e9 * timed / ns * report.threads : 0;
-}
-
 void print_table(const RunReport& report) {
   std::printf("\n%-44s %7s %9s %9s %9s %8s  %s\n", "scene", "steps", "ns/step", "ns/step",
               "compile", "swapped", "status");
@@ -83,12 +73,12 @@ void print_table(const RunReport& report) {
   }
   std::printf("; jit %s\n", jit_name(report.jit));
   if (report.jit == JitMode::on || report.jit == JitMode::wait) {
-    const double generic = generic_steps_per_second(report);
-    if (generic > 0) {
+    if (report.compared_without > 0) {
       std::printf(
-          "estimated without the JIT: %.3f M steps/s (recorded states, replayed); "
-          "--jit off measures it\n",
-          generic / 1e6);
+          "one thread, first %llu rays again, in turn: %.3f M steps/s with the JIT, %.3f M "
+          "steps/s without: %.2f times\n",
+          static_cast<unsigned long long>(report.compared_rays), report.compared_with / 1e6,
+          report.compared_without / 1e6, report.compared_with / report.compared_without);
     }
     std::printf("%zu modules, %.0f ms of compilation, %zu kB of code, %llu states declined\n",
                 report.runtime.modules, report.runtime.compile_ms, report.runtime.code_bytes / 1024,
@@ -111,6 +101,10 @@ void write_json(const RunReport& report, const std::string& path) {
       {"jit", jit_name(report.jit)},
       {"declined", report.declined},
       {"differences", report.differences},
+      {"compared",
+       {{"rays", report.compared_rays},
+        {"steps_per_second_with", report.compared_with},
+        {"steps_per_second_without", report.compared_without}}},
       {"modules", report.runtime.modules},
       {"compile_ms", report.runtime.compile_ms},
       {"code_bytes", report.runtime.code_bytes},

@@ -19,15 +19,15 @@ struct RunReport {
   unsigned threads = 1;
   JitMode jit = JitMode::on;
   std::uint64_t declined = 0, differences = 0;
+  /// The first rays again, in turn with and without specialised navigators, one thread; 0: not
+  /// made.
+  std::uint64_t compared_rays = 0;
+  double compared_with = 0, compared_without = 0;  ///< steps per second
   RuntimeReport runtime;
 };
 
 void print_table(const RunReport& report);
 /// Throws std::runtime_error if the file cannot be written.
 void write_json(const RunReport& report, const std::string& path);
-
-/// The rate the run would have had with generic navigators: its steps at their measured cost.
-/// 0 if too few scenes were timed.
-double generic_steps_per_second(const RunReport& report);
 
 }  // namespace navjit::apps

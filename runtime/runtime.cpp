@@ -24,6 +24,10 @@ Navigator Runtime::navigator() { return Navigator(shared_); }
 
 const World& Runtime::world() const { return shared_->geometry.world(); }
 
+std::shared_ptr<const World> Runtime::share_world() const {
+  return shared_->geometry.share_world();
+}
+
 RuntimeReport Runtime::report() const { return specialiser_->report(); }
 
 RuntimeReport Runtime::final_report() {

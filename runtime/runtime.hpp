@@ -25,6 +25,7 @@ class Runtime {
   Navigator navigator();
 
   const World& world() const;
+  std::shared_ptr<const World> share_world() const;
   /// Steps and specialisations so far. Thread-safe; cheap enough for a progress line.
   RuntimeReport report() const;
   /// As report(), and times the generic navigator on recorded states of scenes that were not

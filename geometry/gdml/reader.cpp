@@ -60,7 +60,7 @@ FileContext& read_file(Session& session, const fs::path& path, const XmlElement*
   auto& file = session.files[canonical_name(path)];
   if (file != nullptr) {
     if (!file->complete) {
-      fail(*from, "file '" + printable(path.string()) + "' includes itself; remove the cycle");
+      fail(*from, "file '" + printable_path(path.string()) + "' includes itself; remove the cycle");
     }
     return *file;
   }
@@ -131,7 +131,7 @@ World read_gdml(const std::filesystem::path& path, const GdmlOptions& options, G
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {
-    throw GdmlError(gdml::printable(path.string()) + ":0: " + gdml::printable(e.what()));
+    throw GdmlError(gdml::printable_path(path.string()) + ":0: " + gdml::printable(e.what()));
   }
 }
 

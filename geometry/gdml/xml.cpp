@@ -105,7 +105,7 @@ void Builder::stop(const std::string& message) {
 
 std::string Builder::here() const {
   const Source& source = sources_.back();
-  std::string where = printable(*source.file) + ':' +
+  std::string where = printable_path(*source.file) + ':' +
                       std::to_string(XML_GetCurrentLineNumber(source.parser)) + ": ";
   if (!open_.empty()) where += "in " + label(*open_.back().element) + ": ";
   return where;
@@ -227,7 +227,8 @@ void Builder::external_entity(const XML_Char* context, const char* base, const c
   const fs::path path = fs::path(base).parent_path() / name;
   std::string text, problem;
   if (!read_file(path, text, problem)) {
-    return stop(here() + what + "cannot be read: " + printable(path.string()) + ": " + problem);
+    return stop(here() + what + "cannot be read: " + printable_path(path.string()) + ": " +
+                problem);
   }
   const ParserPtr parser(XML_ExternalEntityParserCreate(sources_.back().parser, context, nullptr));
   if (parser == nullptr) throw std::bad_alloc();
@@ -279,7 +280,7 @@ void Builder::parse_text(XML_Parser parser, const std::string& file, const std::
     if (error == XML_ERROR_NO_MEMORY) {
       out_of_memory_ = true;
     } else if (text.empty()) {
-      problem_ = printable(file) + ":1: the file is empty";
+      problem_ = printable_path(file) + ":1: the file is empty";
     } else {
       problem_ = here() + "not well-formed XML: " + XML_ErrorString(error);
     }
@@ -290,9 +291,9 @@ void Builder::parse_text(XML_Parser parser, const std::string& file, const std::
 void Builder::parse_document(const fs::path& path, const XmlElement* from) {
   std::string text, problem;
   if (!read_file(path, text, problem)) {
-    const std::string message = printable(path.string()) + ": " + problem;
+    const std::string message = printable_path(path.string()) + ": " + problem;
     if (from != nullptr) fail(*from, "cannot be read: " + message);
-    throw GdmlError(printable(path.string()) + ":0: cannot be read: " + problem);
+    throw GdmlError(printable_path(path.string()) + ":0: cannot be read: " + problem);
   }
   const ParserPtr owner(XML_ParserCreate(nullptr));
   if (owner == nullptr) throw std::bad_alloc();

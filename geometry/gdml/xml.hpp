@@ -67,7 +67,9 @@ std::unique_ptr<XmlDocument> parse_xml(const std::filesystem::path& path, const 
                                        XmlBudget& budget, const XmlElement* from = nullptr);
 
 /// Text from a file made fit for a one-line message: control characters replaced, cut if long.
-std::string printable(std::string_view text);
+std::string printable(std::string_view text, std::size_t longest = 200);
+/// The same for the name of a file, which is given whole.
+inline std::string printable_path(std::string_view path) { return printable(path, 4096); }
 /// "<tag name='...'>"
 std::string label(const XmlElement& element);
 /// "FILE:LINE: <tag name='...'>"

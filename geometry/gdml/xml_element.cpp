@@ -12,8 +12,7 @@ std::optional<std::string_view> XmlElement::find(std::string_view attribute) con
   return std::nullopt;
 }
 
-std::string printable(std::string_view text) {
-  constexpr std::size_t longest = 200;
+std::string printable(std::string_view text, std::size_t longest) {
   std::size_t length = std::min(text.size(), longest);
   // Not within a UTF-8 character.
   while (length > 0 && length < text.size() && (text[length] & 0xc0) == 0x80) --length;
@@ -37,7 +36,7 @@ std::string label(const XmlElement& element) {
 }
 
 std::string describe(const XmlElement& element) {
-  return printable(*element.file) + ':' + std::to_string(element.line) + ": " + label(element);
+  return printable_path(*element.file) + ':' + std::to_string(element.line) + ": " + label(element);
 }
 
 void fail(const XmlElement& element, const std::string& problem) {

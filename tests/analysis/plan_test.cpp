@@ -1,0 +1,135 @@
+#include "analysis/plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "analysis/buckets.hpp"
+#include "analysis/pattern.hpp"
+#include "geometry/solids/kernels.hpp"
+#include "tests/support/worlds.hpp"
+
+// clang-format off
+#include "geometry/kernels/buckets.h"
+// clang-format on
+
+namespace navjit {
+namespace {
+
+using tests::random_direction;
+using tests::uniform;
+
+std::vector<Extent> random_boxes(std::mt19937_64& random, std::size_t count) {
+  std::vector<Extent> boxes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 c{uniform(random, -9, 9), uniform(random, -9, 9), uniform(random, -9, 9)};
+    const Vec3 h{uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1)};
+    boxes.push_back({c - h, c + h});
+  }
+  return boxes;
+}
+
+struct Grid {
+  std::vector<std::uint32_t> members;
+  kernels::BucketGrid<std::uint32_t> grid;
+  explicit Grid(const Buckets& b) : members(b.members) {
+    for (int a = 0; a < 3; ++a) {
+      grid.count[a] = b.count[a];
+      grid.origin[a] = b.origin[a];
+      grid.width[a] = b.width[a];
+      grid.per_mm[a] = 1 / b.width[a];
+    }
+    grid.first = b.first.data();
+    grid.members = members.data();
+  }
+  Grid(const Grid&) = delete;
+};
+
+TEST(Buckets, OfferEveryBoxThatAPointOrARayMeets) {
+  std::mt19937_64 random(1);
+  const Extent scene{{-10, -10, -10}, {10, 10, 10}};
+  for (const std::size_t count : {5, 40, 300}) {
+    const std::vector<Extent> boxes = random_boxes(random, count);
+    const Buckets buckets = make_buckets(scene, boxes, 1e-8);
+    const Grid grid(buckets);
+    std::size_t offered = 0, rays = 0;
+    for (int i = 0; i < 3000; ++i) {
+      Vec3 p{uniform(random, -10, 10), uniform(random, -10, 10), uniform(random, -10, 10)};
+      Vec3 d = random_direction(random);
+      if (i % 5 == 0) d = {i % 2 == 0 ? 1.0 : -1.0, 0, 0};
+      if (i % 7 == 0) p = boxes[random() % count].min;  // on faces and edges
+      const Direction v = kernels::make_direction(d.x, d.y, d.z);
+      std::vector<char> at(count, 0), along(count, 0);
+      kernels::visit_bucket_at(grid.grid, p, [&](unsigned k) {
+        at[k] = 1;
+        return true;
+      });
+      kernels::walk_buckets(
+          grid.grid, p, v, [&](unsigned k) { along[k] = 1; }, [] { return 40.0; });
+      offered += static_cast<std::size_t>(std::count(along.begin(), along.end(), 1));
+      ++rays;
+      for (std::size_t k = 0; k < count; ++k) {
+        const Extent& e = boxes[k];
+        const bool in = p.x >= e.min.x && p.x <= e.max.x && p.y >= e.min.y && p.y <= e.max.y &&
+                        p.z >= e.min.z && p.z <= e.max.z;
+        if (in) EXPECT_TRUE(at[k]);
+        const kernels::Box<double> box{(e.max.x - e.min.x) / 2, (e.max.y - e.min.y) / 2,
+                                       (e.max.z - e.min.z) / 2};
+        const Vec3 q = p - 0.5 * (e.min + e.max);
+        if (in || distance_to_in(box, q, v, 1e-11) < 40) EXPECT_TRUE(along[k]);
+      }
+    }
+    if (count >= 40) EXPECT_LT(offered, rays * count / 2) << "no filter at all";
+  }
+}
+
+TEST(Buckets, StopAtTheReach) {
+  // A stack of a hundred plates: a short way meets few.
+  std::vector<Extent> plates;
+  for (int k = 0; k < 100; ++k) plates.push_back({{-1, -1, k + 0.1}, {1, 1, k + 0.9}});
+  const Buckets buckets = make_buckets({{-1, -1, 0}, {1, 1, 100}}, plates, 1e-8);
+  const Grid grid(buckets);
+  std::size_t offered = 0;
+  kernels::walk_buckets(
+      grid.grid, {0, 0, 50.5}, kernels::make_direction(0.0, 0.0, 1.0), [&](unsigned) { ++offered; },
+      [] { return 1.0; });
+  EXPECT_GE(offered, 1U);
+  EXPECT_LE(offered, 6U);
+}
+
+TEST(Pattern, IsNamed) {
+  std::vector<Extent> boxes;
+  EXPECT_EQ(describe_pattern(boxes), "leaf");
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 4; ++j)
+      boxes.push_back({{i * 2.0, j * 3.0, 0}, {i * 2.0 + 1, j * 3.0 + 1, 1}});
+  }
+  EXPECT_EQ(describe_pattern(boxes), "grid 3 x 4 x 1");
+  EXPECT_EQ(describe_pattern(std::span(boxes).first(4)), "stack of 4 along y");
+}
+
+TEST(Plan, SeesStacksAndGrids) {
+  const Geometry geometry(std::make_shared<const World>(tests::mixed_world()));
+  const WorldFacts facts = analyse_world(geometry);
+  const auto plan = [&](const char* name) {
+    for (VolumeId v = 0; v < geometry.size(); ++v) {
+      if (geometry.world().volumes[v].name == name) return plan_scene(geometry, facts, v);
+    }
+    throw std::runtime_error(name);
+  };
+  const ScenePlan stack = plan("stack");
+  EXPECT_EQ(stack.pattern, "stack of 20 along z");
+  EXPECT_EQ(stack.candidates, Candidates::buckets);
+  EXPECT_GT(stack.buckets.count[2], 5);
+  EXPECT_EQ(stack.buckets.count[0] * stack.buckets.count[1], 1);
+  EXPECT_LE(stack.mean_candidates, 2.5);
+  EXPECT_EQ(plan("plate").pattern, "grid 4 x 4 x 1");
+  EXPECT_EQ(plan("tile").candidates, Candidates::none);
+  EXPECT_TRUE(plan("stack").frame.never_rotated);
+  EXPECT_FALSE(plan("turned").frame.never_rotated);
+  EXPECT_NE(describe(geometry, stack).find("stack of 20 along z"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace navjit

@@ -1,0 +1,221 @@
+// Specialised navigators against generic ones, bit for bit.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <thread>
+
+#include "runtime/runtime.hpp"
+#include "runtime/transport.hpp"
+#include "tests/support/worlds.hpp"
+
+namespace navjit {
+namespace {
+
+using tests::random_direction;
+using tests::uniform;
+
+struct Row {
+  TouchableId touchable;
+  double length;
+};
+
+bool same_bits(const std::vector<Row>& a, const std::vector<Row>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].touchable != b[i].touchable ||
+        std::memcmp(&a[i].length, &b[i].length, sizeof(double)) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::vector<Row> trace(Navigator& navigator, const Ray& ray, double tolerance) {
+  std::vector<Row> rows;
+  const RayTotals totals = transport(navigator, ray, tolerance, [&](const State& s, double length) {
+    rows.push_back({s.touchable(), length});
+  });
+  EXPECT_FALSE(totals.stuck);
+  return rows;
+}
+
+std::vector<Ray> rays_through(const World& world, std::uint64_t seed, int count) {
+  std::mt19937_64 random(seed);
+  const Extent& e = world.volumes[world.top].solid.extent;
+  std::vector<Ray> rays;
+  for (int i = 0; i < count; ++i) {
+    Ray ray{{uniform(random, e.min.x, e.max.x), uniform(random, e.min.y, e.max.y),
+             uniform(random, e.min.z, e.max.z)},
+            random_direction(random)};
+    // Some along the axes, through rounded coordinates: faces and edges are hit exactly.
+    if (i % 4 == 0) {
+      ray.direction = i % 8 == 0 ? Vec3{0, 0, 1} : Vec3{-1, 0, 0};
+      ray.position = {std::round(ray.position.x), std::round(ray.position.y),
+                      std::round(ray.position.z)};
+    }
+    rays.push_back(ray);
+  }
+  return rays;
+}
+
+RuntimeOptions options(JitMode jit) {
+  RuntimeOptions o;
+  o.jit = jit;
+  // Small worlds and runs: everything is to be specialised early.
+  o.specialiser.compile_ms_per_scene = 1e-3;
+  o.specialiser.min_steps = 200;
+  o.specialiser.optimisation = 1;
+  return o;
+}
+
+void expect_same_traces(const std::shared_ptr<const World>& world, std::uint64_t seed, int rays) {
+  Runtime generic(world, options(JitMode::off)), specialised(world, options(JitMode::wait));
+  Navigator a = generic.navigator(), b = specialised.navigator();
+  for (const Ray& ray : rays_through(*world, seed, rays)) {
+    const auto right = trace(a, ray, world->tolerance), got = trace(b, ray, world->tolerance);
+    ASSERT_TRUE(same_bits(right, got))
+        << "ray from " << ray.position.x << ' ' << ray.position.y << ' ' << ray.position.z;
+  }
+  EXPECT_EQ(b.counts().declined, 0U);
+  // Equal answers prove nothing unless specialised navigators gave them.
+  std::uint64_t steps = 0, by_specialised = 0;
+  for (const SceneReport& scene : specialised.report().scenes) {
+    EXPECT_NE(scene.status, SceneStatus::failed) << scene.volume << ": " << scene.note;
+    steps += scene.steps;
+    by_specialised += scene.status == SceneStatus::specialised ? scene.steps : 0;
+  }
+  EXPECT_GT(by_specialised, steps / 2);
+}
+
+TEST(Specialised, TracesTheMixedWorldAlike) {
+  expect_same_traces(std::make_shared<const World>(tests::mixed_world()), 1, 4000);
+}
+
+TEST(Specialised, TracesRandomWorldsAlike) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    expect_same_traces(std::make_shared<const World>(tests::random_world(seed, 3)), seed, 1500);
+  }
+}
+
+TEST(Specialised, TracesOverlapsAlike) {
+  std::mt19937_64 random(5);
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 20, 20, 20));
+  for (int i = 0; i < 12; ++i) {
+    const std::string name = "v" + std::to_string(i);
+    const VolumeId v = tests::add_volume(
+        world, name, make_box(name, uniform(random, 2, 8), uniform(random, 2, 8), 5));
+    // Overlapping each other and sticking out of the world.
+    tests::place(world, world.top, v,
+                 {uniform(random, -18, 18), uniform(random, -18, 18), uniform(random, -18, 18)},
+                 {0, 0, i % 3 == 0 ? 0.0 : uniform(random, 0, 3)});
+  }
+  finish(world);
+  expect_same_traces(std::make_shared<const World>(std::move(world)), 6, 3000);
+}
+
+TEST(Specialised, SwapsDoNotChangeARunningTransport) {
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  Runtime generic(world, options(JitMode::off)), swapping(world, options(JitMode::on));
+  const std::vector<Ray> rays = rays_through(*world, 9, 400);
+  std::vector<std::vector<Row>> right;
+  Navigator a = generic.navigator();
+  for (const Ray& ray : rays) right.push_back(trace(a, ray, world->tolerance));
+  std::vector<std::jthread> threads;
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&] {
+      Navigator b = swapping.navigator();
+      for (int pass = 0; pass < 20; ++pass) {
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+          ASSERT_TRUE(same_bits(right[i], trace(b, rays[i], world->tolerance)));
+        }
+      }
+    });
+  }
+  threads.clear();
+  swapping.wait_until_idle();
+  Navigator b = swapping.navigator();
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    ASSERT_TRUE(same_bits(right[i], trace(b, rays[i], world->tolerance)));
+  }
+  std::size_t specialised = 0;
+  for (const SceneReport& s : swapping.report().scenes) {
+    specialised += s.status == SceneStatus::specialised ? 1 : 0;
+  }
+  EXPECT_GE(specialised, 3U);
+}
+
+TEST(Specialised, ShadowModeCountsNoDifferences) {
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  Runtime runtime(world, options(JitMode::shadow));
+  Navigator navigator = runtime.navigator();
+  for (int pass = 0; pass < 5; ++pass) {
+    for (const Ray& ray : rays_through(*world, 11, 400)) trace(navigator, ray, world->tolerance);
+    runtime.wait_until_idle();
+  }
+  EXPECT_EQ(navigator.counts().differences, 0U);
+}
+
+/// A scene whose specialisation goes wrong stays generic, and nobody notices but the report.
+void expect_generic_after(const std::function<void(RuntimeOptions&)>& spoil) {
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  RuntimeOptions spoilt = options(JitMode::wait);
+  spoil(spoilt);
+  Runtime generic(world, options(JitMode::off)), runtime(world, spoilt);
+  Navigator a = generic.navigator(), b = runtime.navigator();
+  for (const Ray& ray : rays_through(*world, 13, 300)) {
+    ASSERT_TRUE(same_bits(trace(a, ray, world->tolerance), trace(b, ray, world->tolerance)));
+  }
+  std::size_t failed = 0;
+  for (const SceneReport& s : runtime.report().scenes) {
+    EXPECT_NE(s.status, SceneStatus::specialised) << s.volume;
+    if (s.status == SceneStatus::failed) {
+      ++failed;
+      EXPECT_FALSE(s.note.empty());
+    }
+  }
+  EXPECT_GT(failed, 0U);
+}
+
+TEST(Faults, ACompilerErrorLeavesScenesGeneric) {
+  expect_generic_after([](RuntimeOptions& o) {
+    o.faults.edit_source = [](std::string& source) { source += "\nint broken = ;\n"; };
+  });
+}
+
+TEST(Faults, AFailedVerificationLeavesScenesGeneric) {
+  expect_generic_after([](RuntimeOptions& o) { o.faults.fail_verification = true; });
+}
+
+TEST(Faults, WrongCodeIsFoundByVerification) {
+  expect_generic_after([](RuntimeOptions& o) {
+    o.faults.edit_source = [](std::string& source) {
+      // Every step a little too long.
+      const std::string right = "  return best;\n";
+      for (std::size_t at = 0; (at = source.find(right, at)) != std::string::npos; at += 20) {
+        source.replace(at, right.size(), "  return best * (1 + 0x1p-52);\n");
+      }
+    };
+  });
+}
+
+TEST(Faults, OneBadSceneDoesNotSpoilTheOthers) {
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  RuntimeOptions o = options(JitMode::wait);
+  o.faults.edit_source = [](std::string& source) {
+    if (source.find("navjit_step_2_") != std::string::npos) source += "\nint broken = ;\n";
+  };
+  Runtime runtime(world, o);
+  Navigator navigator = runtime.navigator();
+  for (const Ray& ray : rays_through(*world, 15, 200)) trace(navigator, ray, world->tolerance);
+  for (const SceneReport& s : runtime.report().scenes) {
+    if (s.volume_id == 2) {
+      EXPECT_EQ(s.status, SceneStatus::failed);
+    } else {
+      EXPECT_NE(s.status, SceneStatus::failed) << s.note;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace navjit
