@@ -16,8 +16,8 @@ Side inside(const Box<Real>& s, const Vec3<Real>& p, Real tol) {
 
 template <class Real>
 bool contains(const Box<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  return !(beyond_face(absolute(p.x) - s.hx, p.x < 0 ? -v.x : v.x, tol) |
-           beyond_face(absolute(p.y) - s.hy, p.y < 0 ? -v.y : v.y, tol) |
+  return !(beyond_face(absolute(p.x) - s.hx, p.x < 0 ? -v.x : v.x, tol) ||
+           beyond_face(absolute(p.y) - s.hy, p.y < 0 ? -v.y : v.y, tol) ||
            beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol));
 }
 

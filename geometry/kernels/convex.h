@@ -88,7 +88,7 @@ template <class Real>
 constexpr Real first_entry(const Span<Real>& body, const Span<Real>& hole_a,
                            const Span<Real>& hole_b) {
   if (!is_ahead(body)) return infinity<Real>();
-  if (starts_in(body) & !starts_in(hole_a) & !starts_in(hole_b)) return Real(-1);
+  if (starts_in(body) && !starts_in(hole_a) && !starts_in(hole_b)) return Real(-1);
   Real t = larger(body.enter, Real(0));
   // Leaving one hole may lead into the other.
   for (bool moved = true; moved;) {

@@ -30,7 +30,7 @@ Span<Real> face_span(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const
                      const Direction<Real>& v, Real tol) {
   Span<Real> span = whole_ray<Real>();
   const Real radius = f.radius + f.slope * p.z, rate = f.slope * v.z;
-  for (int i = 0; i < s.side_count; ++i) {
+  for (int i = 0; i < s.side_count && is_ahead(span); ++i) {
     const SideNormal<Real>& n = s.sides[i];
     clip_face(span, f.cosine * (n.x * p.x + n.y * p.y) - radius,
               f.cosine * (n.x * v.x + n.y * v.y) - rate, tol);

@@ -152,14 +152,12 @@ Real stack_distance_to_out(const Stack& s, const Vec3<Real>& p, const Direction<
     if (!(reach < range.to)) continue;
     if (reach < range.from) break;
     const Vec3<Real> q = from_section(section, advance(p, v, range.from));
-    // A ring that only ends before `reach`, or starts after it, does not go on with the path.
+    // A ring that the path is not in here, or is leaving, takes it no further.
     const Span<Real> outer = face_span(s, section.outer, q, v, tol);
     if (!is_ahead(outer) || !starts_in(outer)) continue;
     Real leave = outer.leave;
     if (section.bored != 0) {
-      const Span<Real> bore = face_span(s, section.inner, q, v, tol);
-      if (starts_in(bore)) continue;
-      leave = leave_into_hole(bore, leave);
+      leave = leave_into_hole(face_span(s, section.inner, q, v, tol), leave);
     }
     reach = larger(smaller(leave + range.from, range.to), reach);
   }

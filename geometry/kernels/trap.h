@@ -48,9 +48,9 @@ Side inside(const Trap<Real>& s, const Vec3<Real>& p, Real tol) {
 
 template <class Real>
 bool contains(const Trap<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  return !(beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol) |
-           beyond_plane(s.y_minus, p, v, tol) | beyond_plane(s.y_plus, p, v, tol) |
-           beyond_plane(s.x_minus, p, v, tol) | beyond_plane(s.x_plus, p, v, tol));
+  return !(beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol) ||
+           beyond_plane(s.y_minus, p, v, tol) || beyond_plane(s.y_plus, p, v, tol) ||
+           beyond_plane(s.x_minus, p, v, tol) || beyond_plane(s.x_plus, p, v, tol));
 }
 
 template <class Real>

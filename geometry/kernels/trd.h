@@ -22,7 +22,7 @@ template <class Real>
 constexpr bool beyond_pair(const FacePair<Real>& f, Real u, Real z, Real vu, Real vz, Real tol) {
   const Real common = f.along * z - f.offset, rate = f.along * vz;
   const Real su = f.across * u, nu = f.across * vu;
-  return beyond_face(su + common, nu + rate, tol) | beyond_face(common - su, rate - nu, tol);
+  return beyond_face(su + common, nu + rate, tol) || beyond_face(common - su, rate - nu, tol);
 }
 template <class Real>
 constexpr void clip_pair(Span<Real>& span, const FacePair<Real>& f, Real u, Real z, Real vu,
@@ -50,8 +50,8 @@ Side inside(const Trd<Real>& s, const Vec3<Real>& p, Real tol) {
 
 template <class Real>
 bool contains(const Trd<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  return !(beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol) |
-           beyond_pair(s.x, p.x, p.z, v.x, v.z, tol) | beyond_pair(s.y, p.y, p.z, v.y, v.z, tol));
+  return !(beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol) ||
+           beyond_pair(s.x, p.x, p.z, v.x, v.z, tol) || beyond_pair(s.y, p.y, p.z, v.y, v.z, tol));
 }
 
 template <class Real>

@@ -37,7 +37,9 @@ TEST(WorldFacts, CountTouchablesMothersAndFramesAsTheTreeHasThem) {
     EXPECT_EQ(facts.touchables[v], count[v]) << v;
     EXPECT_EQ(facts.reachable[v] != 0, count[v] > 0);
     EXPECT_EQ(facts.only_mothers[v].has_value(), mothers[v].size() == 1) << v;
-    if (mothers[v].size() == 1) EXPECT_EQ(*facts.only_mothers[v], *mothers[v].begin());
+    if (mothers[v].size() == 1) {
+      EXPECT_EQ(*facts.only_mothers[v], *mothers[v].begin());
+    }
     EXPECT_EQ(facts.frames[v].never_rotated, !rotated[v]) << v;
     if (facts.frames[v].only_translation) {
       ASSERT_EQ(frames[v].size(), 1U);

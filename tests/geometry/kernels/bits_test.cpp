@@ -1,0 +1,91 @@
+// The same bits whether a solid's numbers are known to the compiler or not: what lets generated
+// code with literals agree exactly with the generic kernels.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+
+#include "tests/geometry/kernels/random_solids.hpp"
+
+namespace navjit::test {
+namespace {
+
+using namespace kernels;  // NOLINT: the kernels are the subject
+using V = kernels::Vec3<double>;
+using D = kernels::Direction<double>;
+
+constexpr Wedge<double> segment{1, 0.8, 0.6, -0.28, 0.96};
+constexpr Wedge<double> gapped{2, 0.8, 0.6, 0.28, -0.96};
+constexpr Wedge<double> full{0, 1, 0, 1, 0};
+
+constexpr Box<double> box{1.1, 0.7, 0.9};
+constexpr Tube<double> tube{0.3, 1.1, 0.7, segment};
+constexpr Tube<double> gapped_tube{0, 1.1, 0.7, gapped};
+constexpr Cone<double> cone{0.9, {0.64, -0.6, 0.8}, {0.3, 0.28, 0.96}, 1, full};
+constexpr Trd<double> trd{0.9, {0.8, 0.6, 0.7}, {0.96, -0.28, 0.8}};
+constexpr Trap<double> trap{
+    0.8, {0, -0.96, 0.28, -0.7}, {0, 0.8, 0.6, -0.5}, {-0.8, 0, 0.6, -0.6}, {1, 0, 0, -0.7}};
+constexpr Orb<double> orb{1.05};
+constexpr Sphere<double> sphere{0.4, 1.2, gapped, {2, {0, 0.6, 0.8}}, {2, {0, -0.28, 0.96}}};
+constexpr Section<double> sections[] = {{-1, 0.2, {0.7, 0.28, 0.96}, {0.2, 0, 1}, 1},
+                                        {0.2, 1, {0.8, -0.6, 0.8}, {0, 0, 1}, 0}};
+constexpr Ledge<double> ledges[] = {{-1, 0.2, 0.73}, {0.2, 0, 0.2}, {1, 0, 0.4}};
+constexpr Polycone<double> polycone{sections, 2, ledges, 3, -1, 1, 1.2, full};
+constexpr SideNormal<double> sides[] = {{0.96, 0.28}, {-0.6, 0.8}, {-0.28, -0.96}, {0.8, -0.6}};
+constexpr Polyhedra<double> polyhedra{sections, 2, ledges, 3, -1, 1, 1.6, full, sides, 4};
+
+/// Hides a value from the optimiser.
+template <class T>
+T opaque(T value) {
+  asm volatile("" : : "r"(&value) : "memory");
+  return value;
+}
+template <class Real>
+Polycone<Real> hidden(const Polycone<Real>& s) {
+  Polycone<Real> copy = opaque(s);
+  static Section<Real> own_sections[2];
+  static Ledge<Real> own_ledges[3];
+  std::copy_n(s.sections, 2, own_sections);
+  std::copy_n(s.ledges, 3, own_ledges);
+  copy.sections = opaque(&own_sections[0]);
+  copy.ledges = opaque(&own_ledges[0]);
+  return copy;
+}
+template <class Shape>
+Shape hidden(const Shape& s) {
+  return opaque(s);
+}
+
+template <const auto& literal>
+void compare() {
+  const auto s = hidden(literal);
+  Random random(51);
+  const Extent around{{-1.5, -1.5, -1.5}, {1.5, 1.5, 1.5}};
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  for (int i = 0; i < 20000; ++i) {
+    const V p = random.point_in(around, 0.1);
+    const D v = random.any_direction();
+    ASSERT_EQ(inside(literal, p, 1e-9), inside(s, p, 1e-9));
+    ASSERT_EQ(contains(literal, p, v, 1e-9), contains(s, p, v, 1e-9));
+    ASSERT_EQ(bits(distance_to_in(literal, p, v, 1e-9)), bits(distance_to_in(s, p, v, 1e-9)));
+    ASSERT_EQ(bits(distance_to_out(literal, p, v, 1e-9)), bits(distance_to_out(s, p, v, 1e-9)));
+    ASSERT_EQ(bits(safety_to_in(literal, p)), bits(safety_to_in(s, p)));
+    ASSERT_EQ(bits(safety_to_out(literal, p)), bits(safety_to_out(s, p)));
+  }
+}
+
+TEST(KernelBits, AreThoseOfLiteralShapes) {
+  compare<box>();
+  compare<tube>();
+  compare<gapped_tube>();
+  compare<cone>();
+  compare<trd>();
+  compare<trap>();
+  compare<orb>();
+  compare<sphere>();
+  compare<polycone>();
+  compare<polyhedra>();
+}
+
+}  // namespace
+}  // namespace navjit::test

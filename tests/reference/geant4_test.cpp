@@ -1,0 +1,218 @@
+// Geant4's steps through real detectors, against ours: volumes in order and lengths to 1e-6 mm.
+//
+// The reference traces were made by Geant4 11.4.0 (navigation with G4Navigator, its own GDML
+// reader). Today every ray of every file that is read agrees with Geant4, without merging; no
+// verdict on who is right had to be found.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "apps/rays.hpp"
+#include "geometry/gdml/reader.hpp"
+#include "tests/reference/trace.hpp"
+
+namespace navjit::reference {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path data = NAVJIT_DATA_DIR;
+const fs::path references = NAVJIT_REFERENCE_DIR;
+constexpr double least_agreement = 0.999;  // of rays
+
+/// A reference by its name, and the detector that it belongs to.
+struct Reference {
+  std::string name;
+  std::string detector;  ///< below `data`
+
+  Reference(std::string file)  // NOLINT: lists of files are lists of references
+      : name(file.substr(0, file.size() - 5)), detector(std::move(file)) {
+    std::replace(name.begin(), name.end(), '/', '_');
+  }
+  Reference(std::string n, std::string file) : name(std::move(n)), detector(std::move(file)) {}
+
+  fs::path rays() const { return references / (name + ".rays.csv.gz"); }
+  fs::path trace() const { return references / (name + ".geant4.csv.gz"); }
+};
+
+std::string test_name(const ::testing::TestParamInfo<Reference>& info) {
+  std::string name = info.param.name;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+const std::vector<Reference>& read_today() {
+  static const std::vector<Reference> files = {
+      {"lhcb_forward", "lhcb/LHCb_Upgrade_onlyECALandHCAL.gdml"},
+      {"lhcb/LHCb_Upgrade_onlyECALandHCAL.gdml"},
+      {"testem3/testEm3.gdml"},
+      {"alice/znenv.gdml"},
+      {"atlas/TileTB_2B1EB.gdml"},
+      {"celeritas/cmse.gdml"},
+      {"celeritas/field-layers.gdml"},
+      {"celeritas/four-levels.gdml"},
+      {"celeritas/four-steel-slabs.gdml"},
+      {"celeritas/intersection-boxes.gdml"},
+      {"celeritas/lar-sphere-extramat.gdml"},
+      {"celeritas/lar-sphere.gdml"},
+      {"celeritas/lead-box.gdml"},  // 1e22 mm large: the relative tolerance counts
+      {"celeritas/multi-level.gdml"},
+      {"celeritas/one-box.gdml"},
+      {"celeritas/one-steel-sphere.gdml"},
+      {"celeritas/simple-cms.gdml"},
+      {"celeritas/testem15.gdml"},
+      {"celeritas/testem3-flat.gdml"},
+      {"celeritas/testem3.gdml"},
+      {"celeritas/three-spheres.gdml"},
+      {"celeritas/tilecal-plug.gdml"},
+      {"celeritas/transformed-box.gdml"},
+      {"celeritas/two-boxes.gdml"},
+      {"dune/dune10kt_v1.gdml"},
+      {"dune/dune10kt_v6_refactored_nowires.gdml"},
+      {"dune/nd_hall_mpd_lar_ECal12sides_42l_SPY_v3_wMuID.gdml"},
+      {"lhcb/lhcb_full_2006.gdml"},
+      {"lhcb/lhcbvelo_2006.gdml"},
+      {"scenes/alic.gdml"},
+      {"scenes/cutube.gdml"},
+      {"scenes/endcap30.gdml"},
+      {"scenes/graphitecone.gdml"},
+      {"scenes/lattice10.gdml"},
+      {"scenes/mbwheel.gdml"},
+      {"scenes/tpcdrift.gdml"},
+      {"scenes/znst.gdml"},
+      {"solids/aConstant.gdml"},
+      {"solids/aPosition.gdml"},
+      {"solids/aQuantity.gdml"},
+      {"solids/aRotation.gdml"},
+      {"solids/aVariable.gdml"},
+      {"solids/auxiliary.gdml"},
+      {"solids/compositeMaterial.gdml"},
+      {"solids/mixtureElement.gdml"},
+      {"solids/mixtureMaterial.gdml"},
+      {"solids/oneArbitraryTrapezoid.gdml"},
+      {"solids/oneBox.gdml"},
+      {"solids/oneConeSegment.gdml"},
+      {"solids/oneOrb.gdml"},
+      {"solids/onePolycone.gdml"},
+      {"solids/onePolyhedron.gdml"},
+      {"solids/oneSphere.gdml"},
+      {"solids/oneTrapezoid.gdml"},
+      {"solids/oneTube.gdml"},
+      {"solids/simpleMaterial.gdml"},
+      {"solids/solidIntersection.gdml"},
+      {"solids/solidSubtraction.gdml"},
+      {"solids/solidUnion.gdml"},
+      {"solids/twoBoxes.gdml"},
+      {"solids/unionWIthDetector.gdml"},
+  };
+  return files;
+}
+
+/// Files that the reader refuses today. One that it learns to read moves up.
+const std::vector<Reference>& refused_today() {
+  static const std::vector<Reference> files = {
+      {"bmn/bmn.gdml"},                     // xtru
+      {"celeritas/solids.gdml"},            // para
+      {"cms/preshower_sf.gdml"},            // torus
+      {"mu2e/mu2e.gdml"},                   // xtru
+      {"solids/oneCutTube.gdml"},           //
+      {"solids/oneEllipsoid.gdml"},         //
+      {"solids/oneEllipticalCone.gdml"},    //
+      {"solids/oneEllipticalTube.gdml"},    //
+      {"solids/oneExtrudedSolid.gdml"},     //
+      {"solids/oneGeneralTrapezoid.gdml"},  // a side is not planar
+      {"solids/oneGenericPolycone.gdml"},   //
+      {"solids/oneGenericPolyhedron.gdml"},
+      {"solids/oneHyperbolicTube.gdml"},
+      {"solids/oneParaboloid.gdml"},
+      {"solids/oneParallelepiped.gdml"},
+      {"solids/oneTesselatedSolid.gdml"},
+      {"solids/oneTetrahedron.gdml"},
+      {"solids/oneTorus.gdml"},
+      {"solids/oneTwistedBox.gdml"},
+      {"solids/oneTwistedGeneralTrapezoid.gdml"},
+      {"solids/oneTwistedTrapezoid.gdml"},
+      {"solids/oneTwistedTube.gdml"},  // Geant4's own answers, and the rays made from them, are NaN
+      {"solids/scaledBox.gdml"},
+      {"solids/scaledPhysvol.gdml"},  // a scale that changes lengths
+      {"solids/solidMultiUnion.gdml"},
+  };
+  return files;
+}
+
+class Geant4Reference : public ::testing::TestWithParam<Reference> {
+ protected:
+  void SetUp() override {
+    const Reference& reference = GetParam();
+    for (const fs::path& file :
+         {data / reference.detector, reference.rays(), reference.trace()}) {
+      if (!fs::exists(file)) GTEST_SKIP() << file << " is not there";
+    }
+  }
+
+  static void expect_agreement(std::shared_ptr<const World> world, JitMode jit) {
+    const Reference& reference = GetParam();
+    const std::vector<Ray> rays = apps::read_rays(reference.rays());
+    const Trace theirs = read_trace(reference.trace(), rays.size());
+    const Comparison result = compare(make_trace(std::move(world), rays, jit), theirs);
+    EXPECT_GE(result.agreement(), least_agreement) << result;
+    EXPECT_EQ(result.stuck, 0u) << result;
+    EXPECT_GT(result.steps, 0u) << "nothing was compared";
+    RecordProperty("rays", std::to_string(result.rays));
+    RecordProperty("differing", std::to_string(result.differing));
+    RecordProperty("merged", std::to_string(result.merged));
+  }
+
+  static std::shared_ptr<const World> world() {
+    return std::make_shared<const World>(read_gdml(data / GetParam().detector));
+  }
+};
+
+using Geant4ReferenceRead = Geant4Reference;
+TEST_P(Geant4ReferenceRead, AgreesWithGeant4) { expect_agreement(world(), JitMode::off); }
+INSTANTIATE_TEST_SUITE_P(Detectors, Geant4ReferenceRead, ::testing::ValuesIn(read_today()),
+                         test_name);
+
+/// The same with every scene specialised before the first ray.
+using Geant4ReferenceSpecialised = Geant4Reference;
+TEST_P(Geant4ReferenceSpecialised, AgreesWithGeant4) { expect_agreement(world(), JitMode::wait); }
+INSTANTIATE_TEST_SUITE_P(Detectors, Geant4ReferenceSpecialised,
+                         ::testing::ValuesIn(std::vector<Reference>(read_today().begin(),
+                                                                    read_today().begin() + 4)),
+                         test_name);
+
+/// Refused in words, or else read right.
+using Geant4ReferenceRefused = Geant4Reference;
+TEST_P(Geant4ReferenceRefused, IsRefusedOrAgreesWithGeant4) {
+  std::shared_ptr<const World> read;
+  try {
+    read = world();
+  } catch (const GdmlError& error) {
+    EXPECT_NE(std::string(error.what()).find(GetParam().detector), std::string::npos)
+        << error.what();
+    return;
+  }
+  expect_agreement(read, JitMode::off);
+}
+INSTANTIATE_TEST_SUITE_P(Detectors, Geant4ReferenceRefused, ::testing::ValuesIn(refused_today()),
+                         test_name);
+
+TEST(Geant4References, AllHaveATest) {
+  if (!fs::is_directory(references)) GTEST_SKIP() << references << " is not there";
+  std::vector<std::string> tested;
+  for (const auto* list : {&read_today(), &refused_today()}) {
+    for (const Reference& reference : *list) tested.push_back(reference.trace().filename());
+  }
+  for (const auto& entry : fs::directory_iterator(references)) {
+    const std::string name = entry.path().filename();
+    if (!name.ends_with(".geant4.csv.gz")) continue;
+    EXPECT_EQ(std::count(tested.begin(), tested.end(), name), 1) << name;
+  }
+}
+
+}  // namespace
+}  // namespace navjit::reference

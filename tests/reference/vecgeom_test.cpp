@@ -1,0 +1,103 @@
+// VecGeom's steps through the sample detectors, against ours: volumes in order and lengths.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/rays.hpp"
+#include "geometry/gdml/reader.hpp"
+#include "tests/reference/trace.hpp"
+
+namespace navjit::reference {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Source {
+  const char* name;
+  const char* detector;
+  apps::RaySource rays;
+  std::size_t count;
+};
+
+std::string test_name(const ::testing::TestParamInfo<Source>& info) { return info.param.name; }
+
+/// Runs a command; the paths in it hold no quotes.
+void run(const std::vector<std::string>& words) {
+  std::string command;
+  for (const std::string& word : words) command += "'" + word + "' ";
+  const int status = std::system(command.c_str());
+  ASSERT_TRUE(WIFEXITED(status)) << command << "died";
+  ASSERT_EQ(WEXITSTATUS(status), 0) << command;
+}
+
+void write_rays(const fs::path& path, const std::vector<Ray>& rays) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "w"), std::fclose);
+  ASSERT_NE(file, nullptr) << path;
+  std::fputs("x,y,z,dx,dy,dz\n", file.get());
+  for (const Ray& ray : rays) {
+    const Vec3 &p = ray.position, &d = ray.direction;
+    std::fprintf(file.get(), "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", p.x, p.y, p.z, d.x, d.y,
+                 d.z);
+  }
+  ASSERT_EQ(std::ferror(file.get()), 0) << path;
+}
+
+class VecGeomReference : public ::testing::TestWithParam<Source> {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) / (std::string("navjit_vecgeom_") + GetParam().name);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override {
+    if (!HasFailure()) fs::remove_all(folder_);
+  }
+
+  fs::path folder_;
+};
+
+TEST_P(VecGeomReference, AgreesWithVecGeom) {
+  const Source& source = GetParam();
+  const fs::path detector =
+      fs::path(NAVJIT_DETECTORS_DIR) / (std::string(source.detector) + ".gdml");
+  const fs::path flat = folder_ / "flat.gdml", ray_file = folder_ / "rays.csv",
+                 trace_file = folder_ / "vecgeom.csv";
+  const auto world = std::make_shared<const World>(read_gdml(detector));
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < source.count; ++i) {
+    rays.push_back(apps::make_ray(source.rays, *world, i));
+  }
+  ASSERT_NO_FATAL_FAILURE(write_rays(ray_file, rays));
+  rays = apps::read_rays(ray_file);  // both sides normalise the directions that they read
+  ASSERT_NO_FATAL_FAILURE(run({NAVJIT_PYTHON, NAVJIT_FLATTEN, detector, flat}));
+  ASSERT_NO_FATAL_FAILURE(run({NAVJIT_VECGEOM_TRACE, flat, ray_file, trace_file, "automatic"}));
+
+  const Comparison result =
+      compare(make_trace(world, rays, JitMode::off), read_trace(trace_file, rays.size()));
+  EXPECT_GE(result.agreement(), 0.999) << result;
+  EXPECT_EQ(result.stuck, 0u) << result;
+  EXPECT_GT(result.steps, rays.size()) << "almost nothing was compared";
+  std::cout << result << "\n";
+}
+
+const Vec3 origin{0, 0, 0};
+INSTANTIATE_TEST_SUITE_P(
+    Detectors, VecGeomReference,
+    ::testing::Values(
+        Source{"shashlik_random", "shashlik", {std::nullopt, std::nullopt, 1}, 3000},
+        Source{"shashlik_forward", "shashlik", {origin, std::pair{2., 5.}, 2}, 3000},
+        Source{"barrel_random", "barrel", {std::nullopt, std::nullopt, 3}, 3000},
+        Source{"barrel_isotropic", "barrel", {origin, std::nullopt, 4}, 3000},
+        Source{"absorber_random", "absorber", {std::nullopt, std::nullopt, 5}, 3000},
+        Source{"absorber_isotropic", "absorber", {origin, std::nullopt, 6}, 3000}),
+    test_name);
+
+}  // namespace
+}  // namespace navjit::reference
