@@ -59,7 +59,10 @@ struct Piece {
 };
 
 /// The steps of a ray that count.
-std::vector<Piece> pieces_of(const std::vector<TraceStep>& steps, double sliver) {
+std::vector<Piece> pieces_of(const std::vector<TraceStep>& steps, const Criteria& criteria) {
+  double total = 0;
+  for (const TraceStep& step : steps) total += step.length;
+  const double sliver = std::max(criteria.sliver, criteria.relative * total);
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (steps[i].stuck || steps[i].length >= sliver) {
@@ -177,8 +180,8 @@ Comparison compare(const Trace& ours, const Trace& theirs, const Criteria& crite
   for (std::size_t ray = 0; ray < ours.size(); ++ray) {
     result.stuck += is_stuck(ours[ray]) ? 1 : 0;
     result.stuck_theirs += is_stuck(theirs[ray]) ? 1 : 0;
-    auto a = pieces_of(ours[ray], criteria.sliver);
-    auto b = pieces_of(theirs[ray], criteria.sliver);
+    auto a = pieces_of(ours[ray], criteria);
+    auto b = pieces_of(theirs[ray], criteria);
     result.steps += a.size();
     if (mismatch(a, b, criteria) == npos) continue;
     a = merge(a);

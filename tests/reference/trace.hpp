@@ -39,7 +39,8 @@ Trace make_trace(std::shared_ptr<const World> world, std::span<const Ray> rays, 
 struct Criteria {
   double sliver = 1e-6;     ///< mm
   double length = 1e-6;     ///< mm by which lengths may differ
-  double relative = 1e-13;  ///< or this share of the larger length
+  double relative = 1e-13;  ///< or, where that is more, this share of the larger length; a step
+                            ///< below this share of its ray is a sliver, too
 };
 
 /// Where a ray's traces part.

@@ -73,6 +73,9 @@ TEST(TraceComparison, ToleratesRoundingOfHugeLengths) {
   const Trace huge = {{{"world", 1e22}}};
   EXPECT_EQ(compare({{{"world", 1e22 * (1 + 5e-14)}}}, huge).differing, 0u);
   EXPECT_EQ(compare({{{"world", 1e22 * (1 + 5e-13)}}}, huge).differing, 1u);
+  // The last bit of 1e22 is two million: a step of one bit more is a sliver.
+  EXPECT_EQ(compare({{{"world", 1e22}, {"world", 2097152.}}}, huge).differing, 0u);
+  EXPECT_EQ(compare({{{"world", 1e22}, {"lead", 1e10}}}, huge).differing, 1u);
 }
 
 TEST(TraceComparison, DropsSliversOnBothSides) {

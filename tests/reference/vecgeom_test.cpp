@@ -1,4 +1,18 @@
 // VecGeom's steps through the sample detectors, against ours: volumes in order and lengths.
+//
+// We read the detector as it is; VecGeom, whose reader does not know expressions or assemblies,
+// reads what flatten.py makes of it, which has its own idea of GDML's conventions. So the reader is
+// compared as well. VecGeom may crash, and holds one world per process: it runs in its own.
+//
+// Where the two differ, VecGeom 1.2.1 is wrong:
+// - Its steps into and out of booleans are wrong by its push of 1e-6 mm, many of them (the wall of
+//   `shashlik`: nearly every ray; the bulkheads of `barrel`, the wall of `absorber`). A step
+//   with a push at both ends is wrong by 2e-6 mm: lengths are compared to 3e-6 mm.
+// - Its searches by bounding boxes (abbox, hybrid, bvh) miss the roof of `absorber`, a spherical
+//   shell cut by a box, on every ray that leaves the roof's bounding box through its sides: 92 of
+//   352 rays from the origin. Its simple search, which looks at no boxes, finds it on all of them,
+//   and so does the closed form (ray 28 of absorber_isotropic is within the box and 700 to 720 mm
+//   from the origin for 20 mm of its length). Hence `simple` for that detector.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -23,9 +37,14 @@ namespace fs = std::filesystem;
 struct Source {
   const char* name;
   const char* detector;
+  const char* navigator;  ///< of VecGeom
   apps::RaySource rays;
-  std::size_t count;
+  std::size_t count = 3000;
 };
+
+/// VecGeom's pushes, see above.
+constexpr Criteria criteria{.length = 3e-6};
+constexpr double least_agreement = 0.999;  // of rays
 
 std::string test_name(const ::testing::TestParamInfo<Source>& info) { return info.param.name; }
 
@@ -77,26 +96,26 @@ TEST_P(VecGeomReference, AgreesWithVecGeom) {
   ASSERT_NO_FATAL_FAILURE(write_rays(ray_file, rays));
   rays = apps::read_rays(ray_file);  // both sides normalise the directions that they read
   ASSERT_NO_FATAL_FAILURE(run({NAVJIT_PYTHON, NAVJIT_FLATTEN, detector, flat}));
-  ASSERT_NO_FATAL_FAILURE(run({NAVJIT_VECGEOM_TRACE, flat, ray_file, trace_file, "automatic"}));
+  ASSERT_NO_FATAL_FAILURE(run({NAVJIT_VECGEOM_TRACE, flat, ray_file, trace_file, source.navigator}));
 
-  const Comparison result =
-      compare(make_trace(world, rays, JitMode::off), read_trace(trace_file, rays.size()));
-  EXPECT_GE(result.agreement(), 0.999) << result;
+  const Comparison result = compare(make_trace(world, rays, JitMode::off),
+                                    read_trace(trace_file, rays.size()), criteria);
+  EXPECT_GE(result.agreement(), least_agreement) << result;
   EXPECT_EQ(result.stuck, 0u) << result;
   EXPECT_GT(result.steps, rays.size()) << "almost nothing was compared";
-  std::cout << result << "\n";
+  std::cout<<result<<std::endl;
 }
 
 const Vec3 origin{0, 0, 0};
 INSTANTIATE_TEST_SUITE_P(
     Detectors, VecGeomReference,
     ::testing::Values(
-        Source{"shashlik_random", "shashlik", {std::nullopt, std::nullopt, 1}, 3000},
-        Source{"shashlik_forward", "shashlik", {origin, std::pair{2., 5.}, 2}, 3000},
-        Source{"barrel_random", "barrel", {std::nullopt, std::nullopt, 3}, 3000},
-        Source{"barrel_isotropic", "barrel", {origin, std::nullopt, 4}, 3000},
-        Source{"absorber_random", "absorber", {std::nullopt, std::nullopt, 5}, 3000},
-        Source{"absorber_isotropic", "absorber", {origin, std::nullopt, 6}, 3000}),
+        Source{"shashlik_random", "shashlik", "automatic", {std::nullopt, std::nullopt, 1}},
+        Source{"shashlik_forward", "shashlik", "automatic", {origin, std::pair{2., 5.}, 2}},
+        Source{"barrel_random", "barrel", "automatic", {std::nullopt, std::nullopt, 3}},
+        Source{"barrel_isotropic", "barrel", "automatic", {origin, std::nullopt, 4}},
+        Source{"absorber_random", "absorber", "simple", {std::nullopt, std::nullopt, 5}},
+        Source{"absorber_isotropic", "absorber", "simple", {origin, std::nullopt, 6}}),
     test_name);
 
 }  // namespace
