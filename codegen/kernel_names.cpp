@@ -1,5 +1,6 @@
 #include "codegen/kernel_names.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace navjit::codegen {
@@ -79,5 +80,11 @@ std::string shape_type(SolidKind kind) {
 }
 
 std::span<const char* const> kernel_order() { return order; }
+
+bool inlines_everywhere(std::string_view kernel) {
+  constexpr std::array<std::string_view, 7> small{"convex", "box",  "trd", "trap",
+                                                  "wedge",  "tube", "orb"};
+  return std::find(small.begin(), small.end(), kernel) != small.end();
+}
 
 }  // namespace navjit::codegen

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "geometry/solids/solid.hpp"
 
@@ -14,5 +15,8 @@ std::span<const char* const> kernels_of(SolidKind kind);
 std::string shape_type(SolidKind kind);
 /// All kernel files of solids, in the order in which they have to appear.
 std::span<const char* const> kernel_order();
+
+/// Whether a kernel file is small enough to be inlined at every call.
+bool inlines_everywhere(std::string_view kernel);
 
 }  // namespace navjit::codegen

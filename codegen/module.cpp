@@ -79,13 +79,18 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
   std::string& source = module.source;
   source += "// Navigators for ";
   source += std::to_string(hot.size()) + " scenes. Generated: do not edit.\n";
-  // Constants fold only into kernels that are inlined.
-  source +=
+  const std::string push =
       "#pragma clang attribute push(__attribute__((always_inline)), apply_to = function)\n";
-  source += kernel_text("prelude");
+  const std::string pop = "#pragma clang attribute pop\n";
+  source += push + std::string(kernel_text("prelude")) + pop;
   for (const char* kernel : kernel_order()) {
-    if (shapes.kernels().contains(kernel)) source += kernel_text(kernel);
+    if (!shapes.kernels().contains(kernel)) continue;
+    // Constants fold only into kernels that are inlined; the large ones would be inlined into each
+    // other again and again.
+    const bool small = inlines_everywhere(kernel);
+    source += (small ? push : "") + std::string(kernel_text(kernel)) + (small ? pop : "");
   }
+  source += push;
   source += kernel_text("buckets");
   source += kernel_text("navigation");
   source += "#pragma clang attribute pop\n\nnamespace navjit::kernels {\n\n";

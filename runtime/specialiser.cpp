@@ -164,8 +164,7 @@ std::vector<VolumeId> Specialiser::choose() {
       hot.push_back(volume);
     }
   }
-  std::sort(hot.begin(), hot.end(),
-            [&](VolumeId a, VolumeId b) { return heat(a) > heat(b); });
+  std::sort(hot.begin(), hot.end(), [&](VolumeId a, VolumeId b) { return heat(a) > heat(b); });
   if (hot.size() > options.batch) hot.resize(options.batch);
   return hot;
 }
@@ -211,6 +210,11 @@ void Specialiser::compile_module(const std::vector<VolumeId>& batch) {
     return;
   }
   const double compile_ms = (now() - start) * 1e3;
+  spdlog::debug(
+      "module of {} scenes: {} kB of source; front end {:.0f}, optimiser {:.0f}, code "
+      "generator {:.0f} ms; {} kB of code",
+      batch.size(), module.source.size() / 1024, object->report.frontend_ms,
+      object->report.optimise_ms, object->report.codegen_ms, object->report.code_bytes / 1024);
   auto installed = std::make_shared<Installed>(Installed{std::move(*code), {}});
   installed->records.reserve(module.entries.size());  // pointers to records are published
   for (const codegen::Entry& entry : module.entries) {

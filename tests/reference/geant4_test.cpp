@@ -1,13 +1,18 @@
 // Geant4's steps through real detectors, against ours: volumes in order and lengths to 1e-6 mm.
 //
 // The reference traces were made by Geant4 11.4.0 (navigation with G4Navigator, its own GDML
-// reader). Today every ray of every file that is read agrees with Geant4, without merging; no
-// verdict on who is right had to be found.
+// reader). Today every ray of every file that is read agrees, none of them only after merging.
+// Two remarks:
+// - celeritas_lead-box is 1e22 mm large. On 4 of its 300 rays (22, 29, 186, 196) Geant4 makes one
+//   more step of 1.1e6 to 1.4e6 mm, a last bit of its position, before it leaves the world. The
+//   tolerance relative to the ray takes them for the slivers that they are.
+// - In overlapping volumes (lhcb_*) an answer is one of several; ours is Geant4's.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -38,6 +43,8 @@ struct Reference {
   fs::path rays() const { return references / (name + ".rays.csv.gz"); }
   fs::path trace() const { return references / (name + ".geant4.csv.gz"); }
 };
+
+void PrintTo(const Reference& reference, std::ostream* out) { *out << reference.name; }
 
 std::string test_name(const ::testing::TestParamInfo<Reference>& info) {
   std::string name = info.param.name;
@@ -115,17 +122,17 @@ const std::vector<Reference>& read_today() {
 /// Files that the reader refuses today. One that it learns to read moves up.
 const std::vector<Reference>& refused_today() {
   static const std::vector<Reference> files = {
-      {"bmn/bmn.gdml"},                     // xtru
-      {"celeritas/solids.gdml"},            // para
-      {"cms/preshower_sf.gdml"},            // torus
-      {"mu2e/mu2e.gdml"},                   // xtru
-      {"solids/oneCutTube.gdml"},           //
-      {"solids/oneEllipsoid.gdml"},         //
-      {"solids/oneEllipticalCone.gdml"},    //
-      {"solids/oneEllipticalTube.gdml"},    //
-      {"solids/oneExtrudedSolid.gdml"},     //
-      {"solids/oneGeneralTrapezoid.gdml"},  // a side is not planar
-      {"solids/oneGenericPolycone.gdml"},   //
+      {"bmn/bmn.gdml"},           // xtru, as mu2e
+      {"celeritas/solids.gdml"},  // para
+      {"cms/preshower_sf.gdml"},  // torus
+      {"mu2e/mu2e.gdml"},         // xtru
+      {"solids/oneCutTube.gdml"},
+      {"solids/oneEllipsoid.gdml"},
+      {"solids/oneEllipticalCone.gdml"},
+      {"solids/oneEllipticalTube.gdml"},
+      {"solids/oneExtrudedSolid.gdml"},
+      {"solids/oneGeneralTrapezoid.gdml"},  // a side is not planar: fatal in Geant4, but ignorable
+      {"solids/oneGenericPolycone.gdml"},
       {"solids/oneGenericPolyhedron.gdml"},
       {"solids/oneHyperbolicTube.gdml"},
       {"solids/oneParaboloid.gdml"},
@@ -148,8 +155,7 @@ class Geant4Reference : public ::testing::TestWithParam<Reference> {
  protected:
   void SetUp() override {
     const Reference& reference = GetParam();
-    for (const fs::path& file :
-         {data / reference.detector, reference.rays(), reference.trace()}) {
+    for (const fs::path& file : {data / reference.detector, reference.rays(), reference.trace()}) {
       if (!fs::exists(file)) GTEST_SKIP() << file << " is not there";
     }
   }
@@ -180,10 +186,12 @@ INSTANTIATE_TEST_SUITE_P(Detectors, Geant4ReferenceRead, ::testing::ValuesIn(rea
 /// The same with every scene specialised before the first ray.
 using Geant4ReferenceSpecialised = Geant4Reference;
 TEST_P(Geant4ReferenceSpecialised, AgreesWithGeant4) { expect_agreement(world(), JitMode::wait); }
-INSTANTIATE_TEST_SUITE_P(Detectors, Geant4ReferenceSpecialised,
-                         ::testing::ValuesIn(std::vector<Reference>(read_today().begin(),
-                                                                    read_today().begin() + 4)),
-                         test_name);
+INSTANTIATE_TEST_SUITE_P(
+    Detectors, Geant4ReferenceSpecialised,
+    ::testing::Values(Reference{"lhcb_forward", "lhcb/LHCb_Upgrade_onlyECALandHCAL.gdml"},
+                      Reference{"testem3/testEm3.gdml"}, Reference{"alice/znenv.gdml"},
+                      Reference{"atlas/TileTB_2B1EB.gdml"}),
+    test_name);
 
 /// Refused in words, or else read right.
 using Geant4ReferenceRefused = Geant4Reference;

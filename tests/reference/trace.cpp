@@ -47,8 +47,8 @@ bool parse_row(std::string_view text, Row& row) {
   row.made.volume = fields[2];
   row.made.stuck = fields[3] == "stuck";
   row.made.length = 0;
-  return row.made.stuck || (parse(fields[3], row.made.length) &&
-                            std::isfinite(row.made.length) && row.made.length >= 0);
+  return row.made.stuck || (parse(fields[3], row.made.length) && std::isfinite(row.made.length) &&
+                            row.made.length >= 0);
 }
 
 /// A step without the slivers before it, or several that were merged.
@@ -155,8 +155,8 @@ Trace make_trace(std::shared_ptr<const World> world, std::span<const Ray> rays, 
   Trace trace(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) {
     auto& steps = trace[i];
-    const RayTotals totals = transport(
-        navigator, rays[i], world->tolerance, [&](const State& state, double length) {
+    const RayTotals totals =
+        transport(navigator, rays[i], world->tolerance, [&](const State& state, double length) {
           steps.push_back({world->volumes[state.volume()].name, length, false});
         });
     if (totals.stuck) steps.push_back({steps.empty() ? "" : steps.back().volume, 0, true});
@@ -165,8 +165,7 @@ Trace make_trace(std::shared_ptr<const World> world, std::span<const Ray> rays, 
 }
 
 double Comparison::agreement() const {
-  return rays == 0 ? 1
-                   : 1 - static_cast<double>(differing) / static_cast<double>(rays);
+  return rays == 0 ? 1 : 1 - static_cast<double>(differing) / static_cast<double>(rays);
 }
 
 Comparison compare(const Trace& ours, const Trace& theirs, const Criteria& criteria,
@@ -204,11 +203,11 @@ Comparison compare(const Trace& ours, const Trace& theirs, const Criteria& crite
 
 std::ostream& operator<<(std::ostream& out, const Comparison& comparison) {
   out << comparison.rays << " rays, " << comparison.steps << " steps: " << comparison.differing
-      << " rays differ, " << comparison.merged << " are equal after merging, "
-      << comparison.stuck << " are stuck (" << comparison.stuck_theirs << " of theirs)";
+      << " rays differ, " << comparison.merged << " are equal after merging, " << comparison.stuck
+      << " are stuck (" << comparison.stuck_theirs << " of theirs)";
   for (const Difference& d : comparison.differences) {
-    out << "\n  ray " << d.ray << " step " << d.step << " at " << d.distance
-        << " mm: ours " << d.ours << ", theirs " << d.theirs;
+    out << "\n  ray " << d.ray << " step " << d.step << " at " << d.distance << " mm: ours "
+        << d.ours << ", theirs " << d.theirs;
   }
   return out;
 }

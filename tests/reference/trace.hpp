@@ -58,8 +58,8 @@ struct Comparison {
   std::size_t merged = 0;     ///< rays equal only after merging neighbours in equal-named volumes
   std::size_t stuck = 0;      ///< rays stuck in our trace
   std::size_t stuck_theirs = 0;
-  std::size_t steps = 0;                      ///< of our trace, without slivers
-  std::vector<Difference> differences = {};   ///< the first few, by ray
+  std::size_t steps = 0;                     ///< of our trace, without slivers
+  std::vector<Difference> differences = {};  ///< the first few, by ray
 
   /// Part of the rays that agree; 1 if there are none.
   double agreement() const;

@@ -1,0 +1,274 @@
+// A torus about the z axis, hollow and cut to an azimuthal segment if need be.
+//
+// Along a ray, the squared distance h from the circle in the middle of the tube is convex far from
+// the z axis, concave near it, and convex again beyond: all that is needed to bracket its turning
+// points, and between those every crossing, without solving the quartic. Crossings are then found
+// on h itself, which has none of the cancellation of the quartic's coefficients.
+namespace navjit::kernels {
+
+template <class Real>
+struct Torus {
+  Real rmin, rmax;  ///< of the tube, mm; rmin may be 0
+  Real rtor;        ///< of the circle in its middle
+  Wedge<Real> wedge;
+};
+
+/// A ray against the circle of radius `ring` in the plane z = 0.
+template <class Real>
+struct RingForm {
+  Real ring;
+  Vec3<Real> p;
+  Direction<Real> v;
+};
+
+/// Half the derivative of the squared distance from the circle, and that distance's square.
+template <class Real>
+struct RingValue {
+  Real h, slope;
+};
+template <class Real>
+RingValue<Real> value_at(const RingForm<Real>& q, Real t) {
+  const Real x = q.p.x + t * q.v.x, y = q.p.y + t * q.v.y, z = q.p.z + t * q.v.z;
+  const Real rho = square_root(x * x + y * y), across = rho - q.ring;
+  const Real radial = rho > 0 ? (x * q.v.x + y * q.v.y) / rho : Real(0);
+  return {across * across + z * z, across * radial + z * q.v.z};
+}
+/// Half the second derivative of h at the start.
+template <class Real>
+Real curvature(const RingForm<Real>& q) {
+  const Real rho = square_root(q.p.x * q.p.x + q.p.y * q.p.y);
+  const Real cross = q.p.x * q.v.y - q.p.y * q.v.x;
+  const Real a = q.v.x * q.v.x + q.v.y * q.v.y + q.v.z * q.v.z;
+  return rho > 0 ? a - q.ring * (cross * cross) / (rho * rho * rho) : -infinity<Real>();
+}
+
+/// A zero of the increasing (`rising`) or decreasing function f - level in [low, high], where f
+/// gives value and derivative: Newton's iteration, halving the bracket where that is no help.
+template <class Real, class F>
+Real bracketed_zero(const F& f, Real low, Real high, bool rising) {
+  Real t = low + (high - low) / 2, step = high - low;
+  for (int i = 0; i < 400; ++i) {
+    const RingValue<Real> at = f(t);
+    if (at.h == 0) return t;
+    ((at.h < 0) == rising ? low : high) = t;
+    Real next = t - at.h / at.slope;
+    // Newton's step has to stay in the bracket and to be getting shorter.
+    if (!(next >= low && next <= high) || absolute(next - t) > step / 2) {
+      next = low + (high - low) / 2;
+    }
+    step = absolute(next - t);
+    if (next == t) return t;
+    t = next;
+  }
+  return t;
+}
+
+/// The larger of 0 and the cube root.
+template <class Real>
+Real cube_root(Real x) {
+  if (!(x > 0)) return Real(0);
+  Real y = square_root(square_root(x));
+  for (int i = 0; i < 4; ++i) y = square_root(square_root(x * y));
+  for (int i = 0; i < 8; ++i) y -= (y - x / (y * y)) / 3;
+  return y;
+}
+
+/// Where h turns ahead of the start: falling and rising parts follow one another. The last part
+/// rises to the end.
+template <class Real>
+struct Turns {
+  bool falling;  ///< is the first part falling?
+  int count;
+  Real at[3];
+  Real end;  ///< a path beyond all of the torus
+};
+
+template <class Real>
+Real turning_point(const RingForm<Real>& q, Real low, Real high, bool minimum) {
+  const Real a = q.v.x * q.v.x + q.v.y * q.v.y + q.v.z * q.v.z;
+  const auto slope = [&](Real t) {
+    const Real x = q.p.x + t * q.v.x, y = q.p.y + t * q.v.y, z = q.p.z + t * q.v.z;
+    const Real rho = square_root(x * x + y * y);
+    const Real radial = rho > 0 ? (x * q.v.x + y * q.v.y) / rho : Real(0);
+    const Real cross = x * q.v.y - y * q.v.x;
+    const Real bend = rho > 0 ? cross * cross / (rho * rho * rho) : Real(0);
+    return RingValue<Real>{(rho - q.ring) * radial + z * q.v.z, a - q.ring * bend};
+  };
+  return bracketed_zero(slope, low, high, minimum);
+}
+
+template <class Real>
+Turns<Real> turns_ahead(const RingForm<Real>& q, Real reach) {
+  const Vec3<Real>& p = q.p;
+  const Direction<Real>& v = q.v;
+  const Real s2 = v.x * v.x + v.y * v.y, a = s2 + v.z * v.z;
+  const Real along = p.x * v.x + p.y * v.y + p.z * v.z;
+  const Real length2 = p.x * p.x + p.y * p.y + p.z * p.z;
+  Turns<Real> turns{};
+  turns.end = (absolute(along) + 2 * reach + square_root(length2)) * 2;
+  const Real slope = value_at(q, Real(0)).slope;
+  turns.falling = slope < 0 || (slope == 0 && curvature(q) < 0);
+
+  // The concave part, if any, is where rho < `bend`; two minima lie on its sides if h rises into it
+  // and falls out of it.
+  bool two = false;
+  Real from = 0, to = 0;
+  const Real s = square_root(s2);
+  if (s > 0) {
+    const Real cross = p.x * v.y - p.y * v.x, nearest = absolute(cross) / s;
+    const Real bend = cube_root(q.ring * (cross * cross) / a);
+    if (bend > nearest || cross == 0) {
+      const Real ratio = cross == 0 ? Real(0) : nearest / bend;
+      const Real part = square_root(larger(1 - ratio * ratio, Real(0)));
+      const Real middle = -(p.x * v.x + p.y * v.y) / s2, half = bend * part / s;
+      from = middle - half;
+      to = middle + half;
+      const Real radial = (bend - q.ring) * (s * part);
+      two = (p.z + from * v.z) * v.z - radial > 0 && (p.z + to * v.z) * v.z + radial < 0;
+    }
+  }
+  const auto add = [&](Real low, Real high, bool minimum) {
+    turns.at[turns.count++] = turning_point(q, larger(low, Real(0)), high, minimum);
+  };
+  if (!two) {
+    if (turns.falling) add(Real(0), turns.end, true);
+  } else if (turns.falling) {
+    if (from > 0) {
+      add(Real(0), from, true);
+      add(from, to, false);
+    }
+    add(to, turns.end, true);
+  } else if (to > 0) {
+    add(from, to, false);
+    add(to, turns.end, true);
+  }
+  return turns;
+}
+
+/// Directional containment in the tube of radius r. A tangent goes where the surface bends.
+template <class Real>
+bool in_ring(Real r, const RingForm<Real>& q, Real tol) {
+  const RingValue<Real> at = value_at(q, Real(0));
+  const Real outer = r + tol, inner = r - tol;
+  if (at.h > outer * outer) return false;
+  if (at.h < inner * inner && inner > 0) return true;
+  if (at.slope != 0) return at.slope < 0;
+  const Real bend = curvature(q);
+  return bend < 0 || (bend > 0 && at.h < r * r);
+}
+
+/// The parts of the ray in the tube of radius r.
+template <class Real>
+SpanPair<Real> ring_spans(Real r, const RingForm<Real>& q, const Turns<Real>& turns, Real tol) {
+  const auto distance = [&](Real t) {
+    const RingValue<Real> at = value_at(q, t);
+    return RingValue<Real>{at.h - r * r, 2 * at.slope};
+  };
+  SpanPair<Real> pair = no_spans<Real>();
+  bool in = in_ring(r, q, tol), second = false, falling = turns.falling;
+  Real enter = -infinity<Real>(), from = 0;
+  for (int i = 0; i <= turns.count; ++i, falling = !falling) {
+    const Real to = i < turns.count ? turns.at[i] : turns.end;
+    const bool beyond = i == turns.count || distance(to).h >= 0;
+    if (!in && !beyond) {
+      // What starts out though within the tube, heading out within the tolerance, enters where it
+      // turns.
+      enter = falling ? bracketed_zero(distance, from, to, false) : to;
+      in = true;
+    } else if (!falling && in && beyond) {
+      // Within the tolerance it may turn before it has got in.
+      const bool passed = i > 0 && distance(from).h >= 0;
+      const Real leave = passed ? from : bracketed_zero(distance, from, to, true);
+      (second ? pair.second : pair.first) = {enter, leave, leave};
+      second = true;
+      in = false;
+    }
+    from = to;
+  }
+  return pair;
+}
+
+/// The ray near the torus, and how far along it that is.
+template <class Real>
+struct TorusApproach {
+  Real shift;
+  RingForm<Real> form;
+};
+template <class Real>
+TorusApproach<Real> approach_torus(const Torus<Real>& s, const Vec3<Real>& p,
+                                   const Direction<Real>& v) {
+  const Real reach = s.rtor + s.rmax;
+  const Real shift = approach(reach, reach, -s.rmax, s.rmax, p, v);
+  return {shift, {s.rtor, shift > 0 && shift < infinity<Real>() ? advance(p, v, shift) : p, v}};
+}
+
+/// Distance from the circle in the middle of the tube.
+template <class Real>
+Real ring_distance(Real ring, const Vec3<Real>& p) {
+  const Real across = square_root(p.x * p.x + p.y * p.y) - ring;
+  return square_root(across * across + p.z * p.z);
+}
+
+template <class Real>
+Side inside(const Torus<Real>& s, const Vec3<Real>& p, Real tol) {
+  const Real d = ring_distance(s.rtor, p);
+  Side side = worse(Side::inside, d - s.rmax, tol);
+  if (s.rmin > 0) side = worse(side, s.rmin - d, tol);
+  if (s.wedge.kind != 0) side = worse(side, wedge_distance(s.wedge, p.x, p.y), tol);
+  return side;
+}
+
+template <class Real>
+bool contains(const Torus<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const RingForm<Real> q{s.rtor, p, v};
+  if (!in_ring(s.rmax, q, tol)) return false;
+  if (s.rmin > 0 && in_ring(s.rmin, q, tol)) return false;
+  return in_wedge(s.wedge, p, v, tol);
+}
+
+template <class Real>
+Real distance_to_in(const Torus<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const TorusApproach<Real> near = approach_torus(s, p, v);
+  if (!(near.shift < infinity<Real>())) return infinity<Real>();
+  const Turns<Real> turns = turns_ahead(near.form, s.rtor + s.rmax);
+  Span<Real> segment = whole_ray<Real>();
+  if (s.wedge.kind == 1) clip_to_wedge(s.wedge, p, v, tol, segment);
+  const SpanPair<Real> body[] = {
+      moved_by(ring_spans(s.rmax, near.form, turns, tol), near.shift), one_span(segment)};
+  const SpanPair<Real> hole[] = {
+      s.rmin > 0 ? moved_by(ring_spans(s.rmin, near.form, turns, tol), near.shift)
+                 : no_spans<Real>(),
+      one_span(gap_span(s.wedge, p, v, tol))};
+  const Real t = first_entry(body, hole);
+  return t < 0 ? distance_from_within(s, p, tol) : t;
+}
+
+template <class Real>
+Real distance_to_out(const Torus<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                     Real tol) {
+  const RingForm<Real> q{s.rtor, p, v};
+  const Turns<Real> turns = turns_ahead(q, s.rtor + s.rmax);
+  Real leave = leave_body(ring_spans(s.rmax, q, turns, tol), infinity<Real>());
+  if (s.rmin > 0) leave = leave_into_holes(ring_spans(s.rmin, q, turns, tol), leave);
+  return leave_wedge(s.wedge, p, v, tol, leave);
+}
+
+template <class Real>
+Real safety_to_in(const Torus<Real>& s, const Vec3<Real>& p) {
+  const Real d = ring_distance(s.rtor, p);
+  Real away = larger(d - s.rmax, Real(0));
+  if (s.rmin > 0) away = larger(s.rmin - d, away);
+  if (s.wedge.kind != 0) away = larger(wedge_distance(s.wedge, p.x, p.y), away);
+  return away;
+}
+
+template <class Real>
+Real safety_to_out(const Torus<Real>& s, const Vec3<Real>& p) {
+  const Real d = ring_distance(s.rtor, p);
+  Real depth = s.rmax - d;
+  if (s.rmin > 0) depth = smaller(d - s.rmin, depth);
+  if (s.wedge.kind != 0) depth = smaller(-wedge_distance(s.wedge, p.x, p.y), depth);
+  return larger(depth, Real(0));
+}
+
+}  // namespace navjit::kernels
