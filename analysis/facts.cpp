@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "analysis/equal_scenes.hpp"
+
 namespace navjit {
 namespace {
 
@@ -128,6 +130,15 @@ WorldFacts analyse_world(const Geometry& geometry) {
     if (facts.touchables[v] == 1 && set.translations.size() == 1) {
       frame.only_translation = set.translations[0];
     }
+  }
+  facts.first_equal = equal_scenes(geometry, facts);
+  facts.equals.resize(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    facts.equals[facts.first_equal[v]].push_back(static_cast<VolumeId>(v));
+  }
+  // One navigator for several volumes cannot have the place of one of them built in.
+  for (std::size_t v = 0; v < n; ++v) {
+    if (facts.equals[facts.first_equal[v]].size() > 1) facts.frames[v].only_translation.reset();
   }
   return facts;
 }

@@ -12,6 +12,9 @@ struct WorldFacts {
   std::vector<std::optional<VolumeId>> only_mothers;  ///< by volume
   std::vector<TouchableId> touchables;  ///< by volume: how often it occurs in the tree
   std::vector<char> reachable;          ///< by volume: occurs in the tree at all
+  /// By volume: the first volume of equal structure, and by that one all of them (equal_scenes).
+  std::vector<VolumeId> first_equal;
+  std::vector<std::vector<VolumeId>> equals;
 };
 
 WorldFacts analyse_world(const Geometry& geometry);

@@ -6,17 +6,22 @@
 namespace navjit::codegen {
 namespace {
 
-constexpr std::array order{"convex", "box",    "trd",   "trap",     "wedge",     "tube",   "cone",
-                           "orb",    "sphere", "stack", "polycone", "polyhedra", "boolean"};
+constexpr std::array order{"convex", "box",   "trd",     "trap",   "wedge",    "tube",
+                           "cone",   "orb",   "sphere",  "stack",  "polycone", "polyhedra",
+                           "hull",  "facets", "pairs",  "torus", "quadric", "boolean"};
 constexpr std::array box{"convex", "box"};
 constexpr std::array trd{"convex", "trd"};
 constexpr std::array trap{"convex", "trap"};
+constexpr std::array hull{"convex", "trap", "hull"};
+constexpr std::array facets{"convex", "facets"};
 constexpr std::array tube{"convex", "wedge", "tube"};
 constexpr std::array cone{"convex", "wedge", "tube", "cone"};
 constexpr std::array orb{"convex", "wedge", "tube", "cone", "orb"};
 constexpr std::array sphere{"convex", "wedge", "tube", "cone", "orb", "sphere"};
 constexpr std::array polycone{"convex", "wedge", "tube", "cone", "stack", "polycone"};
 constexpr std::array polyhedra{"convex", "wedge", "tube", "cone", "stack", "polycone", "polyhedra"};
+constexpr std::array torus{"convex", "wedge", "pairs", "torus"};
+constexpr std::array quadric{"convex", "pairs", "quadric"};
 constexpr std::array boolean{"convex", "boolean"};
 
 }  // namespace
@@ -33,6 +38,10 @@ std::span<const char* const> kernels_of(SolidKind kind) {
       return trd;
     case SolidKind::trap:
       return trap;
+    case SolidKind::hull:
+      return hull;
+    case SolidKind::facets:
+      return facets;
     case SolidKind::orb:
       return orb;
     case SolidKind::sphere:
@@ -41,6 +50,14 @@ std::span<const char* const> kernels_of(SolidKind kind) {
       return polycone;
     case SolidKind::polyhedra:
       return polyhedra;
+    case SolidKind::torus:
+      return torus;
+    case SolidKind::ellipsoid:
+    case SolidKind::eltube:
+    case SolidKind::elcone:
+    case SolidKind::paraboloid:
+    case SolidKind::hype:
+      return quadric;
     case SolidKind::placed:
     case SolidKind::union_of:
     case SolidKind::intersection_of:
@@ -62,6 +79,10 @@ std::string shape_type(SolidKind kind) {
       return "Trd<double>";
     case SolidKind::trap:
       return "Trap<double>";
+    case SolidKind::hull:
+      return "Hull<double>";
+    case SolidKind::facets:
+      return "Facets<double>";
     case SolidKind::orb:
       return "Orb<double>";
     case SolidKind::sphere:
@@ -70,6 +91,14 @@ std::string shape_type(SolidKind kind) {
       return "Polycone<double>";
     case SolidKind::polyhedra:
       return "Polyhedra<double>";
+    case SolidKind::torus:
+      return "Torus<double>";
+    case SolidKind::ellipsoid:
+    case SolidKind::eltube:
+    case SolidKind::elcone:
+    case SolidKind::paraboloid:
+    case SolidKind::hype:
+      return "QuadricSolid<double>";
     case SolidKind::placed:
     case SolidKind::union_of:
     case SolidKind::intersection_of:

@@ -25,22 +25,24 @@ constexpr std::size_t most_neighbours = 24;
 std::map<VolumeId, Parts> choose_parts(const Geometry& geometry, const WorldFacts& facts,
                                        std::span<const VolumeId> hot) {
   std::map<VolumeId, Parts> parts;
+  // Of volumes with equal structure the first stands for all.
+  const auto first = [&](VolumeId v) { return facts.first_equal[v]; };
   for (const VolumeId v : hot) {
     const bool has_daughters = !geometry.scene(v).daughters.empty();
-    parts[v] = {true, has_daughters, has_daughters};
+    parts[first(v)] = {true, has_daughters, has_daughters};
   }
   std::size_t neighbours = 0;
   for (const VolumeId v : hot) {
     // Where a track goes from a hot scene: out into the mother, and from there into a sister.
     if (const auto mother = facts.only_mothers[v]; mother && neighbours < most_neighbours) {
-      neighbours += parts.contains(*mother) ? 0 : 1;
-      parts[*mother].reenter = true;
+      neighbours += parts.contains(first(*mother)) ? 0 : 1;
+      parts[first(*mother)].reenter = true;
     }
     for (const Daughter& d : geometry.scene(v).daughters) {
       if (neighbours >= most_neighbours) break;
       if (geometry.scene(d.volume).daughters.empty()) continue;
-      neighbours += parts.contains(d.volume) ? 0 : 1;
-      parts[d.volume].enter = true;
+      neighbours += parts.contains(first(d.volume)) ? 0 : 1;
+      parts[first(d.volume)].enter = true;
     }
   }
   return parts;
@@ -60,7 +62,7 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
   Module module;
   for (const auto& [volume, part] : parts) {
     const ScenePlan plan = plan_scene(geometry, facts, volume);
-    const SceneText text{geometry, plan, neighbours, shapes};
+    const SceneText text{geometry, facts, plan, neighbours, shapes};
     const std::string id = std::to_string(volume);
     const std::string& name = geometry.world().volumes[volume].name;
     bodies += "\n// --- " + identifier(name) + ": " + identifier(plan.pattern) + "\n\n";
@@ -70,10 +72,12 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
     if (part.enter) bodies += text.enter();
     if (part.reenter) bodies += text.reenter();
     if (part.step) {
-      Entry entry{volume, "navjit_step_" + id + "_" + identifier(name),
-                  "navjit_settle_" + id + "_" + identifier(name)};
-      bodies += text.step(entry.step) + text.settle(entry.settle);
-      module.entries.push_back(std::move(entry));
+      const std::string step = "navjit_step_" + id + "_" + identifier(name);
+      const std::string settle = "navjit_settle_" + id + "_" + identifier(name);
+      bodies += text.step(step) + text.settle(settle);
+      for (const VolumeId equal : facts.equals[volume]) {
+        module.entries.push_back({equal, step, settle});
+      }
     }
   }
   std::string& source = module.source;

@@ -10,7 +10,8 @@
 
 namespace navjit::codegen {
 
-/// The entry points of one volume in a module; extern "C" symbols.
+/// The entry points of one volume in a module; extern "C" symbols. Volumes of equal structure share
+/// theirs.
 struct Entry {
   VolumeId volume;
   std::string step;
@@ -22,8 +23,8 @@ struct Module {
   std::vector<Entry> entries;
 };
 
-/// Generates navigators for `hot` volumes. Where scenes feed each other their relocation is
-/// inlined: plans for mothers and daughters of hot scenes are made as needed.
+/// Generates navigators for `hot` volumes and all of equal structure. Where scenes feed each other
+/// their relocation is inlined: plans for mothers and daughters of hot scenes are made as needed.
 Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<const VolumeId> hot);
 
 }  // namespace navjit::codegen

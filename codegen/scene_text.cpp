@@ -46,9 +46,10 @@ std::string list(const char* type, const char* name, const std::vector<std::uint
 
 }  // namespace
 
-SceneText::SceneText(const Geometry& geometry, const ScenePlan& plan, const Neighbours& neighbours,
-                     Shapes& shapes)
+SceneText::SceneText(const Geometry& geometry, const WorldFacts& facts, const ScenePlan& plan,
+                     const Neighbours& neighbours, Shapes& shapes)
     : geometry_(geometry),
+      facts_(facts),
       plan_(plan),
       neighbours_(neighbours),
       shapes_(shapes),
@@ -77,27 +78,32 @@ std::string SceneText::frame() const {
   }
   std::string text;
   if (!f.never_rotated && !f.only_rotation) {
-    return "static inline Vec3<double> point(const StackLevel& level, double x, double y, double z) {\n"
+    return "static inline Vec3<double> point(const StackLevel& level, double x, double y, double "
+           "z) {\n"
            "  return to_local(level, x, y, z);\n}\n"
-           "static inline Direction<double> direction(const StackLevel& level, double u, double v, double "
+           "static inline Direction<double> direction(const StackLevel& level, double u, double v, "
+           "double "
            "w) "
            "{\n  return to_local_direction(level, u, v, w);\n}\n";
   }
   text +=
-      "static inline Vec3<double> point([[maybe_unused]] const StackLevel& level, double x, double y, "
+      "static inline Vec3<double> point([[maybe_unused]] const StackLevel& level, double x, double "
+      "y, "
       "double z) {\n";
   if (f.never_rotated) {
     text += "  if (level.rotation != nullptr) __builtin_unreachable();\n";
     text += "  return {x - " + t[0] + ", y - " + t[1] + ", z - " + t[2] + "};\n}\n";
     text +=
-        "static inline Direction<double> direction(const StackLevel&, double u, double v, double w) {\n"
+        "static inline Direction<double> direction(const StackLevel&, double u, double v, double "
+        "w) {\n"
         "  return make_direction<double>(u, v, w);\n}\n";
     return text;
   }
   text += "  const double dx = x - " + t[0] + ", dy = y - " + t[1] + ", dz = z - " + t[2] + ";\n";
   text += "  return {" + rows(f.only_rotation->data(), "dx", "dy", "dz") + "};\n}\n";
   text +=
-      "static inline Direction<double> direction(const StackLevel&, double u, double v, double w) {\n"
+      "static inline Direction<double> direction(const StackLevel&, double u, double v, double w) "
+      "{\n"
       "  return make_direction<double>(" +
       rows(f.only_rotation->data(), "u", "v", "w") + ");\n}\n";
   return text;
@@ -187,10 +193,11 @@ std::string SceneText::search() const {
   const bool one = plan_.classes.size() == 1;
   for (const char* call : {"contains", "distance_to_in"}) {
     const bool distance = std::string_view(call) == "distance_to_in";
-    text += std::string(distance ? "static inline double distance(unsigned k, const Vec3<double>& p, "
-                                   "const Direction<double>& d, [[maybe_unused]] double reach) {\n"
-                                 : "static inline bool holds(unsigned k, const Vec3<double>& p, const "
-                                   "Direction<double>& d) {\n");
+    text +=
+        std::string(distance ? "static inline double distance(unsigned k, const Vec3<double>& p, "
+                               "const Direction<double>& d, [[maybe_unused]] double reach) {\n"
+                             : "static inline bool holds(unsigned k, const Vec3<double>& p, const "
+                               "Direction<double>& d) {\n");
     text += "  const Daughter& at = daughters[k];\n";
     if (!one) text += "  switch (at.kind) {\n";
     for (std::size_t c = 0; c < plan_.classes.size(); ++c) {
@@ -207,14 +214,17 @@ std::string SceneText::search() const {
   // Searches. Spelled-out daughters unroll: the index is a constant at each call.
   const std::string n = std::to_string(scene_.daughters.size());
   if (plan_.candidates == Candidates::all) {
-    text += "static inline int find(const Vec3<double>& p, const Direction<double>& d, int blocked) {\n";
+    text +=
+        "static inline int find(const Vec3<double>& p, const Direction<double>& d, int blocked) "
+        "{\n";
     for (std::size_t k = scene_.daughters.size(); k-- > 0;) {
       const std::string i = std::to_string(k);
       text += "  if (blocked != " + i + " && holds(" + i + ", p, d)) return " + i + ";\n";
     }
     text += "  return -1;\n}\n";
     text +=
-        "static inline int nearest(const Vec3<double>& p, const Direction<double>& d, double& best, "
+        "static inline int nearest(const Vec3<double>& p, const Direction<double>& d, double& "
+        "best, "
         "double limit) {\n  int hit = -1;\n";
     for (std::size_t k = 0; k < scene_.daughters.size(); ++k) {
       const std::string i = std::to_string(k);
@@ -244,7 +254,8 @@ std::string SceneText::search() const {
         "    found = static_cast<int>(k);\n"
         "    return false;\n  });\n  return found;\n}\n";
     text +=
-        "static inline int nearest(const Vec3<double>& p, const Direction<double>& d, double& best, "
+        "static inline int nearest(const Vec3<double>& p, const Direction<double>& d, double& "
+        "best, "
         "double limit) {\n  int hit = -1;\n"
         "  walk_buckets(grid, p, d, [&](unsigned k) {\n"
         "    const double t = distance(k, p, d, smaller(limit, best));\n"
@@ -298,8 +309,9 @@ std::string SceneText::descend() const {
   for (const VolumeId volume : volumes) {
     if (leaf(volume)) {
       cases += "    case " + id(volume) + ": return;\n";
-    } else if (neighbours_.enter.contains(volume)) {
-      cases += "    case " + id(volume) + ": enter_" + id(volume) + "(stack, context, " +
+    } else if (const VolumeId first = facts_.first_equal[volume];
+               neighbours_.enter.contains(first)) {
+      cases += "    case " + id(volume) + ": enter_" + id(first) + "(stack, context, " +
                point_values + "); return;\n";
     } else {
       table = true;
@@ -351,9 +363,9 @@ std::string SceneText::leave_to_mother(const char* blocked) const {
            point_values + ", static_cast<int>(" + blocked + "));\n";
   }
   const VolumeId mother = *plan_.only_mother;
-  if (neighbours_.reenter.contains(mother)) {
-    return "  --stack->depth;\n  reenter_" + id(mother) + "(stack, context, " + point_values +
-           ", " + blocked + ");\n";
+  if (const VolumeId first = facts_.first_equal[mother]; neighbours_.reenter.contains(first)) {
+    return "  --stack->depth;\n  reenter_" + id(first) + "(stack, context, " + point_values + ", " +
+           blocked + ");\n";
   }
   return "  --stack->depth;\n  navigators_of(context, " + id(mother) +
          ")->settle(stack, context, " + point_values + ", static_cast<int>(" + blocked + "));\n";

@@ -4,12 +4,13 @@
 #include <set>
 #include <string>
 
-#include "analysis/scene_plan.hpp"
+#include "analysis/facts.hpp"
 #include "codegen/shapes.hpp"
 
 namespace navjit::codegen {
 
-/// Volumes whose relocation is in the same module and is called directly.
+/// Volumes (each the first of its equals) whose relocation is in the same module and is called
+/// directly.
 struct Neighbours {
   std::set<VolumeId> enter;    ///< downward
   std::set<VolumeId> reenter;  ///< out of a daughter
@@ -18,8 +19,8 @@ struct Neighbours {
 /// Writes what the plan says. All text is inside namespace navjit::kernels.
 class SceneText {
  public:
-  SceneText(const Geometry& geometry, const ScenePlan& plan, const Neighbours& neighbours,
-            Shapes& shapes);
+  SceneText(const Geometry& geometry, const WorldFacts& facts, const ScenePlan& plan,
+            const Neighbours& neighbours, Shapes& shapes);
 
   std::string enter_declaration() const;
   std::string reenter_declaration() const;
@@ -42,6 +43,7 @@ class SceneText {
   bool leaf(VolumeId volume) const;
 
   const Geometry& geometry_;
+  const WorldFacts& facts_;
   const ScenePlan& plan_;
   const Neighbours& neighbours_;
   Shapes& shapes_;

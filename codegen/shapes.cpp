@@ -15,6 +15,10 @@ using kernels::AnySolid;
 std::string element_type(const kernels::Section<double>&) { return "Section<double>"; }
 std::string element_type(const kernels::Ledge<double>&) { return "Ledge<double>"; }
 std::string element_type(const kernels::SideNormal<double>&) { return "SideNormal<double>"; }
+std::string element_type(const kernels::Plane<double>&) { return "Plane<double>"; }
+std::string element_type(const kernels::Vec3<double>&) { return "Vec3<double>"; }
+std::string element_type(const kernels::Facet&) { return "Facet"; }
+std::string element_type(const kernels::FacetBox<double>&) { return "FacetBox<double>"; }
 
 /// Writes the fields of a shape as an initialiser; arrays become constants of their own.
 struct LiteralWriter {

@@ -58,8 +58,9 @@ void Navigator::record(const Vec3& point, const Vec3& direction, double limit) {
   require_finite(direction, "direction");
   const Stack& stack = own_->stack;
   const kernels::StackLevel& level = stack.levels[stack.depth];
-  own_->profile.record({level.touchable, level.volume, point, direction, limit,
-                        stack.depth > 0 ? stack.levels[stack.depth - 1].volume : Sample::no_volume});
+  own_->profile.record(
+      {level.touchable, level.volume, point, direction, limit,
+       stack.depth > 0 ? stack.levels[stack.depth - 1].volume : Sample::no_volume});
 }
 
 double Navigator::decline(const Vec3& point, const Vec3& direction, double limit) {

@@ -61,7 +61,6 @@ class Profile {
   static constexpr std::uint32_t period = 61;
 
  private:
-
   std::size_t size_;
   std::unique_ptr<std::atomic<std::uint64_t>[]> steps_;
   std::uint32_t countdown_ = 1;

@@ -151,7 +151,12 @@ void Specialiser::gather() {
 std::vector<VolumeId> Specialiser::choose() {
   const SpecialiserOptions& options = shared_->options.specialiser;
   const double break_even = options.compile_ms_per_scene * 1e6 / options.gain_ns_per_step;
-  const auto heat = [&](VolumeId v) { return steps_[v] + steps_below_[v]; };
+  // Volumes of equal structure are hot together.
+  std::vector<std::uint64_t> heats(steps_.size(), 0);
+  for (std::size_t v = 0; v < steps_.size(); ++v) {
+    heats[facts_.first_equal[v]] += steps_[v] + steps_below_[v];
+  }
+  const auto heat = [&](VolumeId v) { return heats[v]; };
   std::vector<VolumeId> hot;
   {
     const std::lock_guard lock(mutex_);
@@ -171,9 +176,18 @@ std::vector<VolumeId> Specialiser::choose() {
 
 void Specialiser::note(VolumeId volume, SceneStatus status, const std::string& why) {
   const std::lock_guard lock(mutex_);
-  SceneReport& scene = scenes_[volume];
-  scene.status = status;
-  scene.note = why;
+  for (const VolumeId equal : facts_.equals[volume]) {
+    SceneReport& scene = scenes_[equal];
+    scene.status = status;
+    scene.note = why;
+  }
+}
+
+void Specialiser::note_failure(VolumeId volume, const std::string& why) {
+  spdlog::warn("scene {} stays generic: {}", shared_->geometry.world().volumes[volume].name, why);
+  const std::lock_guard lock(mutex_);
+  scenes_[volume].status = SceneStatus::failed;
+  scenes_[volume].note = why;
 }
 
 void Specialiser::specialise(const std::vector<VolumeId>& batch) {
@@ -223,7 +237,7 @@ void Specialiser::compile_module(const std::vector<VolumeId>& batch) {
     const auto settle =
         installed->code.function<std::remove_pointer_t<kernels::SettleFunction>>(entry.settle);
     if (!step || !settle) {
-      note(entry.volume, SceneStatus::failed, "the generated function is missing");
+      note_failure(entry.volume, "the generated function is missing");
       continue;
     }
     const kernels::Navigators& record =
@@ -238,8 +252,7 @@ void Specialiser::compile_module(const std::vector<VolumeId>& batch) {
     if (shared_->options.faults.fail_verification) problem = "injected failure";
     const std::string& name = geometry.world().volumes[entry.volume].name;
     if (!problem.empty()) {
-      spdlog::warn("scene {} stays generic: {}", name, problem);
-      note(entry.volume, SceneStatus::failed, problem);
+      note_failure(entry.volume, problem);
       continue;
     }
     const std::span<const Sample> timed =
@@ -256,7 +269,7 @@ void Specialiser::compile_module(const std::vector<VolumeId>& batch) {
     scene.note = pays ? "" : "measured slower than the generic navigator";
     scene.generic_ns_per_step = generic_ns;
     scene.specialised_ns_per_step = specialised_ns;
-    scene.compile_ms = compile_ms / static_cast<double>(batch.size());
+    scene.compile_ms = compile_ms / static_cast<double>(module.entries.size());
     scene.swapped_at_s = pays ? seconds() : 0;
   }
   const std::lock_guard lock(mutex_);
@@ -273,7 +286,9 @@ void Specialiser::specialise_all() {
     batch.clear();
   };
   for (std::size_t v = 0; v < facts_.reachable.size(); ++v) {
-    if (facts_.reachable[v]) batch.push_back(static_cast<VolumeId>(v));
+    if (facts_.reachable[v] && facts_.first_equal[v] == v) {
+      batch.push_back(static_cast<VolumeId>(v));
+    }
     if (batch.size() == shared_->options.specialiser.batch) flush();
   }
   flush();

@@ -38,7 +38,10 @@ class Specialiser {
   std::vector<VolumeId> choose();
   void specialise(const std::vector<VolumeId>& batch);
   void compile_module(const std::vector<VolumeId>& batch);
+  /// Of a volume and all of equal structure.
   void note(VolumeId volume, SceneStatus status, const std::string& why);
+  /// Of one volume; also in the log.
+  void note_failure(VolumeId volume, const std::string& why);
   double seconds() const;
 
   std::shared_ptr<detail::Shared> shared_;

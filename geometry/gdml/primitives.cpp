@@ -22,6 +22,8 @@ class Dimensions {
   double length(const char* attribute, double fallback) const {
     return file_.length(element_, attribute, length_unit_, fallback);
   }
+  /// A number without a unit.
+  double plain(const char* attribute) const { return file_.number(element_, attribute); }
   double half(const char* attribute) const {
     return file_.length(element_, attribute, 0.5 * length_unit_);
   }
@@ -110,6 +112,36 @@ Solid read_polyhedra(const Dimensions& d, const std::string& name) {
                         d.angle("deltaphi"));
 }
 
+Solid read_torus(const Dimensions& d, const std::string& name) {
+  return make_torus(name, d.length("rmin", 0), d.length("rmax"), d.length("rtor"),
+                    d.angle("startphi", 0), d.angle("deltaphi"));
+}
+
+Solid read_ellipsoid(const Dimensions& d, const std::string& name) {
+  return make_ellipsoid(name, d.length("ax"), d.length("by"), d.length("cz"), d.length("zcut1", 0),
+                        d.length("zcut2", 0));
+}
+
+// Half lengths for once.
+Solid read_eltube(const Dimensions& d, const std::string& name) {
+  return make_eltube(name, d.length("dx"), d.length("dy"), d.length("dz"));
+}
+
+// dx and dy are slopes.
+Solid read_elcone(const Dimensions& d, const std::string& name) {
+  return make_elcone(name, d.plain("dx"), d.plain("dy"), d.length("zmax"), d.length("zcut"));
+}
+
+// The length is a half.
+Solid read_paraboloid(const Dimensions& d, const std::string& name) {
+  return make_paraboloid(name, d.length("rlo"), d.length("rhi"), d.length("dz"));
+}
+
+Solid read_hype(const Dimensions& d, const std::string& name) {
+  return make_hype(name, d.length("rmin", 0), d.length("rmax"), d.angle("inst", 0),
+                   d.angle("outst", 0), d.half("z"));
+}
+
 template <Solid (*read)(const Dimensions&, const std::string&)>
 NamedSolid primitive(FileContext& file, const XmlElement& element, const std::string& name) {
   NamedSolid result;
@@ -127,6 +159,12 @@ constexpr SolidKindReader readers[] = {
     {"polyhedra", primitive<read_polyhedra>},
     {"sphere", primitive<read_sphere>},
     {"orb", primitive<read_orb>},
+    {"torus", primitive<read_torus>},
+    {"ellipsoid", primitive<read_ellipsoid>},
+    {"eltube", primitive<read_eltube>},
+    {"elcone", primitive<read_elcone>},
+    {"paraboloid", primitive<read_paraboloid>},
+    {"hype", primitive<read_hype>},
 };
 
 }  // namespace

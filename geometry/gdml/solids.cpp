@@ -7,7 +7,7 @@ namespace navjit::gdml {
 namespace {
 
 SolidReader find_reader(std::string_view tag) {
-  for (const auto readers : {primitive_readers(), boolean_readers()}) {
+  for (const auto readers : {primitive_readers(), contour_readers(), boolean_readers()}) {
     const auto found = std::find_if(readers.begin(), readers.end(),
                                     [&](const SolidKindReader& r) { return r.tag == tag; });
     if (found != readers.end()) return found->read;

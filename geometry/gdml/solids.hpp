@@ -17,6 +17,8 @@ struct SolidKindReader {
 
 /// box, tube, cone, ...
 std::span<const SolidKindReader> primitive_readers();
+/// xtru, arb8, tessellated, ...: what is given by corners and contours
+std::span<const SolidKindReader> contour_readers();
 /// union, subtraction, intersection
 std::span<const SolidKindReader> boolean_readers();
 

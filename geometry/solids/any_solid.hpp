@@ -14,10 +14,18 @@ enum class SolidKind : std::uint8_t {
   cone,
   trd,
   trap,
+  hull,
+  facets,
   orb,
   sphere,
   polycone,
   polyhedra,
+  torus,
+  ellipsoid,
+  eltube,
+  elcone,
+  paraboloid,
+  hype,
   placed,
   union_of,
   intersection_of,
@@ -54,6 +62,10 @@ decltype(auto) visit(const AnySolid<Real>& s, F&& f) {
       return f(*static_cast<const Trd<Real>*>(s.shape));
     case SolidKind::trap:
       return f(*static_cast<const Trap<Real>*>(s.shape));
+    case SolidKind::hull:
+      return f(*static_cast<const Hull<Real>*>(s.shape));
+    case SolidKind::facets:
+      return f(*static_cast<const Facets<Real>*>(s.shape));
     case SolidKind::orb:
       return f(*static_cast<const Orb<Real>*>(s.shape));
     case SolidKind::sphere:
@@ -62,6 +74,14 @@ decltype(auto) visit(const AnySolid<Real>& s, F&& f) {
       return f(*static_cast<const Polycone<Real>*>(s.shape));
     case SolidKind::polyhedra:
       return f(*static_cast<const Polyhedra<Real>*>(s.shape));
+    case SolidKind::torus:
+      return f(*static_cast<const Torus<Real>*>(s.shape));
+    case SolidKind::ellipsoid:
+    case SolidKind::eltube:
+    case SolidKind::elcone:
+    case SolidKind::paraboloid:
+    case SolidKind::hype:
+      return f(*static_cast<const QuadricSolid<Real>*>(s.shape));
     case SolidKind::placed:
       return f(*static_cast<const AnyPlaced<Real>*>(s.shape));
     case SolidKind::union_of:

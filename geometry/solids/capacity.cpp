@@ -1,8 +1,10 @@
 // Volumes in closed form, from the kernels' shapes.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "geometry/solids/facets.hpp"
 #include "geometry/solids/solid.hpp"
 
 namespace navjit {
@@ -61,6 +63,9 @@ double volume(const kernels::Trap<double>& s) {
   return s.hz / 3 * (area_at(s, -s.hz) + 4 * area_at(s, 0) + area_at(s, s.hz));
 }
 
+double volume(const kernels::Hull<double>& s) { return detail::hull_volume(s); }
+double volume(const kernels::Facets<double>& s) { return detail::facets_volume(s); }
+
 double volume(const kernels::Orb<double>& s) { return 4 * pi / 3 * s.radius * s.radius * s.radius; }
 
 double volume(const kernels::Sphere<double>& s) {
@@ -87,6 +92,25 @@ double stack_volume(const Stack& s, double area_factor) {
 double volume(const kernels::Polycone<double>& s) { return stack_volume(s, angle_of(s.wedge) / 2); }
 double volume(const kernels::Polyhedra<double>& s) {
   return stack_volume(s, s.side_count * std::tan(angle_of(s.wedge) / (2 * s.side_count)));
+}
+
+double volume(const kernels::Torus<double>& s) {
+  return angle_of(s.wedge) * s.rtor * (pi * (s.rmax - s.rmin) * (s.rmax + s.rmin));
+}
+
+/// Volume within a quadric between two planes; its sections are ellipses.
+double quadric_volume(const kernels::Quadric<double>& f, double low, double high) {
+  if (f.c > 0) {
+    const double reach = std::sqrt(-f.e / f.c);
+    low = std::max(low, -reach);
+    high = std::min(high, reach);
+  }
+  const auto primitive = [&](double z) { return z * (f.e + z * (f.d / 2 + z * (f.c / 3))); };
+  return pi / std::sqrt(f.a * f.b) * (primitive(low - f.origin) - primitive(high - f.origin));
+}
+double volume(const kernels::QuadricSolid<double>& s) {
+  const double outer = quadric_volume(s.outer, s.z_low, s.z_high);
+  return s.bored == 0 ? outer : outer - quadric_volume(s.inner, s.z_low, s.z_high);
 }
 
 double volume(const kernels::AnySolid<double>& s);

@@ -81,6 +81,49 @@ void visit_fields(const Trap<Real>& s, V&& visit) {
 }
 
 template <class Real, class V>
+void visit_fields(const Hull<Real>& s, V&& visit) {
+  visit("planes", s.planes, s.count);
+  visit("count", s.count);
+}
+
+template <class Real, class V>
+void visit_fields(const Vec3<Real>& s, V&& visit) {
+  visit("x", s.x);
+  visit("y", s.y);
+  visit("z", s.z);
+}
+
+template <class V>
+void visit_fields(const Facet& s, V&& visit) {
+  visit("a", s.a);
+  visit("b", s.b);
+  visit("c", s.c);
+}
+
+template <class Real, class V>
+void visit_fields(const FacetBox<Real>& s, V&& visit) {
+  visit("x_low", s.x_low);
+  visit("y_low", s.y_low);
+  visit("z_low", s.z_low);
+  visit("x_high", s.x_high);
+  visit("y_high", s.y_high);
+  visit("z_high", s.z_high);
+  visit("first", s.first);
+  visit("count", s.count);
+  visit("next", s.next);
+}
+
+template <class Real, class V>
+void visit_fields(const Facets<Real>& s, V&& visit) {
+  visit("corners", s.corners, s.corner_count);
+  visit("corner_count", s.corner_count);
+  visit("facets", s.facets, s.facet_count);
+  visit("facet_count", s.facet_count);
+  visit("boxes", s.boxes, s.box_count);
+  visit("box_count", s.box_count);
+}
+
+template <class Real, class V>
 void visit_fields(const Orb<Real>& s, V&& visit) {
   visit("radius", s.radius);
 }
@@ -146,6 +189,35 @@ void visit_fields(const Polyhedra<Real>& s, V&& visit) {
   visit("wedge", s.wedge);
   visit("sides", s.sides, s.side_count);
   visit("side_count", s.side_count);
+}
+
+template <class Real, class V>
+void visit_fields(const Torus<Real>& s, V&& visit) {
+  visit("rmin", s.rmin);
+  visit("rmax", s.rmax);
+  visit("rtor", s.rtor);
+  visit("wedge", s.wedge);
+}
+
+template <class Real, class V>
+void visit_fields(const Quadric<Real>& s, V&& visit) {
+  visit("a", s.a);
+  visit("b", s.b);
+  visit("c", s.c);
+  visit("d", s.d);
+  visit("e", s.e);
+  visit("origin", s.origin);
+}
+
+template <class Real, class V>
+void visit_fields(const QuadricSolid<Real>& s, V&& visit) {
+  visit("hx", s.hx);
+  visit("hy", s.hy);
+  visit("z_low", s.z_low);
+  visit("z_high", s.z_high);
+  visit("outer", s.outer);
+  visit("inner", s.inner);
+  visit("bored", s.bored);
 }
 
 }  // namespace navjit::kernels

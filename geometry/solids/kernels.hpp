@@ -7,6 +7,8 @@
 #include "geometry/kernels/box.h"
 #include "geometry/kernels/trd.h"
 #include "geometry/kernels/trap.h"
+#include "geometry/kernels/hull.h"
+#include "geometry/kernels/facets.h"
 #include "geometry/kernels/wedge.h"
 #include "geometry/kernels/tube.h"
 #include "geometry/kernels/cone.h"
@@ -15,5 +17,8 @@
 #include "geometry/kernels/stack.h"
 #include "geometry/kernels/polycone.h"
 #include "geometry/kernels/polyhedra.h"
+#include "geometry/kernels/pairs.h"
+#include "geometry/kernels/torus.h"
+#include "geometry/kernels/quadric.h"
 #include "geometry/kernels/boolean.h"
 // clang-format on

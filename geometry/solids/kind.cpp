@@ -14,6 +14,10 @@ const char* kind_name(SolidKind kind) {
       return "trd";
     case SolidKind::trap:
       return "trap";
+    case SolidKind::hull:
+      return "hull";
+    case SolidKind::facets:
+      return "facets";
     case SolidKind::orb:
       return "orb";
     case SolidKind::sphere:
@@ -22,6 +26,18 @@ const char* kind_name(SolidKind kind) {
       return "polycone";
     case SolidKind::polyhedra:
       return "polyhedra";
+    case SolidKind::torus:
+      return "torus";
+    case SolidKind::ellipsoid:
+      return "ellipsoid";
+    case SolidKind::eltube:
+      return "eltube";
+    case SolidKind::elcone:
+      return "elcone";
+    case SolidKind::paraboloid:
+      return "paraboloid";
+    case SolidKind::hype:
+      return "hype";
     case SolidKind::placed:
       return "placed";
     case SolidKind::union_of:

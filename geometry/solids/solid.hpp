@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "geometry/solids/any_solid.hpp"
 
@@ -58,6 +59,27 @@ Solid make_trd(std::string name, double hx1, double hx2, double hy1, double hy2,
 /// at +hz likewise hy2, hx3, hx4, alpha2. The sides must be planar.
 Solid make_trap(std::string name, double hz, double theta, double phi, double hy1, double hx1,
                 double hx2, double alpha1, double hy2, double hx3, double hx4, double alpha2);
+/// A trap whose faces are parallelograms in pairs: hx, hy at every z.
+Solid make_para(std::string name, double hx, double hy, double hz, double alpha, double theta,
+                double phi);
+/// The tetrahedron of four corners.
+Solid make_tet(std::string name, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+struct PlanarPoint {
+  double x, y;
+};
+/// The polygon, scaled and then moved, at one z.
+struct ExtrudedSection {
+  double z, x, y, scale;
+};
+/// A polygon (either way round, convex or not, not crossing itself) along sections that ascend in z.
+Solid make_extruded(std::string name, std::span<const PlanarPoint> polygon,
+                    std::span<const ExtrudedSection> sections);
+
+/// Three or four corners, anticlockwise seen from outside; four are cut from the first to the third.
+using FacetCorners = std::vector<Vec3>;
+/// The body within facets that close on one another.
+Solid make_tessellated(std::string name, std::span<const FacetCorners> facets);
 Solid make_orb(std::string name, double radius);
 /// theta is measured from +z. A whole ball becomes an orb.
 Solid make_sphere(std::string name, double rmin, double rmax, double start_phi, double delta_phi,
@@ -75,6 +97,22 @@ Solid make_polycone(std::string name, std::span<const ZPlane> planes, double sta
 /// distances of the sides from the axis.
 Solid make_polyhedra(std::string name, std::span<const ZPlane> planes, int sides, double start_phi,
                      double delta_phi);
+
+/// A tube of radii rmin..rmax around a circle of radius rtor > rmax in the plane z = 0.
+Solid make_torus(std::string name, double rmin, double rmax, double rtor, double start_phi,
+                 double delta_phi);
+/// Cut to z_cut1..z_cut2, unless both are 0.
+Solid make_ellipsoid(std::string name, double ax, double by, double cz, double z_cut1,
+                     double z_cut2);
+Solid make_eltube(std::string name, double hx, double hy, double hz);
+/// Half lengths x_slope * (z_max - z) and y_slope * (z_max - z) for |z| <= z_cut; no more than z_max
+/// counts of z_cut.
+Solid make_elcone(std::string name, double x_slope, double y_slope, double z_max, double z_cut);
+/// The squared radius is linear in z, from r_low at -hz to r_high at +hz.
+Solid make_paraboloid(std::string name, double r_low, double r_high, double hz);
+/// Squared radii at z: those at 0 and the squares of z times the tangent of the stereo angle.
+Solid make_hype(std::string name, double rmin, double rmax, double inner_stereo,
+                double outer_stereo, double hz);
 
 Solid make_placed(std::string name, const Solid& solid, const SolidFrame& frame);
 Solid make_union(std::string name, const Solid& a, const Solid& b);

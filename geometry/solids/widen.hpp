@@ -70,6 +70,22 @@ class WideSolid {
   kernels::Trap<Real> wide(const kernels::Trap<double>& s) {
     return {wide(s.hz), wide(s.y_minus), wide(s.y_plus), wide(s.x_minus), wide(s.x_plus)};
   }
+  kernels::Hull<Real> wide(const kernels::Hull<double>& s) {
+    return {wide_array(s.planes, s.count), s.count};
+  }
+  kernels::Vec3<Real> wide(const kernels::Vec3<double>& s) {
+    return {wide(s.x), wide(s.y), wide(s.z)};
+  }
+  static kernels::Facet wide(const kernels::Facet& s) { return s; }
+  kernels::FacetBox<Real> wide(const kernels::FacetBox<double>& s) {
+    return {wide(s.x_low),  wide(s.y_low),  wide(s.z_low), wide(s.x_high), wide(s.y_high),
+            wide(s.z_high), s.first,        s.count,       s.next};
+  }
+  kernels::Facets<Real> wide(const kernels::Facets<double>& s) {
+    return {wide_array(s.corners, s.corner_count), s.corner_count,
+            wide_array(s.facets, s.facet_count),   s.facet_count,
+            wide_array(s.boxes, s.box_count),      s.box_count};
+  }
   kernels::Orb<Real> wide(const kernels::Orb<double>& s) { return {wide(s.radius)}; }
   kernels::PolarLimit<Real> wide(const kernels::PolarLimit<double>& s) {
     return {s.kind, wide(s.face)};
@@ -107,6 +123,16 @@ class WideSolid {
             wide(s.wedge),
             wide_array(s.sides, s.side_count),
             s.side_count};
+  }
+  kernels::Torus<Real> wide(const kernels::Torus<double>& s) {
+    return {wide(s.rmin), wide(s.rmax), wide(s.rtor), wide(s.wedge)};
+  }
+  kernels::Quadric<Real> wide(const kernels::Quadric<double>& s) {
+    return {wide(s.a), wide(s.b), wide(s.c), wide(s.d), wide(s.e), wide(s.origin)};
+  }
+  kernels::QuadricSolid<Real> wide(const kernels::QuadricSolid<double>& s) {
+    return {wide(s.hx),    wide(s.hy),    wide(s.z_low), wide(s.z_high),
+            wide(s.outer), wide(s.inner), s.bored};
   }
   kernels::AnyPlaced<Real> wide(const kernels::AnyPlaced<double>& s) {
     kernels::AnyPlaced<Real> to{wide(s.solid), s.rotated, {}, {}};

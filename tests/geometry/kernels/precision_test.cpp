@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/solids/widen.hpp"
-#include "tests/geometry/kernels/random_solids.hpp"
+#include "tests/geometry/kernels/random_curved_solids.hpp"
 
 namespace navjit::test {
 namespace {
@@ -94,6 +94,7 @@ TEST_P(Precision, SafetiesAreWithinRoundingOfTheReference) {
 std::string name_of(const testing::TestParamInfo<Maker>& test) { return test.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Primitives, Precision, testing::ValuesIn(primitive_makers), name_of);
+INSTANTIATE_TEST_SUITE_P(Curved, Precision, testing::ValuesIn(curved_makers), name_of);
 INSTANTIATE_TEST_SUITE_P(Composites, Precision, testing::ValuesIn(composite_makers), name_of);
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Every kernel against its oracle: where points are, how far rays go, and how near the surface is.
 #include <gtest/gtest.h>
 
-#include "tests/geometry/kernels/random_solids.hpp"
+#include "tests/geometry/kernels/random_curved_solids.hpp"
 
 namespace navjit::test {
 namespace {
@@ -273,6 +273,7 @@ TEST_P(RayProperties, SteppingThroughAlternatesAndEnds) {
 std::string name_of(const testing::TestParamInfo<Maker>& test) { return test.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Primitives, RayProperties, testing::ValuesIn(primitive_makers), name_of);
+INSTANTIATE_TEST_SUITE_P(Curved, RayProperties, testing::ValuesIn(curved_makers), name_of);
 INSTANTIATE_TEST_SUITE_P(Composites, RayProperties, testing::ValuesIn(composite_makers), name_of);
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Volumes and extents against sampling, with the oracles deciding what is inside.
 #include <gtest/gtest.h>
 
-#include "tests/geometry/kernels/random_solids.hpp"
+#include "tests/geometry/kernels/random_curved_solids.hpp"
 
 namespace navjit::test {
 namespace {
@@ -58,6 +58,9 @@ TEST_P(SampledSolid, FitsItsExtentTightly) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Primitives, SampledSolid, testing::ValuesIn(primitive_makers),
+                         [](const testing::TestParamInfo<Maker>& test) { return test.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(Curved, SampledSolid, testing::ValuesIn(curved_makers),
                          [](const testing::TestParamInfo<Maker>& test) { return test.param.name; });
 
 TEST(Capacity, MatchesTextbookVolumes) {

@@ -1,0 +1,318 @@
+// A body bounded by triangles that close on one another, convex or not, with a hierarchy of boxes
+// around them.
+//
+// A ray's line is crossed by a triangle as often as the triangle's outline, seen along the line,
+// winds around it. The outline's winding is counted edge by edge, and an edge counts the same for
+// both of its triangles, to the last bit: over a closed surface, entries and exits cancel whatever
+// is rounded, and no line is lost through an edge or a corner.
+//
+// A crossing is behind the start if its path is not positive, or if the start is within the
+// tolerance of its triangle. What is not behind is ahead, and tells by itself whether the start is
+// in the body: as many exits ahead as entries, or more.
+namespace navjit::kernels {
+
+/// Indices of the corners, anticlockwise seen from outside.
+struct Facet {
+  int a, b, c;
+};
+
+/// A box around the facets first .. first + count of a leaf; around what is within, if count is 0.
+template <class Real>
+struct FacetBox {
+  Real x_low, y_low, z_low, x_high, y_high, z_high;
+  int first, count;
+  int next;  ///< the box that follows those within this one
+};
+
+template <class Real>
+struct Facets {
+  const Vec3<Real>* corners;
+  int corner_count;
+  const Facet* facets;
+  int facet_count;
+  const FacetBox<Real>* boxes;  ///< depth first
+  int box_count;
+};
+
+// --- Distances from a point -------------------------------------------------------------------
+
+template <class Real>
+constexpr Vec3<Real> difference(const Vec3<Real>& a, const Vec3<Real>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class Real>
+constexpr Real dot(const Vec3<Real>& a, const Vec3<Real>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// The square of the distance to the segment a..a+u, for a point at w from a.
+template <class Real>
+Real segment_distance2(const Vec3<Real>& u, const Vec3<Real>& w) {
+  const Real length2 = dot(u, u), along = dot(u, w);
+  const Real k = along > 0 && length2 > 0 ? smaller(along / length2, Real(1)) : Real(0);
+  const Vec3<Real> off{w.x - k * u.x, w.y - k * u.y, w.z - k * u.z};
+  return dot(off, off);
+}
+
+/// The square of the distance to a triangle.
+template <class Real>
+Real facet_distance2(const Facets<Real>& s, const Facet& f, const Vec3<Real>& p) {
+  const Vec3<Real>&a = s.corners[f.a], &b = s.corners[f.b], &c = s.corners[f.c];
+  const Vec3<Real> u = difference(b, a), v = difference(c, b), w = difference(a, c);
+  const Vec3<Real> from_a = difference(p, a), from_b = difference(p, b), from_c = difference(p, c);
+  const Vec3<Real> n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  // Left of an edge: the triple product of edge, way from its start, and normal.
+  const auto left = [&n](const Vec3<Real>& edge, const Vec3<Real>& way) {
+    return (edge.y * way.z - edge.z * way.y) * n.x + (edge.z * way.x - edge.x * way.z) * n.y +
+               (edge.x * way.y - edge.y * way.x) * n.z >=
+           0;
+  };
+  const Real n2 = dot(n, n);
+  if (n2 > 0 && left(u, from_a) && left(v, from_b) && left(w, from_c)) {
+    const Real h = dot(n, from_a);
+    return h * h / n2;
+  }
+  Real least = segment_distance2(u, from_a);
+  least = smaller(segment_distance2(v, from_b), least);
+  return smaller(segment_distance2(w, from_c), least);
+}
+
+template <class Real>
+Real box_distance2(const FacetBox<Real>& b, const Vec3<Real>& p) {
+  const Real x = larger(larger(b.x_low - p.x, p.x - b.x_high), Real(0));
+  const Real y = larger(larger(b.y_low - p.y, p.y - b.y_high), Real(0));
+  const Real z = larger(larger(b.z_low - p.z, p.z - b.z_high), Real(0));
+  return x * x + y * y + z * z;
+}
+
+/// The square of the distance to the surface, or `limit` if that is not less.
+template <class Real>
+Real surface_distance2(const Facets<Real>& s, const Vec3<Real>& p, Real limit) {
+  for (int i = 0; i < s.box_count;) {
+    const FacetBox<Real>& box = s.boxes[i];
+    if (!(box_distance2(box, p) < limit)) {
+      i = box.next;
+      continue;
+    }
+    for (int k = box.first; k < box.first + box.count; ++k) {
+      limit = smaller(facet_distance2(s, s.facets[k], p), limit);
+    }
+    ++i;
+  }
+  return limit;
+}
+
+// --- Crossings of a ray -----------------------------------------------------------------------
+
+/// Coordinates along and across a ray: sheared, so that the ray is the axis of t.
+template <class Real>
+struct RayFrame {
+  Vec3<Real> start;
+  int axis;  ///< the one that the ray runs along most
+  Real shear_x, shear_y, rate;
+};
+template <class Real>
+struct RayPoint {
+  Real x, y, t;
+};
+
+template <class Real>
+constexpr Vec3<Real> turned(const Vec3<Real>& p, int axis) {
+  return axis == 0 ? Vec3<Real>{p.y, p.z, p.x} : axis == 1 ? Vec3<Real>{p.z, p.x, p.y} : p;
+}
+template <class Real>
+RayFrame<Real> ray_frame(const Vec3<Real>& p, const Direction<Real>& v) {
+  const Real x = absolute(v.x), y = absolute(v.y), z = absolute(v.z);
+  const int axis = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
+  const Vec3<Real> d = turned(Vec3<Real>{v.x, v.y, v.z}, axis);
+  return {p, axis, d.x / d.z, d.y / d.z, d.z};
+}
+template <class Real>
+RayPoint<Real> in_frame(const RayFrame<Real>& frame, const Vec3<Real>& p) {
+  const Vec3<Real> d = turned(difference(p, frame.start), frame.axis);
+  return {d.x - frame.shear_x * d.z, d.y - frame.shear_y * d.z, d.z / frame.rate};
+}
+
+/// Where an edge crosses the plane y = 0; its ends are on different sides. To be called with the
+/// ends in one and the same order for both triangles.
+template <class Real>
+RayPoint<Real> edge_point(const RayPoint<Real>& a, const RayPoint<Real>& b) {
+  const Real k = a.y / (a.y - b.y);
+  return {a.x + (b.x - a.x) * k, Real(0), a.t + (b.t - a.t) * k};
+}
+
+/// Does the line cross the facet? +1 into the body, -1 out of it, 0 not; `t` is the path.
+template <class Real>
+int facet_turn(const Facets<Real>& s, const RayFrame<Real>& frame, const Facet& f, Real& t) {
+  const int index[3] = {f.a, f.b, f.c};
+  const RayPoint<Real> q[3] = {in_frame(frame, s.corners[f.a]), in_frame(frame, s.corners[f.b]),
+                               in_frame(frame, s.corners[f.c])};
+  const bool above[3] = {q[0].y > 0, q[1].y > 0, q[2].y > 0};
+  if (above[0] == above[1] && above[1] == above[2]) return 0;
+  RayPoint<Real> up{0, 0, 0}, down{0, 0, 0};
+  for (int i = 0; i < 3; ++i) {
+    const int k = i == 2 ? 0 : i + 1;
+    if (above[i] == above[k]) continue;
+    const RayPoint<Real> at = index[i] < index[k] ? edge_point(q[i], q[k]) : edge_point(q[k], q[i]);
+    (above[k] ? up : down) = at;
+  }
+  const bool up_right = up.x > 0, down_right = down.x > 0;
+  if (up_right == down_right) return 0;
+  t = up.t + (down.t - up.t) * (up.x / (up.x - down.x));
+  return up_right == (frame.rate > 0) ? -1 : 1;
+}
+
+/// Might the ray, from its start on, come within `margin` of the box?
+template <class Real>
+bool ray_meets(const FacetBox<Real>& box, const Vec3<Real>& p, const Direction<Real>& v,
+               Real margin) {
+  Real enter = 0, leave = infinity<Real>();
+  const auto clip = [&](Real low, Real high, Real at, Real rate, Real inverse) {
+    if (rate == 0) {
+      if (at < low - margin || at > high + margin) leave = Real(-1);
+      return;
+    }
+    const Real t1 = (low - margin - at) * inverse, t2 = (high + margin - at) * inverse;
+    enter = larger(smaller(t1, t2), enter);
+    leave = smaller(larger(t1, t2), leave);
+  };
+  clip(box.x_low, box.x_high, p.x, v.x, v.inverse_x);
+  clip(box.y_low, box.y_high, p.y, v.y, v.inverse_y);
+  clip(box.z_low, box.z_high, p.z, v.z, v.inverse_z);
+  return enter <= leave;
+}
+
+/// The nearest crossings ahead, in order; those at one path are one.
+template <class Real>
+struct Crossings {
+  static constexpr int capacity = 8;
+  int total;    ///< entries less exits, of all crossings ahead
+  int count;    ///< of those kept
+  Real beyond;  ///< all before this path are kept
+  Real t[capacity];
+  int turn[capacity];
+};
+
+template <class Real>
+void keep_crossing(Crossings<Real>& c, Real t, int turn) {
+  if (!(t < c.beyond)) return;
+  int at = c.count;
+  while (at > 0 && c.t[at - 1] > t) --at;
+  if (at > 0 && c.t[at - 1] == t) {
+    c.turn[at - 1] += turn;
+    return;
+  }
+  if (c.count == Crossings<Real>::capacity) {
+    if (at == c.count) {
+      c.beyond = t;
+      return;
+    }
+    c.beyond = c.t[--c.count];
+  }
+  for (int i = c.count; i > at; --i) {
+    c.t[i] = c.t[i - 1];
+    c.turn[i] = c.turn[i - 1];
+  }
+  c.t[at] = t;
+  c.turn[at] = turn;
+  ++c.count;
+}
+
+/// The crossings ahead, kept from the path `from` on.
+template <class Real>
+Crossings<Real> crossings_ahead(const Facets<Real>& s, const Vec3<Real>& p,
+                                const Direction<Real>& v, Real tol, Real from) {
+  Crossings<Real> c;
+  c.total = 0;
+  c.count = 0;
+  c.beyond = infinity<Real>();
+  const RayFrame<Real> frame = ray_frame(p, v);
+  // Above what is rounded, so that no triangle is missed that its neighbour counts on.
+  const FacetBox<Real>& all = s.boxes[0];
+  const Real size = larger(absolute(p.x), larger(absolute(p.y), absolute(p.z))) +
+                    larger(larger(absolute(all.x_low), absolute(all.x_high)),
+                           larger(larger(absolute(all.y_low), absolute(all.y_high)),
+                                  larger(absolute(all.z_low), absolute(all.z_high))));
+  const Real margin = 2 * tol + Real(1e-14) * size;
+  for (int i = 0; i < s.box_count;) {
+    const FacetBox<Real>& box = s.boxes[i];
+    if (!ray_meets(box, p, v, margin)) {
+      i = box.next;
+      continue;
+    }
+    for (int k = box.first; k < box.first + box.count; ++k) {
+      Real t = 0;
+      const int turn = facet_turn(s, frame, s.facets[k], t);
+      if (turn == 0 || !(t > 0)) continue;
+      if (facet_distance2(s, s.facets[k], p) <= tol * tol) continue;
+      c.total += turn;
+      if (t >= from) keep_crossing(c, t, turn);
+    }
+    ++i;
+  }
+  return c;
+}
+
+/// The path to the first crossing ahead where the body begins (`in`) or ends.
+template <class Real>
+Real path_until(const Facets<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol,
+                Crossings<Real> c, bool in) {
+  int depth = -c.total;
+  for (;;) {
+    for (int i = 0; i < c.count; ++i) {
+      depth += c.turn[i];
+      if ((depth > 0) == in) return c.t[i];
+    }
+    if (!(c.beyond < infinity<Real>())) return infinity<Real>();
+    c = crossings_ahead(s, p, v, tol, c.beyond);
+  }
+}
+
+// --- The solid --------------------------------------------------------------------------------
+
+template <class Real>
+bool contains(const Facets<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  if (box_distance2(s.boxes[0], p) > tol * tol) return false;
+  return crossings_ahead(s, p, v, tol, infinity<Real>()).total < 0;
+}
+
+template <class Real>
+Side inside(const Facets<Real>& s, const Vec3<Real>& p, Real tol) {
+  // The limit lies just above the square of the tolerance.
+  const Real limit = tol * tol * Real(1.000001);
+  if (surface_distance2(s, p, limit) <= tol * tol) return Side::surface;
+  const Direction<Real> up = make_direction<Real>(0, 0, 1);
+  return contains(s, p, up, tol) ? Side::inside : Side::outside;
+}
+
+template <class Real>
+Real distance_to_in(const Facets<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                    Real tol) {
+  const Crossings<Real> c = crossings_ahead(s, p, v, tol, Real(0));
+  if (c.total < 0 && !(box_distance2(s.boxes[0], p) > tol * tol)) {
+    return distance_from_within(s, p, tol);
+  }
+  return path_until(s, p, v, tol, c, true);
+}
+
+template <class Real>
+Real distance_to_out(const Facets<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                     Real tol) {
+  const Crossings<Real> c = crossings_ahead(s, p, v, tol, Real(0));
+  return c.total < 0 ? path_until(s, p, v, tol, c, false) : Real(0);
+}
+
+template <class Real>
+Real safety_to_in(const Facets<Real>& s, const Vec3<Real>& p) {
+  const Direction<Real> up = make_direction<Real>(0, 0, 1);
+  if (contains(s, p, up, Real(0))) return Real(0);
+  return square_root(surface_distance2(s, p, infinity<Real>()));
+}
+template <class Real>
+Real safety_to_out(const Facets<Real>& s, const Vec3<Real>& p) {
+  const Direction<Real> up = make_direction<Real>(0, 0, 1);
+  if (!contains(s, p, up, Real(0))) return Real(0);
+  return square_root(surface_distance2(s, p, infinity<Real>()));
+}
+
+}  // namespace navjit::kernels

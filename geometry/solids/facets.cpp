@@ -1,0 +1,164 @@
+#include "geometry/solids/facets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+
+namespace navjit {
+namespace detail {
+namespace {
+
+using kernels::Facet;
+using Box = kernels::FacetBox<double>;
+
+struct Holder {
+  std::vector<Vec3> corners;
+  std::vector<Facet> facets;
+  std::vector<Box> boxes;
+  kernels::Facets<double> shape{};
+
+  void point() {
+    shape = {corners.data(), static_cast<int>(corners.size()),
+             facets.data(),  static_cast<int>(facets.size()),
+             boxes.data(),   static_cast<int>(boxes.size())};
+  }
+};
+
+Box box_of(const Holder& h, int first, int count) {
+  Box box{INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY, first, count, 0};
+  for (int i = first; i < first + count; ++i) {
+    const Facet& f = h.facets[static_cast<std::size_t>(i)];
+    for (const int corner : {f.a, f.b, f.c}) {
+      const Vec3& p = h.corners[static_cast<std::size_t>(corner)];
+      box.x_low = std::min(box.x_low, p.x);
+      box.y_low = std::min(box.y_low, p.y);
+      box.z_low = std::min(box.z_low, p.z);
+      box.x_high = std::max(box.x_high, p.x);
+      box.y_high = std::max(box.y_high, p.y);
+      box.z_high = std::max(box.z_high, p.z);
+    }
+  }
+  return box;
+}
+
+/// Halves at the median along the longest side, down to a few facets.
+void add_boxes(Holder& h, int first, int count) {
+  constexpr int leaf = 4;
+  const std::size_t at = h.boxes.size();
+  h.boxes.push_back(box_of(h, first, count));
+  if (count > leaf) {
+    const Box box = h.boxes[at];
+    h.boxes[at].count = 0;
+    const double x = box.x_high - box.x_low, y = box.y_high - box.y_low, z = box.z_high - box.z_low;
+    const auto along = [&](const Facet& f) {
+      const auto one = [&](int corner) {
+        const Vec3& p = h.corners[static_cast<std::size_t>(corner)];
+        return x >= y && x >= z ? p.x : y >= z ? p.y : p.z;
+      };
+      return one(f.a) + one(f.b) + one(f.c);
+    };
+    std::stable_sort(h.facets.begin() + first, h.facets.begin() + first + count,
+                     [&](const Facet& a, const Facet& b) { return along(a) < along(b); });
+    add_boxes(h, first, count / 2);
+    add_boxes(h, first + count / 2, count - count / 2);
+  }
+  h.boxes[at].next = static_cast<int>(h.boxes.size());
+}
+
+/// One corner for all that are within 1e-9 of the size of each other.
+void merge_corners(Holder& h, double size) {
+  std::map<std::array<double, 3>, int> known;
+  std::vector<int> merged;
+  std::vector<Vec3> kept;
+  const double cell = 1e-9 * std::max(size, 1e-300);
+  for (const Vec3& p : h.corners) {
+    const std::array<double, 3> key{std::round(p.x / cell), std::round(p.y / cell),
+                                    std::round(p.z / cell)};
+    const auto [found, added] = known.try_emplace(key, static_cast<int>(kept.size()));
+    if (added) kept.push_back({p.x + 0.0, p.y + 0.0, p.z + 0.0});
+    merged.push_back(found->second);
+  }
+  for (Facet& f : h.facets) {
+    for (int* corner : {&f.a, &f.b, &f.c}) *corner = merged[static_cast<std::size_t>(*corner)];
+  }
+  // Two corners in one place: nothing is left of it.
+  std::erase_if(h.facets, [](const Facet& f) { return f.a == f.b || f.b == f.c || f.c == f.a; });
+  h.corners = std::move(kept);
+}
+
+void require_closed(const std::vector<Facet>& facets, const std::string& name) {
+  std::map<std::pair<int, int>, int> edges;  // how often from the first to the second, less back
+  for (const Facet& f : facets) {
+    for (const auto& [from, to] : {std::pair(f.a, f.b), {f.b, f.c}, {f.c, f.a}}) {
+      edges[std::minmax(from, to)] += from < to ? 1 : -1;
+    }
+  }
+  require(std::all_of(edges.begin(), edges.end(), [](const auto& e) { return e.second == 0; }),
+          name,
+          "the facets do not close on one another; each edge must belong to two facets, "
+          "in opposite directions");
+}
+
+}  // namespace
+
+double facets_volume(const kernels::Facets<double>& s) {
+  const Vec3& o = s.corners[0];
+  double volume = 0;
+  for (int i = 0; i < s.facet_count; ++i) {
+    const Facet& f = s.facets[i];
+    const Vec3 a = kernels::difference(s.corners[f.a], o),
+               b = kernels::difference(s.corners[f.b], o);
+    const Vec3 c = kernels::difference(s.corners[f.c], o);
+    volume += (a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
+               a.z * (b.x * c.y - b.y * c.x)) /
+              6;
+  }
+  return volume;
+}
+
+Solid make_facets(std::string name, std::vector<Vec3> corners, std::vector<Facet> facets) {
+  require(facets.size() >= 4, name, "it has less than four facets");
+  require(facets.size() <= 10'000'000, name, "it has more than 10000000 facets");
+  Extent e{corners.front(), corners.front()};
+  for (const Vec3& p : corners) {
+    require_finite({p.x, p.y, p.z}, name);
+    e = merged(e, {p, p});
+  }
+  const double size = std::max({e.max.x - e.min.x, e.max.y - e.min.y, e.max.z - e.min.z});
+  const auto holder = std::make_shared<Holder>();
+  holder->corners = std::move(corners);
+  holder->facets = std::move(facets);
+  merge_corners(*holder, size);
+  require(holder->facets.size() >= 4, name, "it has less than four facets");
+  require_closed(holder->facets, name);
+  holder->point();
+  const double volume = facets_volume(holder->shape);
+  require(std::abs(volume) > 1e-12 * size * size * size && std::isfinite(volume), name,
+          "its facets enclose no volume");
+  if (volume < 0) {
+    for (Facet& f : holder->facets) std::swap(f.b, f.c);
+  }
+  add_boxes(*holder, 0, static_cast<int>(holder->facets.size()));
+  holder->point();
+  return {std::move(name), SolidKind::facets, std::shared_ptr<const void>(holder, &holder->shape),
+          e};
+}
+
+}  // namespace detail
+
+Solid make_tessellated(std::string name, std::span<const FacetCorners> facets) {
+  std::vector<Vec3> corners;
+  std::vector<kernels::Facet> triangles;
+  for (const FacetCorners& f : facets) {
+    detail::require(f.size() == 3 || f.size() == 4, name, "a facet needs three or four corners");
+    const int first = static_cast<int>(corners.size());
+    corners.insert(corners.end(), f.begin(), f.end());
+    triangles.push_back({first, first + 1, first + 2});
+    if (f.size() == 4) triangles.push_back({first, first + 2, first + 3});
+  }
+  detail::require(!triangles.empty(), name, "it has no facets");
+  return detail::make_facets(std::move(name), std::move(corners), std::move(triangles));
+}
+
+}  // namespace navjit

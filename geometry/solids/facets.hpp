@@ -1,0 +1,25 @@
+// Bodies of planes and of triangles. Private to geometry/solids.
+#pragma once
+
+#include <vector>
+
+#include "geometry/solids/make.hpp"
+
+namespace navjit::detail {
+
+/// The convex body behind planes with unit normals. Throws GeometryError if it has no volume.
+Solid make_hull(std::string name, std::vector<kernels::Plane<double>> planes, const Extent& extent);
+/// The volume behind the planes, mm^3; `reach` is longer than any distance within.
+double hull_volume(const kernels::Hull<double>& hull);
+
+/// The plane through three points, with its normal towards the side from which they run
+/// anticlockwise; all zero if they are on a line.
+kernels::Plane<double> plane_through(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// The body that these triangles bound. Throws GeometryError unless they close on one another, one
+/// edge of one against one edge of another. All turned over if they face inwards.
+Solid make_facets(std::string name, std::vector<Vec3> corners, std::vector<kernels::Facet> facets);
+/// The volume within the triangles, mm^3; negative if they face inwards.
+double facets_volume(const kernels::Facets<double>& s);
+
+}  // namespace navjit::detail

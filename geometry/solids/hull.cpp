@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include "geometry/solids/facets.hpp"
+
+namespace navjit::detail {
+namespace {
+
+using Plane = kernels::Plane<double>;
+
+struct Holder {
+  std::vector<Plane> planes;
+  kernels::Hull<double> shape;
+};
+
+double distance(const Plane& f, const Vec3& p) { return kernels::plane_distance(f, p); }
+
+/// A square on the plane about the point of it that is nearest to `centre`.
+std::vector<Vec3> square_on(const Plane& f, const Vec3& centre, double half) {
+  const double off = distance(f, centre);
+  const Vec3 o{centre.x - off * f.a, centre.y - off * f.b, centre.z - off * f.c};
+  // Any direction across the normal, from the axis that it is least along.
+  const double x = std::abs(f.a), y = std::abs(f.b), z = std::abs(f.c);
+  const Vec3 axis = x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  Vec3 u{f.b * axis.z - f.c * axis.y, f.c * axis.x - f.a * axis.z, f.a * axis.y - f.b * axis.x};
+  const double k = half / std::hypot(u.x, u.y, u.z);
+  u = {k * u.x, k * u.y, k * u.z};
+  const Vec3 w{f.b * u.z - f.c * u.y, f.c * u.x - f.a * u.z, f.a * u.y - f.b * u.x};
+  return {{o.x + u.x + w.x, o.y + u.y + w.y, o.z + u.z + w.z},
+          {o.x - u.x + w.x, o.y - u.y + w.y, o.z - u.z + w.z},
+          {o.x - u.x - w.x, o.y - u.y - w.y, o.z - u.z - w.z},
+          {o.x + u.x - w.x, o.y + u.y - w.y, o.z + u.z - w.z}};
+}
+
+/// The part of a polygon that is behind a plane.
+std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Plane& f) {
+  std::vector<Vec3> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const double at_p = distance(f, p), at_q = distance(f, q);
+    if (at_p <= 0) kept.push_back(p);
+    if ((at_p < 0 && at_q > 0) || (at_p > 0 && at_q < 0)) {
+      const double k = at_p / (at_p - at_q);
+      kept.push_back({p.x + k * (q.x - p.x), p.y + k * (q.y - p.y), p.z + k * (q.z - p.z)});
+    }
+  }
+  return kept;
+}
+
+/// The volume of the pyramids from `apex` over all faces.
+double volume_within(const std::vector<Plane>& planes, const Vec3& apex, double reach) {
+  double volume = 0;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const Plane& face = planes[i];
+    std::vector<Vec3> polygon = square_on(face, apex, reach);
+    for (std::size_t k = 0; k < planes.size() && !polygon.empty(); ++k) {
+      if (k != i) polygon = clipped(polygon, planes[k]);
+    }
+    double twice_area = 0;
+    for (std::size_t k = 2; k < polygon.size(); ++k) {
+      const Vec3 u = kernels::difference(polygon[k - 1], polygon[0]);
+      const Vec3 w = kernels::difference(polygon[k], polygon[0]);
+      twice_area += std::hypot(u.y * w.z - u.z * w.y, u.z * w.x - u.x * w.z, u.x * w.y - u.y * w.x);
+    }
+    volume -= twice_area / 6 * distance(face, apex);
+  }
+  return volume;
+}
+
+}  // namespace
+
+kernels::Plane<double> plane_through(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u = kernels::difference(b, a), w = kernels::difference(c, a);
+  Vec3 n{u.y * w.z - u.z * w.y, u.z * w.x - u.x * w.z, u.x * w.y - u.y * w.x};
+  const double norm = std::hypot(n.x, n.y, n.z);
+  if (!(norm > 0)) return {0, 0, 0, 0};
+  for (double* component : {&n.x, &n.y, &n.z}) {
+    *component = std::abs(*component) < 1e-15 * norm ? 0 : *component / norm;
+  }
+  return {n.x, n.y, n.z, -(n.x * a.x + n.y * a.y + n.z * a.z)};
+}
+
+double hull_volume(const kernels::Hull<double>& hull) {
+  const std::vector<Plane> planes(hull.planes, hull.planes + hull.count);
+  // No body of planes is larger than this about a point that is within it: the planes' own
+  // distances from the origin bound it well enough for one that makes sense.
+  double reach = 0;
+  for (const Plane& f : planes) reach = std::max(reach, std::abs(f.d));
+  Vec3 apex{0, 0, 0};
+  // Towards the inside, so that the pyramids do not cancel.
+  for (int turn = 0; turn < 64; ++turn) {
+    const auto most = std::max_element(
+        planes.begin(), planes.end(),
+        [&](const Plane& a, const Plane& b) { return distance(a, apex) < distance(b, apex); });
+    const double off = distance(*most, apex);
+    if (off <= 0) break;
+    apex = {apex.x - off * most->a, apex.y - off * most->b, apex.z - off * most->c};
+  }
+  return volume_within(planes, apex, 1e3 * reach);
+}
+
+Solid make_hull(std::string name, std::vector<Plane> planes, const Extent& extent) {
+  const auto holder = std::make_shared<Holder>(Holder{std::move(planes), {}});
+  holder->shape = {holder->planes.data(), static_cast<int>(holder->planes.size())};
+  return {std::move(name), SolidKind::hull, std::shared_ptr<const void>(holder, &holder->shape),
+          extent};
+}
+
+}  // namespace navjit::detail
