@@ -1,6 +1,7 @@
 // Facts about the volumes of a world that follow from the tree alone.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "analysis/scene_plan.hpp"
@@ -15,6 +16,8 @@ struct WorldFacts {
   /// By volume: the first volume of equal structure, and by that one all of them (equal_scenes).
   std::vector<VolumeId> first_equal;
   std::vector<std::vector<VolumeId>> equals;
+  /// Volumes whose candidates are not to be chosen by the analysis, but to be these.
+  std::map<VolumeId, Candidates> forced_candidates;
 };
 
 WorldFacts analyse_world(const Geometry& geometry);

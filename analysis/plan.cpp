@@ -61,9 +61,11 @@ ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId
   }
   const Extent& extent = world.volumes[volume].solid.extent;
   plan.pattern = describe_pattern(boxes);
+  const auto forced = facts.forced_candidates.find(volume);
   if (boxes.empty()) {
     plan.candidates = Candidates::none;
-  } else if (boxes.size() <= spell_out_limit) {
+  } else if (forced != facts.forced_candidates.end() ? forced->second == Candidates::all
+                                                     : boxes.size() <= spell_out_limit) {
     plan.candidates = Candidates::all;
     plan.mean_candidates = static_cast<double>(boxes.size());
   } else {

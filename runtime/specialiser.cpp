@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 
 #include "analysis/plan.hpp"
 #include "codegen/module.hpp"
 #include "geometry/navigation/generic.hpp"
 #include "jit/compiler.hpp"
 #include "jit/linker.hpp"
+#include "runtime/overrides.hpp"
 #include "runtime/verify.hpp"
 
 namespace navjit {
@@ -59,6 +61,7 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
       steps_below_(shared_->geometry.size(), 0),
       started_at_(now()) {
   if (shared_->options.jit == JitMode::off) return;
+  apply_overrides();
   const SpecialiserOptions& options = shared_->options.specialiser;
   jit::CompileOptions compile_options;
   compile_options.optimisation = options.optimisation;
@@ -74,6 +77,25 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
 }
 
 Specialiser::~Specialiser() { stop(); }
+
+void Specialiser::apply_overrides() {
+  const char* text = std::getenv(overrides_variable);
+  if (text == nullptr) return;
+  std::string complaints;
+  for (const auto& [volume, variant] :
+       parse_overrides(shared_->geometry.world(), text, &complaints)) {
+    // Equal volumes share a navigator, and so what is forced on one of them.
+    const VolumeId first = facts_.first_equal[volume];
+    if (variant == Variant::off) {
+      note(first, SceneStatus::unprofitable, std::string("off by ") + overrides_variable);
+    } else {
+      for (const VolumeId equal : facts_.equals[first]) scenes_.erase(equal);
+      facts_.forced_candidates[first] =
+          variant == Variant::all ? Candidates::all : Candidates::buckets;
+    }
+  }
+  if (!complaints.empty()) spdlog::warn("{}: {}", overrides_variable, complaints);
+}
 
 void Specialiser::stop() {
   {
@@ -259,7 +281,8 @@ void Specialiser::compile_module(const std::vector<VolumeId>& batch) {
         recorded > 0 ? std::span(samples).first(recorded) : std::span<const Sample>(samples);
     const double generic_ns = time_per_step(geometry, context, generic::navigators, timed);
     const double specialised_ns = time_per_step(geometry, context, record, timed);
-    const bool pays = specialised_ns <= generic_ns || timed.size() < 16;
+    const bool forced = facts_.forced_candidates.contains(facts_.first_equal[entry.volume]);
+    const bool pays = forced || specialised_ns <= generic_ns || timed.size() < 16;
     if (pays) shared_->table.install(entry.volume, &record, installed);
     spdlog::debug("scene {}: {:.1f} ns generic, {:.1f} ns specialised{}", name, generic_ns,
                   specialised_ns, pays ? "" : ": not installed");
@@ -286,8 +309,9 @@ void Specialiser::specialise_all() {
     batch.clear();
   };
   for (std::size_t v = 0; v < facts_.reachable.size(); ++v) {
-    if (facts_.reachable[v] && facts_.first_equal[v] == v) {
-      batch.push_back(static_cast<VolumeId>(v));
+    const auto volume = static_cast<VolumeId>(v);
+    if (facts_.reachable[v] && facts_.first_equal[v] == v && !scenes_.contains(volume)) {
+      batch.push_back(volume);
     }
     if (batch.size() == shared_->options.specialiser.batch) flush();
   }

@@ -34,6 +34,7 @@ class Specialiser {
   struct Compiler;
 
   void run();
+  void apply_overrides();
   void gather();
   std::vector<VolumeId> choose();
   void specialise(const std::vector<VolumeId>& batch);

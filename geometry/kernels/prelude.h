@@ -27,12 +27,6 @@ struct Direction {
   Real inverse_x, inverse_y, inverse_z;
 };
 
-/// The part of a line inside a convex body, as path lengths; empty unless enter < leave.
-template <class Real>
-struct Chord {
-  Real enter, leave;
-};
-
 template <class Real>
 constexpr Real infinity() {
   return static_cast<Real>(__builtin_inf());

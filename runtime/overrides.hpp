@@ -1,0 +1,27 @@
+// Forcing scenes to a variant from outside, to bisect a problem in the field.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "analysis/facts.hpp"
+
+namespace navjit {
+
+enum class Variant : std::uint8_t {
+  off,      ///< stays generic
+  all,      ///< specialised, every daughter tested
+  buckets,  ///< specialised, candidates from buckets
+};
+
+/// Parses "NAME=VARIANT,NAME=VARIANT": logical volumes by name ("*" for every one; later entries
+/// override earlier ones), variants off, all, buckets. What cannot be understood is left out and
+/// described, one line each, in `complaints`.
+std::map<VolumeId, Variant> parse_overrides(const World& world, std::string_view text,
+                                            std::string* complaints);
+
+/// The environment variable that a Runtime reads overrides from.
+constexpr const char* overrides_variable = "NAVJIT_SCENES";
+
+}  // namespace navjit
