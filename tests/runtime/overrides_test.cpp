@@ -29,7 +29,7 @@ TEST(Overrides, AreParsedAndComplainedAbout) {
 }
 
 TEST(Overrides, FromTheEnvironmentForceScenes) {
-  setenv(overrides_variable, "*=off,stack=all", 1);
+  setenv(overrides_variable, "*=off,plate=all", 1);
   RuntimeOptions options;
   options.jit = JitMode::wait;
   Runtime runtime(tests::mixed_world(), options);
@@ -43,7 +43,7 @@ TEST(Overrides, FromTheEnvironmentForceScenes) {
   for (const SceneReport& scene : runtime.report().scenes) {
     if (scene.status == SceneStatus::specialised) {
       ++specialised;
-      EXPECT_EQ(scene.volume, "stack");
+      EXPECT_EQ(scene.volume, "plate");
     } else {
       EXPECT_EQ(scene.status, SceneStatus::unprofitable);
       EXPECT_NE(scene.note.find("NAVJIT_SCENES"), std::string::npos);
