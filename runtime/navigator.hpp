@@ -30,8 +30,9 @@ class Navigator {
   Navigator& operator=(Navigator&&) = delete;
   ~Navigator();
 
-  /// The deepest touchable with the point, or outside. On a face, the first volume in file order
-  /// that touches it. Throws std::invalid_argument if a coordinate is not finite.
+  /// The deepest touchable with the point, or outside. On a face that volumes share, the first of
+  /// them in file order; where volumes overlap, the last. Throws std::invalid_argument if a
+  /// coordinate is not finite.
   State locate(const Vec3& point);
   /// As above; on a face the direction decides.
   State locate(const Vec3& point, const Vec3& direction);

@@ -59,6 +59,24 @@ unsigned find_daughter(const Scene& scene, const Vec3& p, const Direction& v, in
   return found;
 }
 
+/// The same for a point without a direction: on a face that daughters share, the first in file
+/// order wins; well inside, the rule is that of find_daughter.
+unsigned find_daughter_undirected(const Scene& scene, const Vec3& p, double tolerance) {
+  const Direction none = kernels::make_direction(0.0, 0.0, 0.0);
+  unsigned on_face = no_daughter, within = no_daughter;
+  for (unsigned k = 0; k < scene.daughters.size(); ++k) {
+    const Daughter& d = scene.daughters[k];
+    const Vec3 q = to_local(d.transformation, p);
+    if (!contains(d.solid, q, none, tolerance)) continue;
+    if (inside(d.solid, q, tolerance) == Side::inside) {
+      within = k;
+    } else if (on_face == no_daughter) {
+      on_face = k;
+    }
+  }
+  return within != no_daughter ? within : on_face;
+}
+
 struct Hit {
   double distance;
   unsigned daughter;
@@ -134,7 +152,9 @@ void settle(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec
     const StackLevel& level = stack.levels[stack.depth];
     const Vec3 p = kernels::to_local(level, point.x, point.y, point.z);
     const Direction v = kernels::to_local_direction(level, direction.x, direction.y, direction.z);
-    const unsigned found = find_daughter(*scene, p, v, blocked, tolerance);
+    const bool directed = direction.x != 0 || direction.y != 0 || direction.z != 0;
+    const unsigned found = directed ? find_daughter(*scene, p, v, blocked, tolerance)
+                                    : find_daughter_undirected(*scene, p, tolerance);
     if (found == no_daughter) return;
     push(stack, scene->daughters[found], found);
     scene = &geometry.scene(stack.levels[stack.depth].volume);

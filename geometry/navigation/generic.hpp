@@ -7,7 +7,8 @@
 namespace navjit::generic {
 
 /// Brings the stack to the deepest touchable with the global point; depth -1 if outside the world.
-/// The direction (unit, or all zero) decides for points on a face.
+/// On a face the direction decides; without one (all zero) the first volume in file order that has
+/// the face. Where volumes overlap, the last in file order holds the point.
 void locate(const Geometry&, Stack&, const Vec3& point, const Vec3& direction);
 
 /// One step from a global point (mm) along a unit direction, at most `limit` mm. Returns the length

@@ -3,6 +3,7 @@
 
 #include "geometry/solids/widen.hpp"
 #include "tests/geometry/kernels/random_curved_solids.hpp"
+#include "tests/geometry/kernels/random_flat_solids.hpp"
 
 namespace navjit::test {
 namespace {
@@ -95,6 +96,7 @@ std::string name_of(const testing::TestParamInfo<Maker>& test) { return test.par
 
 INSTANTIATE_TEST_SUITE_P(Primitives, Precision, testing::ValuesIn(primitive_makers), name_of);
 INSTANTIATE_TEST_SUITE_P(Curved, Precision, testing::ValuesIn(curved_makers), name_of);
+INSTANTIATE_TEST_SUITE_P(Flat, Precision, testing::ValuesIn(flat_makers), name_of);
 INSTANTIATE_TEST_SUITE_P(Composites, Precision, testing::ValuesIn(composite_makers), name_of);
 
 }  // namespace

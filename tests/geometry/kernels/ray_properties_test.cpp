@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/geometry/kernels/random_curved_solids.hpp"
+#include "tests/geometry/kernels/random_flat_solids.hpp"
 
 namespace navjit::test {
 namespace {
@@ -274,6 +275,7 @@ std::string name_of(const testing::TestParamInfo<Maker>& test) { return test.par
 
 INSTANTIATE_TEST_SUITE_P(Primitives, RayProperties, testing::ValuesIn(primitive_makers), name_of);
 INSTANTIATE_TEST_SUITE_P(Curved, RayProperties, testing::ValuesIn(curved_makers), name_of);
+INSTANTIATE_TEST_SUITE_P(Flat, RayProperties, testing::ValuesIn(flat_makers), name_of);
 INSTANTIATE_TEST_SUITE_P(Composites, RayProperties, testing::ValuesIn(composite_makers), name_of);
 
 }  // namespace

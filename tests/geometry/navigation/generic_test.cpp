@@ -169,6 +169,29 @@ TEST(GenericNavigator, OnTiesTheFirstDaughterInFileOrderWins) {
   }
 }
 
+TEST(GenericNavigator, LocatesOnSharedFacesAndInOverlapsByFileOrder) {
+  World world;
+  world.top = add_volume(world, "world", make_box("world", 10, 10, 10));
+  const VolumeId a = add_volume(world, "a", make_box("a", 1, 1, 1));
+  const VolumeId b = add_volume(world, "b", make_box("b", 1, 1, 1));
+  place(world, world.top, a, {-1, 0, 0});
+  place(world, world.top, b, {1, 0, 0});
+  place(world, world.top, a, {0, 5, 0});
+  place(world, world.top, b, {0.5, 5, 0});
+  finish(world);
+  const Geometry geometry = geometry_of(world, Force::automatic);
+  const auto stack = std::make_unique<Stack>();
+  const auto at = [&](const Vec3& p, const Vec3& v) {
+    generic::locate(geometry, *stack, p, v);
+    return stack->levels[stack->depth].volume;
+  };
+  EXPECT_EQ(at({0, 0, 0}, {0, 0, 0}), a);  // a shared face, no direction: the first
+  EXPECT_EQ(at({0, 0, 0}, {1, 0, 0}), b);  // the direction decides
+  EXPECT_EQ(at({0, 0, 0}, {-1, 0, 0}), a);
+  EXPECT_EQ(at({0.2, 5, 0}, {0, 0, 0}), b);  // an overlap: the last
+  EXPECT_EQ(at({0.2, 5, 0}, {1, 0, 0}), b);
+}
+
 TEST(GenericNavigator, TouchingVolumesFollowEachOtherWithoutSlivers) {
   World world;
   world.top = add_volume(world, "world", make_box("world", 10, 10, 10));

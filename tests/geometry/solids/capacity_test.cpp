@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/geometry/kernels/random_curved_solids.hpp"
+#include "tests/geometry/kernels/random_flat_solids.hpp"
 
 namespace navjit::test {
 namespace {
@@ -60,6 +61,8 @@ TEST_P(SampledSolid, FitsItsExtentTightly) {
 INSTANTIATE_TEST_SUITE_P(Primitives, SampledSolid, testing::ValuesIn(primitive_makers),
                          [](const testing::TestParamInfo<Maker>& test) { return test.param.name; });
 
+INSTANTIATE_TEST_SUITE_P(Flat, SampledSolid, testing::ValuesIn(flat_makers),
+                         [](const testing::TestParamInfo<Maker>& test) { return test.param.name; });
 INSTANTIATE_TEST_SUITE_P(Curved, SampledSolid, testing::ValuesIn(curved_makers),
                          [](const testing::TestParamInfo<Maker>& test) { return test.param.name; });
 
