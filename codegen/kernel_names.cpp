@@ -8,12 +8,15 @@ namespace {
 
 constexpr std::array order{"convex", "box",   "trd",     "trap",   "wedge",    "tube",
                            "cone",   "orb",   "sphere",  "stack",  "polycone", "polyhedra",
-                           "hull",  "facets", "pairs",  "torus", "quadric", "boolean"};
+                           "hull",  "facets", "pairs",  "torus", "quadric", "arb8", "cuttube", "scaled", "boolean"};
 constexpr std::array box{"convex", "box"};
 constexpr std::array trd{"convex", "trd"};
 constexpr std::array trap{"convex", "trap"};
 constexpr std::array hull{"convex", "trap", "hull"};
 constexpr std::array facets{"convex", "facets"};
+constexpr std::array arb8{"convex", "pairs", "quadric", "arb8"};
+constexpr std::array cut_tube{"convex", "trap", "wedge", "tube", "cuttube"};
+constexpr std::array scaled{"convex", "scaled"};
 constexpr std::array tube{"convex", "wedge", "tube"};
 constexpr std::array cone{"convex", "wedge", "tube", "cone"};
 constexpr std::array orb{"convex", "wedge", "tube", "cone", "orb"};
@@ -42,6 +45,12 @@ std::span<const char* const> kernels_of(SolidKind kind) {
       return hull;
     case SolidKind::facets:
       return facets;
+    case SolidKind::arb8:
+      return arb8;
+    case SolidKind::cut_tube:
+      return cut_tube;
+    case SolidKind::scaled:
+      return scaled;
     case SolidKind::orb:
       return orb;
     case SolidKind::sphere:
@@ -83,6 +92,10 @@ std::string shape_type(SolidKind kind) {
       return "Hull<double>";
     case SolidKind::facets:
       return "Facets<double>";
+    case SolidKind::arb8:
+      return "Arb8<double>";
+    case SolidKind::cut_tube:
+      return "CutTube<double>";
     case SolidKind::orb:
       return "Orb<double>";
     case SolidKind::sphere:
@@ -99,6 +112,7 @@ std::string shape_type(SolidKind kind) {
     case SolidKind::paraboloid:
     case SolidKind::hype:
       return "QuadricSolid<double>";
+    case SolidKind::scaled:
     case SolidKind::placed:
     case SolidKind::union_of:
     case SolidKind::intersection_of:

@@ -73,6 +73,9 @@ std::string Shapes::type(const AnySolid<double>& solid) {
     case SolidKind::placed:
       return "Placed<double, " +
              type(static_cast<const kernels::AnyPlaced<double>*>(solid.shape)->solid) + ">";
+    case SolidKind::scaled:
+      return "Scaled<double, " +
+             type(static_cast<const kernels::AnyScaled<double>*>(solid.shape)->solid) + ">";
     case SolidKind::union_of: {
       const auto& s = *static_cast<const kernels::AnyUnion<double>*>(solid.shape);
       return pair("Union", s.a, s.b);
@@ -99,6 +102,10 @@ std::string Shapes::literal(const AnySolid<double>& solid) {
       text += "}, {";
       for (const double x : shape.rotation) text += number(x) + ", ";
       return text + "}}";
+    } else if constexpr (std::is_same_v<Shape, kernels::AnyScaled<double>>) {
+      return "{" + literal(shape.solid) + ", " + number(shape.inverse_x) + ", " +
+             number(shape.inverse_y) + ", " + number(shape.inverse_z) + ", " +
+             number(shape.most) + "}";
     } else if constexpr (requires {
                            shape.a;
                            shape.b;

@@ -2,6 +2,33 @@
 // face gives up to two spans, and the solid is where all of its bodies and none of its holes are.
 namespace navjit::kernels {
 
+/// A function along a ray and its derivative.
+template <class Real>
+struct Sample {
+  Real value, slope;
+};
+
+/// A zero of the increasing (`rising`) or decreasing function in [low, high], where f
+/// gives value and derivative: Newton's iteration, halving the bracket where that is no help.
+template <class Real, class F>
+Real bracketed_zero(const F& f, Real low, Real high, bool rising) {
+  Real t = low + (high - low) / 2, step = high - low;
+  for (int i = 0; i < 400; ++i) {
+    const Sample<Real> at = f(t);
+    if (at.value == 0) return t;
+    ((at.value < 0) == rising ? low : high) = t;
+    Real next = t - at.value / at.slope;
+    // Newton's step has to stay in the bracket and to be getting shorter.
+    if (!(next >= low && next <= high) || absolute(next - t) > step / 2) {
+      next = low + (high - low) / 2;
+    }
+    step = absolute(next - t);
+    if (next == t) return t;
+    t = next;
+  }
+  return t;
+}
+
 /// The parts of a ray behind one face, in order along it.
 template <class Real>
 struct SpanPair {

@@ -21,13 +21,9 @@ struct RingForm {
   Direction<Real> v;
 };
 
-/// Half the derivative of the squared distance from the circle, and that distance's square.
+/// The squared distance from the circle and half its derivative.
 template <class Real>
-struct RingValue {
-  Real h, slope;
-};
-template <class Real>
-RingValue<Real> value_at(const RingForm<Real>& q, Real t) {
+Sample<Real> value_at(const RingForm<Real>& q, Real t) {
   const Real x = q.p.x + t * q.v.x, y = q.p.y + t * q.v.y, z = q.p.z + t * q.v.z;
   const Real rho = square_root(x * x + y * y), across = rho - q.ring;
   const Real radial = rho > 0 ? (x * q.v.x + y * q.v.y) / rho : Real(0);
@@ -40,27 +36,6 @@ Real curvature(const RingForm<Real>& q) {
   const Real cross = q.p.x * q.v.y - q.p.y * q.v.x;
   const Real a = q.v.x * q.v.x + q.v.y * q.v.y + q.v.z * q.v.z;
   return rho > 0 ? a - q.ring * (cross * cross) / (rho * rho * rho) : -infinity<Real>();
-}
-
-/// A zero of the increasing (`rising`) or decreasing function f - level in [low, high], where f
-/// gives value and derivative: Newton's iteration, halving the bracket where that is no help.
-template <class Real, class F>
-Real bracketed_zero(const F& f, Real low, Real high, bool rising) {
-  Real t = low + (high - low) / 2, step = high - low;
-  for (int i = 0; i < 400; ++i) {
-    const RingValue<Real> at = f(t);
-    if (at.h == 0) return t;
-    ((at.h < 0) == rising ? low : high) = t;
-    Real next = t - at.h / at.slope;
-    // Newton's step has to stay in the bracket and to be getting shorter.
-    if (!(next >= low && next <= high) || absolute(next - t) > step / 2) {
-      next = low + (high - low) / 2;
-    }
-    step = absolute(next - t);
-    if (next == t) return t;
-    t = next;
-  }
-  return t;
 }
 
 /// The larger of 0 and the cube root.
@@ -92,7 +67,7 @@ Real turning_point(const RingForm<Real>& q, Real low, Real high, bool minimum) {
     const Real radial = rho > 0 ? (x * q.v.x + y * q.v.y) / rho : Real(0);
     const Real cross = x * q.v.y - y * q.v.x;
     const Real bend = rho > 0 ? cross * cross / (rho * rho * rho) : Real(0);
-    return RingValue<Real>{(rho - q.ring) * radial + z * q.v.z, a - q.ring * bend};
+    return Sample<Real>{(rho - q.ring) * radial + z * q.v.z, a - q.ring * bend};
   };
   return bracketed_zero(slope, low, high, minimum);
 }
@@ -148,28 +123,28 @@ Turns<Real> turns_ahead(const RingForm<Real>& q, Real reach) {
 /// Directional containment in the tube of radius r. A tangent goes where the surface bends.
 template <class Real>
 bool in_ring(Real r, const RingForm<Real>& q, Real tol) {
-  const RingValue<Real> at = value_at(q, Real(0));
+  const Sample<Real> at = value_at(q, Real(0));
   const Real outer = r + tol, inner = r - tol;
-  if (at.h > outer * outer) return false;
-  if (at.h < inner * inner && inner > 0) return true;
+  if (at.value > outer * outer) return false;
+  if (at.value < inner * inner && inner > 0) return true;
   if (at.slope != 0) return at.slope < 0;
   const Real bend = curvature(q);
-  return bend < 0 || (bend > 0 && at.h < r * r);
+  return bend < 0 || (bend > 0 && at.value < r * r);
 }
 
 /// The parts of the ray in the tube of radius r.
 template <class Real>
 SpanPair<Real> ring_spans(Real r, const RingForm<Real>& q, const Turns<Real>& turns, Real tol) {
   const auto distance = [&](Real t) {
-    const RingValue<Real> at = value_at(q, t);
-    return RingValue<Real>{at.h - r * r, 2 * at.slope};
+    const Sample<Real> at = value_at(q, t);
+    return Sample<Real>{at.value - r * r, 2 * at.slope};
   };
   SpanPair<Real> pair = no_spans<Real>();
   bool in = in_ring(r, q, tol), second = false, falling = turns.falling;
   Real enter = -infinity<Real>(), from = 0;
   for (int i = 0; i <= turns.count; ++i, falling = !falling) {
     const Real to = i < turns.count ? turns.at[i] : turns.end;
-    const bool beyond = i == turns.count || distance(to).h >= 0;
+    const bool beyond = i == turns.count || distance(to).value >= 0;
     if (!in && !beyond) {
       // What starts out though within the tube, heading out within the tolerance, enters where it
       // turns.
@@ -177,7 +152,7 @@ SpanPair<Real> ring_spans(Real r, const RingForm<Real>& q, const Turns<Real>& tu
       in = true;
     } else if (!falling && in && beyond) {
       // Within the tolerance it may turn before it has got in.
-      const bool passed = i > 0 && distance(from).h >= 0;
+      const bool passed = i > 0 && distance(from).value >= 0;
       const Real leave = passed ? from : bracketed_zero(distance, from, to, true);
       (second ? pair.second : pair.first) = {enter, leave, leave};
       second = true;

@@ -16,6 +16,8 @@ enum class SolidKind : std::uint8_t {
   trap,
   hull,
   facets,
+  arb8,
+  cut_tube,
   orb,
   sphere,
   polycone,
@@ -27,6 +29,7 @@ enum class SolidKind : std::uint8_t {
   paraboloid,
   hype,
   placed,
+  scaled,
   union_of,
   intersection_of,
   subtraction_of,
@@ -41,6 +44,8 @@ struct AnySolid {
 
 template <class Real>
 using AnyPlaced = Placed<Real, AnySolid<Real>>;
+template <class Real>
+using AnyScaled = Scaled<Real, AnySolid<Real>>;
 template <class Real>
 using AnyUnion = Union<AnySolid<Real>, AnySolid<Real>>;
 template <class Real>
@@ -66,6 +71,12 @@ decltype(auto) visit(const AnySolid<Real>& s, F&& f) {
       return f(*static_cast<const Hull<Real>*>(s.shape));
     case SolidKind::facets:
       return f(*static_cast<const Facets<Real>*>(s.shape));
+    case SolidKind::arb8:
+      return f(*static_cast<const Arb8<Real>*>(s.shape));
+    case SolidKind::cut_tube:
+      return f(*static_cast<const CutTube<Real>*>(s.shape));
+    case SolidKind::scaled:
+      return f(*static_cast<const AnyScaled<Real>*>(s.shape));
     case SolidKind::orb:
       return f(*static_cast<const Orb<Real>*>(s.shape));
     case SolidKind::sphere:

@@ -66,6 +66,48 @@ double volume(const kernels::Trap<double>& s) {
 double volume(const kernels::Hull<double>& s) { return detail::hull_volume(s); }
 double volume(const kernels::Facets<double>& s) { return detail::facets_volume(s); }
 
+double volume(const kernels::CutTube<double>& s) {
+  // The integral of the height over the sector: linear in x and y.
+  const auto& w = s.wedge;
+  const auto at = [](const kernels::Plane<double>& f) { return -f.d / f.c; };
+  const double tilt_x = s.low.a / s.low.c - s.high.a / s.high.c;
+  const double tilt_y = s.low.b / s.low.c - s.high.b / s.high.c;
+  const double squares = (s.rmax - s.rmin) * (s.rmax + s.rmin) / 2;
+  const double cubes = (s.rmax * s.rmax * s.rmax - s.rmin * s.rmin * s.rmin) / 3;
+  double volume = angle_of(w) * squares * (at(s.high) - at(s.low));
+  if (w.kind != 0) {
+    volume += cubes * (tilt_x * (w.end_y - w.start_y) + tilt_y * (w.start_x - w.end_x));
+  }
+  return volume;
+}
+
+/// The integral over z of the area within, from the straight lines that the corners run along.
+double volume(const kernels::Arb8<double>& s) {
+  const kernels::TwistedFace<double>* faces[] = {&s.first, &s.second, &s.third, &s.fourth};
+  // Corners where two neighbouring sides meet; the area is quadratic in z.
+  const auto area_at = [&](double z) {
+    double x[4], y[4];
+    int corners = 0;
+    for (int i = 0; i < 4; ++i) {
+      const auto &f = *faces[i], &g = *faces[(i + 1) % 4];
+      const double fa = f.a * z + f.e, fb = f.b * z + f.f, fc = (f.c * z + f.d) * z + f.g;
+      const double ga = g.a * z + g.e, gb = g.b * z + g.f, gc = (g.c * z + g.d) * z + g.g;
+      const double det = fa * gb - fb * ga;
+      if (std::abs(det) < 1e-12 * std::hypot(fa, fb) * std::hypot(ga, gb)) continue;
+      x[corners] = (fb * gc - fc * gb) / det;
+      y[corners++] = (fc * ga - fa * gc) / det;
+    }
+    double twice = 0;
+    for (int i = 2; i < corners; ++i) {
+      twice += (x[i - 1] - x[0]) * (y[i] - y[0]) - (y[i - 1] - y[0]) * (x[i] - x[0]);
+    }
+    return std::abs(twice) / 2;
+  };
+  // Gauss's three points, so that no section is looked at where a side has no length.
+  const double far = s.hz * std::sqrt(0.6);
+  return s.hz / 9 * (5 * area_at(-far) + 8 * area_at(0) + 5 * area_at(far));
+}
+
 double volume(const kernels::Orb<double>& s) { return 4 * pi / 3 * s.radius * s.radius * s.radius; }
 
 double volume(const kernels::Sphere<double>& s) {
@@ -116,6 +158,9 @@ double volume(const kernels::QuadricSolid<double>& s) {
 double volume(const kernels::AnySolid<double>& s);
 
 double volume(const kernels::AnyPlaced<double>& s) { return volume(s.solid); }
+double volume(const kernels::AnyScaled<double>& s) {
+  return volume(s.solid) / std::abs(s.inverse_x * s.inverse_y * s.inverse_z);
+}
 template <class Boolean>
 double volume(const Boolean&) {
   return std::numeric_limits<double>::quiet_NaN();

@@ -124,6 +124,37 @@ void visit_fields(const Facets<Real>& s, V&& visit) {
 }
 
 template <class Real, class V>
+void visit_fields(const TwistedFace<Real>& s, V&& visit) {
+  visit("a", s.a);
+  visit("b", s.b);
+  visit("c", s.c);
+  visit("d", s.d);
+  visit("e", s.e);
+  visit("f", s.f);
+  visit("g", s.g);
+}
+
+template <class Real, class V>
+void visit_fields(const Arb8<Real>& s, V&& visit) {
+  visit("hz", s.hz);
+  visit("hx", s.hx);
+  visit("hy", s.hy);
+  visit("first", s.first);
+  visit("second", s.second);
+  visit("third", s.third);
+  visit("fourth", s.fourth);
+}
+
+template <class Real, class V>
+void visit_fields(const CutTube<Real>& s, V&& visit) {
+  visit("rmin", s.rmin);
+  visit("rmax", s.rmax);
+  visit("low", s.low);
+  visit("high", s.high);
+  visit("wedge", s.wedge);
+}
+
+template <class Real, class V>
 void visit_fields(const Orb<Real>& s, V&& visit) {
   visit("radius", s.radius);
 }

@@ -18,6 +18,12 @@ const char* kind_name(SolidKind kind) {
       return "hull";
     case SolidKind::facets:
       return "facets";
+    case SolidKind::arb8:
+      return "arb8";
+    case SolidKind::cut_tube:
+      return "cuttube";
+    case SolidKind::scaled:
+      return "scaled";
     case SolidKind::orb:
       return "orb";
     case SolidKind::sphere:

@@ -80,6 +80,27 @@ Solid make_extruded(std::string name, std::span<const PlanarPoint> polygon,
 using FacetCorners = std::vector<Vec3>;
 /// The body within facets that close on one another.
 Solid make_tessellated(std::string name, std::span<const FacetCorners> facets);
+
+/// Four corners at -hz, the same way round at +hz, joined by straight lines: the sides may twist by
+/// up to a right angle. Corners may coincide.
+Solid make_arb8(std::string name, double hz, std::span<const PlanarPoint, 8> corners);
+
+/// A tube cut off at (0, 0, -hz) across `low` and at (0, 0, hz) across `high`, the outward normals.
+Solid make_cut_tube(std::string name, double rmin, double rmax, double hz, double start_phi,
+                    double delta_phi, const Vec3& low, const Vec3& high);
+
+struct ContourPoint {
+  double r, z;
+};
+/// The closed contour of a polycone: either way round, not crossing itself.
+Solid make_generic_polycone(std::string name, std::span<const ContourPoint> contour,
+                            double start_phi, double delta_phi);
+/// Likewise; here the radii are those of the edges between the sides.
+Solid make_generic_polyhedra(std::string name, std::span<const ContourPoint> contour, int sides,
+                             double start_phi, double delta_phi);
+
+/// The solid with its coordinates times the factors, of either sign but not zero.
+Solid make_scaled(std::string name, const Solid& solid, double x, double y, double z);
 Solid make_orb(std::string name, double radius);
 /// theta is measured from +z. A whole ball becomes an orb.
 Solid make_sphere(std::string name, double rmin, double rmax, double start_phi, double delta_phi,

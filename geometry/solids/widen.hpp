@@ -86,6 +86,19 @@ class WideSolid {
             wide_array(s.facets, s.facet_count),   s.facet_count,
             wide_array(s.boxes, s.box_count),      s.box_count};
   }
+  kernels::TwistedFace<Real> wide(const kernels::TwistedFace<double>& s) {
+    return {wide(s.a), wide(s.b), wide(s.c), wide(s.d), wide(s.e), wide(s.f), wide(s.g)};
+  }
+  kernels::Arb8<Real> wide(const kernels::Arb8<double>& s) {
+    return {wide(s.hz),     wide(s.hx),    wide(s.hy),    wide(s.first),
+            wide(s.second), wide(s.third), wide(s.fourth)};
+  }
+  kernels::CutTube<Real> wide(const kernels::CutTube<double>& s) {
+    return {wide(s.rmin), wide(s.rmax), wide(s.low), wide(s.high), wide(s.wedge)};
+  }
+  kernels::AnyScaled<Real> wide(const kernels::AnyScaled<double>& s) {
+    return {wide(s.solid), wide(s.inverse_x), wide(s.inverse_y), wide(s.inverse_z), wide(s.most)};
+  }
   kernels::Orb<Real> wide(const kernels::Orb<double>& s) { return {wide(s.radius)}; }
   kernels::PolarLimit<Real> wide(const kernels::PolarLimit<double>& s) {
     return {s.kind, wide(s.face)};

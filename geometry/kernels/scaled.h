@@ -1,0 +1,60 @@
+// A solid stretched along the axes, each by a factor of its own.
+namespace navjit::kernels {
+
+/// local = inverse * p, component by component.
+template <class Real, class Solid>
+struct Scaled {
+  Solid solid;
+  Real inverse_x, inverse_y, inverse_z;  ///< negative where the axis is reversed
+  Real most;                             ///< the largest of their sizes
+};
+
+template <class Real, class S>
+Vec3<Real> to_local(const Scaled<Real, S>& s, const Vec3<Real>& p) {
+  return {s.inverse_x * p.x, s.inverse_y * p.y, s.inverse_z * p.z};
+}
+/// The local direction, and how much longer paths are there.
+template <class Real>
+struct ScaledDirection {
+  Direction<Real> v;
+  Real stretch;
+};
+template <class Real, class S>
+ScaledDirection<Real> to_local(const Scaled<Real, S>& s, const Direction<Real>& v) {
+  const Real x = s.inverse_x * v.x, y = s.inverse_y * v.y, z = s.inverse_z * v.z;
+  const Real stretch = square_root(x * x + y * y + z * z);
+  return {make_direction<Real>(x / stretch, y / stretch, z / stretch), stretch};
+}
+
+// Across no face is a distance stretched more than by `most`.
+
+template <class Real, class S>
+Side inside(const Scaled<Real, S>& s, const Vec3<Real>& p, Real tol) {
+  return inside(s.solid, to_local(s, p), tol * s.most);
+}
+template <class Real, class S>
+bool contains(const Scaled<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return contains(s.solid, to_local(s, p), to_local(s, v).v, tol * s.most);
+}
+template <class Real, class S>
+Real distance_to_in(const Scaled<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                    Real tol) {
+  const ScaledDirection<Real> local = to_local(s, v);
+  return distance_to_in(s.solid, to_local(s, p), local.v, tol * s.most) / local.stretch;
+}
+template <class Real, class S>
+Real distance_to_out(const Scaled<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                     Real tol) {
+  const ScaledDirection<Real> local = to_local(s, v);
+  return distance_to_out(s.solid, to_local(s, p), local.v, tol * s.most) / local.stretch;
+}
+template <class Real, class S>
+Real safety_to_in(const Scaled<Real, S>& s, const Vec3<Real>& p) {
+  return safety_to_in(s.solid, to_local(s, p)) / s.most;
+}
+template <class Real, class S>
+Real safety_to_out(const Scaled<Real, S>& s, const Vec3<Real>& p) {
+  return safety_to_out(s.solid, to_local(s, p)) / s.most;
+}
+
+}  // namespace navjit::kernels

@@ -1,0 +1,242 @@
+// A trapezoid that turns about the z axis as it rises, at a constant rate, and may be sheared:
+// twisted boxes, trds and traps. Every section across z is a convex quadrangle. Crossings of the
+// sides are found by steps along the ray that no crossing can lie within, given how strongly the
+// sides bend.
+namespace navjit::kernels {
+
+/// In the frame that turns with the section: nu u + nw w < c0 + c1 z, with (nu, nw) of length 1.
+template <class Real>
+struct TwistedSide {
+  Real nu, nw, c0, c1;
+};
+
+template <class Real>
+struct TwistedTrap {
+  Real hz;                ///< half length, mm
+  Real rate;              ///< angle per length, rad/mm; at most a quarter turn in all
+  Real shear_x, shear_y;  ///< the middle of the section per length
+  Real hx, hy;            ///< the solid is within |x| <= hx, |y| <= hy
+  Real reach;             ///< no point is further from the middle of its section
+  TwistedSide<Real> sides[4];
+};
+
+template <class Real>
+struct Turn {
+  Real cosine, sine;
+};
+/// cos and sin for angles up to about 1, from their power series.
+template <class Real>
+Turn<Real> turn_by(Real angle) {
+  constexpr int terms = sizeof(Real) > 8 ? 17 : 10;
+  const Real x2 = angle * angle;
+  Real cosine = 1, sine = 1;
+  for (int i = terms; i > 0; --i) {
+    cosine = 1 - cosine * x2 / Real((2 * i - 1) * (2 * i));
+    sine = 1 - sine * x2 / Real(2 * i * (2 * i + 1));
+  }
+  return {cosine, sine * angle};
+}
+
+/// How far a point is beyond the plane of a side within its section; and its derivatives along z,
+/// across it being those of a unit vector (nx, ny).
+template <class Real>
+struct TwistedValue {
+  Real value, nx, ny, nz;
+};
+template <class Real>
+TwistedValue<Real> value_at(const TwistedTrap<Real>& s, const TwistedSide<Real>& side,
+                            const Vec3<Real>& p, const Turn<Real>& turn) {
+  const Real x = p.x - s.shear_x * p.z, y = p.y - s.shear_y * p.z;
+  const Real nx = turn.cosine * side.nu - turn.sine * side.nw;
+  const Real ny = turn.sine * side.nu + turn.cosine * side.nw;
+  return {nx * x + ny * y - (side.c0 + side.c1 * p.z), nx, ny,
+          s.rate * (nx * y - ny * x) - (nx * s.shear_x + ny * s.shear_y) - side.c1};
+}
+template <class Real>
+Real gradient(const TwistedValue<Real>& at) {
+  return square_root(1 + at.nz * at.nz);
+}
+template <class Real>
+Real rate_along(const TwistedValue<Real>& at, const Direction<Real>& v) {
+  return at.nx * v.x + at.ny * v.y + at.nz * v.z;
+}
+
+/// Verdict on one side, given its value.
+template <class Real>
+bool within_side(const TwistedValue<Real>& at, const Direction<Real>& v, Real tol) {
+  const Real width = tol * gradient(at);
+  if (absolute(at.value) > width) return at.value < 0;
+  const Real nv = rate_along(at, v);
+  return nv < 0 || (nv == 0 && at.value <= 0);
+}
+
+/// A ray near the solid, with a bound on the second derivatives of the sides along it.
+template <class Real>
+struct TwistedRay {
+  Vec3<Real> p;
+  Direction<Real> v;
+  Real end;    ///< the path up to which to look
+  Real bend;   ///< of values, per length squared
+  Real least;  ///< the shortest step; crossings closer than that to one another are none
+};
+template <class Real>
+TwistedRay<Real> twisted_ray(const TwistedTrap<Real>& s, const Vec3<Real>& p,
+                             const Direction<Real>& v) {
+  // Within the box that `approach` goes to, with some room, points are this far from the middle.
+  const Real shear = absolute(s.shear_x) + absolute(s.shear_y), turning = absolute(s.rate);
+  const Real room = Real(1) + Real(1) / 32, size = s.hx + s.hy + s.hz;
+  const Real far = (s.hx + s.hy + shear * s.hz) * room;
+  const Real vz = absolute(v.z), across = square_root(v.x * v.x + v.y * v.y);
+  Span<Real> span = whole_ray<Real>();
+  clip_slab(span, s.hx * room, p.x, v.x, v.inverse_x, Real(0));
+  clip_slab(span, s.hy * room, p.y, v.y, v.inverse_y, Real(0));
+  clip_slab(span, s.hz * room, p.z, v.z, v.inverse_z, Real(0));
+  return {p, v, larger(span.leave, Real(0)),
+          vz * turning * (vz * (turning * far + 2 * shear) + 2 * across),
+          size / (Real(1024) * 1024 * 1024 * 16)};
+}
+
+/// The next crossing of a side after `from`: out of it if the path is within it there, else into
+/// it. Infinity if there is none.
+template <class Real>
+Real next_crossing(const TwistedTrap<Real>& s, const TwistedSide<Real>& side,
+                   const TwistedRay<Real>& ray, Real from, bool within) {
+  // Positive beyond the crossing that is looked for.
+  const auto f = [&](Real t) {
+    const Vec3<Real> q = advance(ray.p, ray.v, t);
+    const TwistedValue<Real> at = value_at(s, side, q, turn_by(s.rate * q.z));
+    const Real slope = rate_along(at, ray.v);
+    return within ? Sample<Real>{at.value, slope} : Sample<Real>{-at.value, -slope};
+  };
+  Real t = from;
+  Sample<Real> at = f(t);
+  while (t < ray.end) {
+    // On the surface, the value may yet have to get to the side that the path is said to be on.
+    const bool ahead = at.value > 0;
+    if (ahead && at.slope >= 0 && t > from) return t;
+    const Real size = absolute(at.value), towards = ahead ? -at.slope : at.slope;
+    const Real root = square_root(towards * towards + 2 * (ray.bend * size));
+    Real step = infinity<Real>();
+    if (towards > 0) {
+      step = 2 * size / (towards + root);
+    } else if (ray.bend > 0) {
+      step = (root - towards) / ray.bend;
+    }
+    if (!(step > ray.least)) step = ray.least;
+    Real to = t + step;
+    if (!(to < ray.end)) to = ray.end;
+    const Sample<Real> next = f(to);
+    if (!ahead && next.value > 0) return larger(bracketed_zero(f, t, to, true), from);
+    if (!(to > t)) break;
+    t = to;
+    at = next;
+  }
+  return infinity<Real>();
+}
+
+template <class Real>
+Side inside(const TwistedTrap<Real>& s, const Vec3<Real>& p, Real tol) {
+  Side side = worse(Side::inside, absolute(p.z) - s.hz, tol);
+  if (side == Side::outside) return side;
+  const Turn<Real> turn = turn_by(s.rate * p.z);
+  for (const TwistedSide<Real>& face : s.sides) {
+    const TwistedValue<Real> at = value_at(s, face, p, turn);
+    side = worse(side, at.value / gradient(at), tol);
+  }
+  return side;
+}
+
+template <class Real>
+bool contains(const TwistedTrap<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  if (beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol)) return false;
+  const Turn<Real> turn = turn_by(s.rate * p.z);
+  for (const TwistedSide<Real>& face : s.sides) {
+    if (!within_side(value_at(s, face, p, turn), v, tol)) return false;
+  }
+  return true;
+}
+
+template <class Real>
+Real distance_to_in(const TwistedTrap<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                    Real tol) {
+  const Real shift = approach(s.hx, s.hy, -s.hz, s.hz, p, v);
+  if (!(shift < infinity<Real>())) return infinity<Real>();
+  const TwistedRay<Real> ray = twisted_ray(s, shift > 0 ? advance(p, v, shift) : p, v);
+  Span<Real> slab = slab_span(-s.hz, s.hz, p, v, tol);
+  slab.enter = slab.enter - shift;
+  slab.until = slab.until - shift;
+  if (!is_ahead(slab)) return infinity<Real>();
+  const Turn<Real> turn = turn_by(s.rate * ray.p.z);
+  bool within[4];
+  Real event[4];
+  for (int k = 0; k < 4; ++k) {
+    within[k] = within_side(value_at(s, s.sides[k], ray.p, turn), v, tol);
+    event[k] = next_crossing(s, s.sides[k], ray, Real(0), within[k]);
+  }
+  Real t = larger(slab.enter, Real(0));
+  bool waited = t > 0 || shift > 0;
+  for (bool moved = true; moved;) {
+    moved = false;
+    if (!(t < slab.until)) return infinity<Real>();
+    for (int k = 0; k < 4; ++k) {
+      while (event[k] <= t || !within[k]) {
+        if (!(event[k] < infinity<Real>())) return infinity<Real>();
+        if (event[k] > t) {
+          t = event[k];
+          moved = waited = true;
+        }
+        within[k] = !within[k];
+        event[k] = next_crossing(s, s.sides[k], ray, event[k], within[k]);
+      }
+    }
+  }
+  return waited ? t + shift : distance_from_within(s, p, tol);
+}
+
+template <class Real>
+Real distance_to_out(const TwistedTrap<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                     Real tol) {
+  Real leave = leave_slab(s.hz, p.z, v.z, v.inverse_z, tol, infinity<Real>());
+  if (!(absolute(p.z) <= s.hz + tol)) return Real(0);
+  TwistedRay<Real> ray = twisted_ray(s, p, v);
+  const Turn<Real> turn = turn_by(s.rate * p.z);
+  for (const TwistedSide<Real>& face : s.sides) {
+    if (!within_side(value_at(s, face, p, turn), v, tol)) return Real(0);
+    ray.end = smaller(leave, ray.end);
+    leave = smaller(next_crossing(s, face, ray, Real(0), true), leave);
+  }
+  return leave;
+}
+
+/// The largest of the signed distances to the faces, a lower bound on either side: with the steepest
+/// gradient and the strongest bend on the way.
+template <class Real>
+Real surface_distance(const TwistedTrap<Real>& s, const Vec3<Real>& p) {
+  Real d = absolute(p.z) - s.hz;
+  if (d > 0) return d;
+  const Real x = p.x - s.shear_x * p.z, y = p.y - s.shear_y * p.z;
+  const Real far = larger(square_root(x * x + y * y), s.reach), turning = absolute(s.rate);
+  const Real shear = square_root(s.shear_x * s.shear_x + s.shear_y * s.shear_y);
+  const Real bend = turning * (turning * far + 2 * shear + 1);
+  const Turn<Real> turn = turn_by(s.rate * p.z);
+  for (const TwistedSide<Real>& face : s.sides) {
+    const TwistedValue<Real> at = value_at(s, face, p, turn);
+    const Real steep = gradient(at);
+    d = larger(2 * at.value / (steep + square_root(steep * steep + 2 * bend * absolute(at.value))),
+               d);
+  }
+  return d;
+}
+
+template <class Real>
+Real safety_to_in(const TwistedTrap<Real>& s, const Vec3<Real>& p) {
+  Real away = larger(surface_distance(s, p), Real(0));
+  away = larger(absolute(p.x) - s.hx, away);
+  return larger(absolute(p.y) - s.hy, away);
+}
+template <class Real>
+Real safety_to_out(const TwistedTrap<Real>& s, const Vec3<Real>& p) {
+  return larger(-surface_distance(s, p), Real(0));
+}
+
+}  // namespace navjit::kernels

@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <span>
+
+#include "geometry/solids/facets.hpp"
+
+namespace navjit {
+namespace {
+
+using detail::require;
+
+double cross(const PlanarPoint& a, const PlanarPoint& b) { return a.x * b.y - a.y * b.x; }
+double dot(const PlanarPoint& a, const PlanarPoint& b) { return a.x * b.x + a.y * b.y; }
+PlanarPoint minus(const PlanarPoint& a, const PlanarPoint& b) { return {a.x - b.x, a.y - b.y}; }
+double length(const PlanarPoint& a) { return std::hypot(a.x, a.y); }
+
+/// The side between the lines from a to c and from b to d, with the solid to the left of a..b.
+struct SideCorners {
+  PlanarPoint a, b, c, d;
+
+  double longest() const { return std::max(length(minus(b, a)), length(minus(d, c))); }
+  bool flat(double slight) const {
+    const PlanarPoint low = minus(b, a), high = minus(d, c);
+    return std::min(length(low), length(high)) <= slight ||
+           std::abs(cross(low, high)) <= slight * longest();
+  }
+};
+
+kernels::Plane<double> flat_side(const SideCorners& s, double hz) {
+  // The diagonals: they exist also where one edge has no length.
+  const Vec3 u{s.d.x - s.a.x, s.d.y - s.a.y, 2 * hz}, w{s.c.x - s.b.x, s.c.y - s.b.y, 2 * hz};
+  Vec3 n{u.y * w.z - u.z * w.y, u.z * w.x - u.x * w.z, u.x * w.y - u.y * w.x};
+  const double norm = std::hypot(n.x, n.y, n.z);
+  for (double* component : {&n.x, &n.y, &n.z}) {
+    *component = std::abs(*component) < 1e-15 * norm ? 0 : *component / norm;
+  }
+  return {n.x, n.y, n.z,
+          -(n.x * (s.a.x + s.b.x + s.c.x + s.d.x) + n.y * (s.a.y + s.b.y + s.c.y + s.d.y)) / 4};
+}
+
+/// With u = z / hz the edge at z starts at A + u A' and runs along E + u E'; behind it is where the
+/// product of E + u E' and (x, y) - A - u A' is positive.
+kernels::TwistedFace<double> twisted_side(const SideCorners& s, double hz) {
+  const PlanarPoint a{(s.a.x + s.c.x) / 2, (s.a.y + s.c.y) / 2};
+  const PlanarPoint da{(s.c.x - s.a.x) / (2 * hz), (s.c.y - s.a.y) / (2 * hz)};
+  const PlanarPoint low = minus(s.b, s.a), high = minus(s.d, s.c);
+  const PlanarPoint e{(low.x + high.x) / 2, (low.y + high.y) / 2};
+  const PlanarPoint de{(high.x - low.x) / (2 * hz), (high.y - low.y) / (2 * hz)};
+  const double k = 1 / length(e);
+  return {de.y * k, -de.x * k, cross(de, da) * k, (cross(e, da) + cross(de, a)) * k,
+          e.y * k,  -e.x * k,  cross(e, a) * k};
+}
+
+}  // namespace
+
+Solid make_arb8(std::string name, double hz, std::span<const PlanarPoint, 8> given) {
+  require(std::isfinite(hz) && hz > 0, name, "an arb8 needs a positive length");
+  PlanarPoint p[8];
+  std::copy(given.begin(), given.end(), p);
+  Extent e{{p[0].x, p[0].y, -hz}, {p[0].x, p[0].y, hz}};
+  for (const PlanarPoint& q : p) {
+    detail::require_finite({q.x, q.y}, name);
+    e = detail::merged(e, {{q.x, q.y, -hz}, {q.x, q.y, hz}});
+  }
+  const double size = std::max(e.max.x - e.min.x, e.max.y - e.min.y);
+  const auto twice_area = [&](int i) {
+    return cross(minus(p[i + 2], p[i]), minus(p[i + 3], p[i + 1]));
+  };
+  const double low = twice_area(0), high = twice_area(4), slight = 1e-9 * size;
+  require(std::max(std::abs(low), std::abs(high)) > slight * size, name, "an arb8 has no volume");
+  require(!((low > slight * size && high < -slight * size) ||
+            (low < -slight * size && high > slight * size)),
+          name, "the corners of an arb8 run opposite ways round at its ends");
+  if (low + high < 0) {
+    std::swap(p[1], p[3]);
+    std::swap(p[5], p[7]);
+  }
+  std::vector<SideCorners> sides;
+  for (int i = 0; i < 4; ++i) {
+    const int k = (i + 1) % 4, l = (i + 2) % 4;
+    for (const int end : {0, 4}) {
+      const PlanarPoint here = minus(p[k + end], p[i + end]), next = minus(p[l + end], p[k + end]);
+      require(cross(here, next) >= -slight * size, name, "the ends of an arb8 must be convex");
+    }
+    const SideCorners side{p[i], p[k], p[i + 4], p[k + 4]};
+    if (side.longest() <= slight) continue;  // nothing between two lines that coincide
+    require(side.flat(slight) || dot(minus(side.b, side.a), minus(side.d, side.c)) >= 0, name,
+            "a side of an arb8 twists by more than 90 degrees");
+    sides.push_back(side);
+  }
+  require(sides.size() >= 3, name, "an arb8 has no volume");
+  if (std::all_of(sides.begin(), sides.end(),
+                  [&](const SideCorners& s) { return s.flat(slight); })) {
+    std::vector<kernels::Plane<double>> planes{{0, 0, -1, -hz}, {0, 0, 1, -hz}};
+    for (const SideCorners& side : sides) planes.push_back(flat_side(side, hz));
+    return detail::make_hull(std::move(name), std::move(planes), e);
+  }
+  kernels::TwistedFace<double> faces[4];
+  for (std::size_t i = 0; i < 4; ++i) {
+    const SideCorners& side = sides[std::min(i, sides.size() - 1)];
+    if (side.flat(slight)) {
+      const kernels::Plane<double> f = flat_side(side, hz);
+      faces[i] = {0, 0, 0, f.c, f.a, f.b, f.d};
+    } else {
+      faces[i] = twisted_side(side, hz);
+    }
+  }
+  const kernels::Arb8<double> shape{hz,
+                                    std::max(std::abs(e.min.x), std::abs(e.max.x)),
+                                    std::max(std::abs(e.min.y), std::abs(e.max.y)),
+                                    faces[0],
+                                    faces[1],
+                                    faces[2],
+                                    faces[3]};
+  return detail::make_solid(std::move(name), SolidKind::arb8, shape, e);
+}
+
+}  // namespace navjit
