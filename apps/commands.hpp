@@ -36,4 +36,12 @@ struct TraceOptions {
 };
 int trace(const TraceOptions& options);
 
+struct CheckOptions {
+  std::string detector;
+  std::size_t resolution = 1000;  ///< points on each daughter's surface
+  double tolerance = 1e-6;        ///< mm
+};
+/// Exit status 1 if anything overlaps.
+int check(const CheckOptions& options);
+
 }  // namespace navjit::apps

@@ -100,6 +100,16 @@ int parse_and_run(int argc, char** argv) {
   add_threads(trace_command, trace.threads);
   add_runtime_options(trace_command, trace.runtime);
 
+  apps::CheckOptions check;
+  CLI::App* check_command = app.add_subcommand("check", "Find overlaps and protrusions");
+  check_command->add_option("detector", check.detector, "GDML file")->required();
+  check_command->add_option("--resolution", check.resolution, "points on each daughter's surface")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000000}))
+      ->option_text("N");
+  check_command->add_option("--tolerance", check.tolerance, "mm; shallower ones are not told")
+      ->check(CLI::NonNegativeNumber)
+      ->option_text("MM");
+
   try {
     app.parse(argc, argv);
     if (!origin.empty()) {
@@ -120,6 +130,7 @@ int parse_and_run(int argc, char** argv) {
   spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
   if (*inspect_command) return apps::inspect(inspect);
   if (*run_command) return apps::run(run);
+  if (*check_command) return apps::check(check);
   return apps::trace(trace);
 }
 

@@ -195,17 +195,17 @@ def hadronic(gdml):
 
 
 def beam_pipe(gdml):
-    gdml.planes("polycone", "BeamPipe_s", [(-5500, 0, 62), (-1500, 0, 26), (1500, 0, 26),
+    gdml.planes("polycone", "BeamPipe_s", [(-5500, 0, 62), (-2300, 0, 26), (2300, 0, 26),
                                            (5500, 0, 62)])
-    gdml.solid("tube", "PipeCentral_s", rmin=24, rmax=25, z=3000, deltaphi=360)
-    gdml.solid("cone", "PipeForward_s", rmin1=24, rmax1=25, rmin2=60, rmax2=61, z=4000,
+    gdml.solid("tube", "PipeCentral_s", rmin=24, rmax=25, z=4600, deltaphi=360)
+    gdml.solid("cone", "PipeForward_s", rmin1=24, rmax1=25, rmin2=60, rmax2=61, z=3200,
                deltaphi=360)
     gdml.volume("PipeCentral", "Beryllium", "PipeCentral_s")
     gdml.volume("PipeForward", "Steel", "PipeForward_s")
     gdml.volume("BeamPipe", "Vacuum", "BeamPipe_s",
                 [place("central", "PipeCentral"),
-                 place("forward_plus", "PipeForward", (0, 0, 3500), copy=0),
-                 place("forward_minus", "PipeForward", (0, 0, -3500), "flip", copy=1)])
+                 place("forward_plus", "PipeForward", (0, 0, 3900), copy=0),
+                 place("forward_minus", "PipeForward", (0, 0, -3900), "flip", copy=1)])
 
 
 def solenoid(gdml):

@@ -60,7 +60,7 @@ inline World mixed_world() {
   const VolumeId turned = add_volume(world, "turned", make_box("turned", 8, 5, 12));
   const VolumeId core =
       add_volume(world, "core",
-                 make_subtraction("core", make_box("b", 4, 4, 4), make_tube("t", 0, 2, 9, 0, 7)));
+                 make_subtraction("core", make_box("b", 2.5, 2.5, 2.5), make_tube("t", 0, 1.5, 9, 0, 7)));
   place(world, turned, core, {2, 0, 5}, {0.3, 0, 1.2});
   for (int i = 0; i < 5; ++i) {
     place(world, world.top, turned, {-70.0 + 35 * i, 30, 20}, {0.1 * i, 0.7, -0.4 * i});
