@@ -186,7 +186,7 @@ int run(const RunOptions& options) {
   report.declined = declined;
   report.differences = differences;
   report.runtime = runtime.final_report();
-  if (options.runtime.jit == JitMode::on || options.runtime.jit == JitMode::wait) {
+  if (count_scenes(report.runtime).swapped > 0 && options.runtime.jit != JitMode::shadow) {
     compare_with_generic(runtime, options, report);
   }
   print_table(report);

@@ -58,9 +58,9 @@ inline World mixed_world() {
   }
   for (int i = 0; i < 4; ++i) place(world, world.top, stack, {-60.0 + 40 * i, -40, 0});
   const VolumeId turned = add_volume(world, "turned", make_box("turned", 8, 5, 12));
-  const VolumeId core =
-      add_volume(world, "core",
-                 make_subtraction("core", make_box("b", 2.5, 2.5, 2.5), make_tube("t", 0, 1.5, 9, 0, 7)));
+  const VolumeId core = add_volume(
+      world, "core",
+      make_subtraction("core", make_box("b", 2.5, 2.5, 2.5), make_tube("t", 0, 1.5, 9, 0, 7)));
   place(world, turned, core, {2, 0, 5}, {0.3, 0, 1.2});
   for (int i = 0; i < 5; ++i) {
     place(world, world.top, turned, {-70.0 + 35 * i, 30, 20}, {0.1 * i, 0.7, -0.4 * i});
