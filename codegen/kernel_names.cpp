@@ -6,9 +6,10 @@
 namespace navjit::codegen {
 namespace {
 
-constexpr std::array order{"convex", "box",   "trd",     "trap",   "wedge",    "tube",
-                           "cone",   "orb",   "sphere",  "stack",  "polycone", "polyhedra",
-                           "hull",  "facets", "pairs",  "torus", "quadric", "arb8", "cuttube", "scaled", "boolean"};
+constexpr std::array order{
+    "convex",  "box",          "trd",          "trap",      "wedge",   "tube",   "cone",   "orb",
+    "sphere",  "stack",        "polycone",     "polyhedra", "hull",    "facets", "pairs",  "torus",
+    "quadric", "twisted_tube", "twisted_trap", "arb8",      "cuttube", "scaled", "boolean"};
 constexpr std::array box{"convex", "box"};
 constexpr std::array trd{"convex", "trd"};
 constexpr std::array trap{"convex", "trap"};
@@ -25,6 +26,8 @@ constexpr std::array polycone{"convex", "wedge", "tube", "cone", "stack", "polyc
 constexpr std::array polyhedra{"convex", "wedge", "tube", "cone", "stack", "polycone", "polyhedra"};
 constexpr std::array torus{"convex", "wedge", "pairs", "torus"};
 constexpr std::array quadric{"convex", "pairs", "quadric"};
+constexpr std::array twisted_tube{"convex", "pairs", "quadric", "twisted_tube"};
+constexpr std::array twisted_trap{"convex", "pairs", "twisted_trap"};
 constexpr std::array boolean{"convex", "boolean"};
 
 }  // namespace
@@ -59,6 +62,12 @@ std::span<const char* const> kernels_of(SolidKind kind) {
       return polycone;
     case SolidKind::polyhedra:
       return polyhedra;
+    case SolidKind::twistedtubs:
+      return twisted_tube;
+    case SolidKind::twistedbox:
+    case SolidKind::twistedtrd:
+    case SolidKind::twistedtrap:
+      return twisted_trap;
     case SolidKind::torus:
       return torus;
     case SolidKind::ellipsoid:
@@ -104,6 +113,12 @@ std::string shape_type(SolidKind kind) {
       return "Polycone<double>";
     case SolidKind::polyhedra:
       return "Polyhedra<double>";
+    case SolidKind::twistedtubs:
+      return "TwistedTube<double>";
+    case SolidKind::twistedbox:
+    case SolidKind::twistedtrd:
+    case SolidKind::twistedtrap:
+      return "TwistedTrap<double>";
     case SolidKind::torus:
       return "Torus<double>";
     case SolidKind::ellipsoid:

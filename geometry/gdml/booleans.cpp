@@ -1,4 +1,4 @@
-// Solids made of solids: union, subtraction, intersection.
+// Solids made of solids: union, subtraction, intersection, many at once, and stretched ones.
 #include <algorithm>
 
 #include "geometry/gdml/solids.hpp"
@@ -33,6 +33,18 @@ const NamedSolid& operand(FileContext& file, const XmlElement& boolean, const Xm
   return find_solid(file, *element);
 }
 
+void check_depth(FileContext& file, const XmlElement& element, const NamedSolid& made) {
+  const GdmlLimits& limits = file.session.options.limits;
+  if (made.depth > limits.max_solid_depth) {
+    fail(element, "booleans are nested more than " + std::to_string(limits.max_solid_depth) +
+                      " deep; split the solid, or raise GdmlLimits::max_solid_depth");
+  }
+  if (made.parts > limits.max_solid_parts) {
+    fail(element, "the boolean has more than " + std::to_string(limits.max_solid_parts) +
+                      " parts; split the solid, or raise GdmlLimits::max_solid_parts");
+  }
+}
+
 NamedSolid read_boolean(FileContext& file, const XmlElement& element, const std::string& name,
                         Combine combine) {
   const XmlElement *first = nullptr, *second = nullptr;
@@ -52,16 +64,69 @@ NamedSolid read_boolean(FileContext& file, const XmlElement& element, const std:
   NamedSolid result;
   result.depth = 1 + std::max(a.depth, b.depth);
   result.parts = a.parts + b.parts;
-  const GdmlLimits& limits = file.session.options.limits;
-  if (result.depth > limits.max_solid_depth) {
-    fail(element, "booleans are nested more than " + std::to_string(limits.max_solid_depth) +
-                      " deep; split the solid, or raise GdmlLimits::max_solid_depth");
-  }
-  if (result.parts > limits.max_solid_parts) {
-    fail(element, "the boolean has more than " + std::to_string(limits.max_solid_parts) +
-                      " parts; split the solid, or raise GdmlLimits::max_solid_parts");
-  }
+  check_depth(file, element, result);
   result.solid = combine(name, placed(*a.solid, first_frame), placed(*b.solid, second_frame));
+  return result;
+}
+
+/// A union of many is one of unions of halves.
+Solid union_of_all(const std::string& name, const std::vector<Solid>& nodes, std::size_t first,
+                   std::size_t count) {
+  if (count == 1) return nodes[first];
+  const std::size_t half = count / 2;
+  return make_union(name, union_of_all(name, nodes, first, half),
+                    union_of_all(name, nodes, first + half, count - half));
+}
+
+NamedSolid read_multi_union(FileContext& file, const XmlElement& element, const std::string& name) {
+  std::vector<Solid> nodes;
+  NamedSolid result;
+  result.parts = 0;
+  for (const XmlElement& node : element.children()) {
+    if (node.tag != "multiUnionNode") fail(node, "unknown element here; use multiUnionNode");
+    file.charge(node);
+    const NamedSolid* solid = nullptr;
+    Frame frame;
+    for (const XmlElement& child : node.children()) {
+      if (child.tag == "solid") {
+        solid = &find_solid(file, child);
+      } else if (!read_frame(file, child, "", frame)) {
+        fail(child, "unknown element in a multiUnionNode; remove it");
+      }
+    }
+    if (solid == nullptr) fail(node, "it has no <solid>; name one");
+    nodes.push_back(placed(*solid->solid, frame));
+    result.depth = std::max(result.depth, solid->depth);
+    result.parts += solid->parts;
+  }
+  if (nodes.empty()) fail(element, "it has no <multiUnionNode>; add some");
+  for (std::size_t n = 1; n < nodes.size(); n *= 2) ++result.depth;
+  check_depth(file, element, result);
+  result.solid = union_of_all(name, nodes, 0, nodes.size());
+  result.solid->name = name;
+  return result;
+}
+
+NamedSolid read_scaled(FileContext& file, const XmlElement& element, const std::string& name) {
+  const NamedSolid* solid = nullptr;
+  Vector scale{1, 1, 1};
+  for (const XmlElement& child : element.children()) {
+    if (child.tag == "solidref") {
+      solid = &find_solid(file, child);
+    } else if (child.tag == "scale") {
+      scale = file.vector(child, Dimension::other, 1);
+    } else if (child.tag == "scaleref") {
+      scale = file.look_up(file.scales, child, "scale", file.reference(child));
+    } else {
+      fail(child, "unknown element in a scaledSolid; use solidref, scale or scaleref");
+    }
+  }
+  if (solid == nullptr) fail(element, "it has no <solidref>; name a solid");
+  NamedSolid result;
+  result.depth = solid->depth + 1;
+  result.parts = solid->parts;
+  check_depth(file, element, result);
+  result.solid = make_scaled(name, *solid->solid, scale[0], scale[1], scale[2]);
   return result;
 }
 
@@ -74,6 +139,8 @@ constexpr SolidKindReader readers[] = {
     {"subtraction", read_with<make_subtraction>},
     {"union", read_with<make_union>},
     {"intersection", read_with<make_intersection>},
+    {"multiUnion", read_multi_union},
+    {"scaledSolid", read_scaled},
 };
 
 }  // namespace

@@ -47,11 +47,75 @@ NamedSolid read_para(FileContext& file, const XmlElement& element, const std::st
                         file.number(element, "phi") * angle));
 }
 
-/// The defined position that an attribute names.
+NamedSolid read_arb8(FileContext& file, const XmlElement& element, const std::string& name) {
+  const double unit = length_unit(file, element);
+  PlanarPoint corners[8];
+  for (int i = 0; i < 8; ++i) {
+    const std::string attribute = "v" + std::to_string(i + 1);
+    corners[i] = {file.length(element, attribute + "x", unit),
+                  file.length(element, attribute + "y", unit)};
+  }
+  // The length is a half.
+  return made(make_arb8(name, file.length(element, "dz", unit), corners));
+}
+
+NamedSolid read_cut_tube(FileContext& file, const XmlElement& element, const std::string& name) {
+  const double unit = length_unit(file, element), angle = angle_unit(file, element);
+  const auto normal = [&](const char* x, const char* y, const char* z, double fallback) {
+    const Vec3 n{file.number(element, x, 0), file.number(element, y, 0),
+                 file.number(element, z, 0)};
+    return n.x == 0 && n.y == 0 && n.z == 0 ? Vec3{0, 0, fallback} : n;
+  };
+  return made(make_cut_tube(
+      name, file.length(element, "rmin", unit, 0), file.length(element, "rmax", unit),
+      file.length(element, "z", 0.5 * unit), file.number(element, "startphi", 0) * angle,
+      file.number(element, "deltaphi") * angle, normal("lowX", "lowY", "lowZ", -1),
+      normal("highX", "highY", "highZ", 1)));
+}
+
+std::vector<ContourPoint> read_contour(FileContext& file, const XmlElement& element) {
+  const double unit = length_unit(file, element);
+  std::vector<ContourPoint> contour;
+  for (const XmlElement& child : element.children()) {
+    if (child.tag != "rzpoint") fail(child, "unknown element here; use rzpoint");
+    file.charge(child);
+    contour.push_back({file.length(child, "r", unit), file.length(child, "z", unit)});
+  }
+  if (contour.size() > static_cast<std::size_t>(file.session.options.limits.max_planes)) {
+    fail(element, "it has too many points; raise GdmlLimits::max_planes if this is meant");
+  }
+  return contour;
+}
+
+NamedSolid read_generic_polycone(FileContext& file, const XmlElement& element,
+                                 const std::string& name) {
+  const double angle = angle_unit(file, element);
+  return made(make_generic_polycone(name, read_contour(file, element),
+                                    file.number(element, "startphi", 0) * angle,
+                                    file.number(element, "deltaphi") * angle));
+}
+
+NamedSolid read_generic_polyhedra(FileContext& file, const XmlElement& element,
+                                  const std::string& name) {
+  const double angle = angle_unit(file, element);
+  const int sides = file.integer(element, "numsides");
+  if (sides > file.session.options.limits.max_planes) {
+    fail(element, "it has too many sides; raise GdmlLimits::max_planes if this is meant");
+  }
+  const auto cost = static_cast<std::size_t>(std::max(sides, 0));
+  if (cost > file.session.xml.elements) fail(element, "too many sides in the file");
+  file.session.xml.elements -= cost;
+  return made(make_generic_polyhedra(name, read_contour(file, element), sides,
+                                     file.number(element, "startphi", 0) * angle,
+                                     file.number(element, "deltaphi") * angle));
+}
+
+/// The defined position that an attribute names; a unit of the element multiplies it, as in Geant4.
 Vec3 corner(FileContext& file, const XmlElement& element, std::string_view attribute) {
   const Vector& p =
       file.look_up(file.positions, element, "position", file.reference(element, attribute));
-  return {p[0], p[1], p[2]};
+  const double unit = length_unit(file, element);
+  return {unit * p[0], unit * p[1], unit * p[2]};
 }
 
 NamedSolid read_tet(FileContext& file, const XmlElement& element, const std::string& name) {
@@ -90,9 +154,13 @@ NamedSolid read_tessellated(FileContext& file, const XmlElement& element, const 
 
 constexpr SolidKindReader readers[] = {
     {"xtru", read_xtru},
+    {"arb8", read_arb8},
     {"para", read_para},
     {"tet", read_tet},
     {"tessellated", read_tessellated},
+    {"cutTube", read_cut_tube},
+    {"genericPolycone", read_generic_polycone},
+    {"genericPolyhedra", read_generic_polyhedra},
 };
 
 }  // namespace

@@ -45,17 +45,20 @@ Target find_in_module(FileContext& file, const XmlElement& element) {
   return find_target(module, *setup.world_element, setup.world);
 }
 
-/// -1 or 1 for every axis. Anything else is not a placement.
-Vector signs(const XmlElement& element, Vector scale) {
+/// -1 or 1 for every axis. As Geant4, drops the size of a scale that does not reflect, and refuses
+/// to reflect and stretch at once.
+Vector signs(FileContext& file, const XmlElement& element, Vector scale) {
+  bool stretches = false;
   for (double& s : scale) {
-    if (std::abs(std::abs(s) - 1) > 1e-9) {
-      fail(element, "unsupported scale that changes lengths; scale the solid instead");
-    }
+    if (s == 0) fail(element, "a scale of zero leaves nothing; give it another factor");
+    stretches |= std::abs(std::abs(s) - 1) > 1e-9;
     s = s < 0 ? -1 : 1;
   }
+  if (!stretches) return scale;
   if (scale[0] * scale[1] * scale[2] < 0) {
-    fail(element, "unsupported scale that reflects; write out the reflected volume");
+    fail(element, "unsupported scale that reflects and changes lengths; scale the solid instead");
   }
+  file.note("ignored a <scale> of a physvol that changes lengths, as Geant4 does");
   return scale;
 }
 
@@ -79,9 +82,9 @@ void read_physvol(FileContext& file, const XmlElement& element, Mother& mother) 
     } else if (child.tag == "file") {
       target = find_in_module(file, child);
     } else if (child.tag == "scale") {
-      scale = signs(child, file.vector(child, Dimension::other, 1));
+      scale = signs(file, child, file.vector(child, Dimension::other, 1));
     } else if (child.tag == "scaleref") {
-      scale = signs(child, file.look_up(file.scales, child, "scale", file.reference(child)));
+      scale = signs(file, child, file.look_up(file.scales, child, "scale", file.reference(child)));
     } else if (!read_frame(file, child, "", frame)) {
       fail(child, "unknown element in a physvol; remove it");
     }

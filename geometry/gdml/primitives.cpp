@@ -1,6 +1,7 @@
 // Solids that are given by their own dimensions. GDML gives whole lengths of boxes and trapezoids
 // and along z; the factories take halves.
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/gdml/solids.hpp"
 
@@ -24,6 +25,9 @@ class Dimensions {
   }
   /// A number without a unit.
   double plain(const char* attribute) const { return file_.number(element_, attribute); }
+  double plain(const char* attribute, double fallback) const {
+    return file_.number(element_, attribute, fallback);
+  }
   double half(const char* attribute) const {
     return file_.length(element_, attribute, 0.5 * length_unit_);
   }
@@ -142,6 +146,37 @@ Solid read_hype(const Dimensions& d, const std::string& name) {
                    d.angle("outst", 0), d.half("z"));
 }
 
+Solid read_twistedbox(const Dimensions& d, const std::string& name) {
+  return make_twistedbox(name, d.angle("PhiTwist"), d.half("x"), d.half("y"), d.half("z"));
+}
+
+Solid read_twistedtrd(const Dimensions& d, const std::string& name) {
+  return make_twistedtrd(name, d.half("x1"), d.half("x2"), d.half("y1"), d.half("y2"), d.half("z"),
+                         d.angle("PhiTwist"));
+}
+
+Solid read_twistedtrap(const Dimensions& d, const std::string& name) {
+  return make_twistedtrap(name, d.angle("PhiTwist"), d.half("z"), d.angle("Theta", 0),
+                          d.angle("Phi", 0), d.half("y1"), d.half("x1"), d.half("x2"),
+                          d.half("y2"), d.half("x3"), d.half("x4"), d.angle("Alph", 0));
+}
+
+// Either radii at the ends and a length, or radii in the middle and the z of the ends; the azimuth
+// is given, or is one of so many segments.
+Solid read_twistedtubs(const Dimensions& d, const std::string& name) {
+  const double twist = d.angle("twistedangle");
+  const double segments = d.plain("nseg", 0);
+  const double phi = segments != 0 ? d.angle("totphi") / segments : d.angle("phi", 0);
+  const double length = d.length("zlen", 0);
+  if (length == 0) {
+    return make_twistedtubs(name, twist, d.length("midinnerrad", 0), d.length("midouterrad", 0),
+                            d.length("negativeEndz", 0), d.length("positiveEndz", 0), phi);
+  }
+  const double waist = std::cos(twist / 2);
+  return make_twistedtubs(name, twist, d.length("endinnerrad") * waist,
+                          d.length("endouterrad") * waist, -length / 2, length / 2, phi);
+}
+
 template <Solid (*read)(const Dimensions&, const std::string&)>
 NamedSolid primitive(FileContext& file, const XmlElement& element, const std::string& name) {
   NamedSolid result;
@@ -165,6 +200,10 @@ constexpr SolidKindReader readers[] = {
     {"elcone", primitive<read_elcone>},
     {"paraboloid", primitive<read_paraboloid>},
     {"hype", primitive<read_hype>},
+    {"twistedbox", primitive<read_twistedbox>},
+    {"twistedtrd", primitive<read_twistedtrd>},
+    {"twistedtrap", primitive<read_twistedtrap>},
+    {"twistedtubs", primitive<read_twistedtubs>},
 };
 
 }  // namespace

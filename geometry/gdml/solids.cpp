@@ -56,7 +56,8 @@ void read_solids(FileContext& file, const XmlElement& section) {
     } else {
       const std::string name = file.name(element);
       NamedSolid solid;
-      if (const SolidReader read = find_reader(element.tag)) {
+      const bool taken = file.solids.find(name) != file.solids.end();
+      if (const SolidReader read = taken ? nullptr : find_reader(element.tag)) {
         file.open_name = name;
         solid = at_element(element, [&] { return read(file, element, name); });
         file.open_name.clear();

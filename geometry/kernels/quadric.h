@@ -23,14 +23,11 @@ Real value_of(const Quadric<Real>& f, const Vec3<Real>& p) {
   return f.a * (p.x * p.x) + f.b * (p.y * p.y) + (f.c * z + f.d) * z + f.e;
 }
 template <class Real>
-QuadraticForm<Real> form_at(const Quadric<Real>& f, const Vec3<Real>& p,
-                            const Direction<Real>& v) {
+QuadraticForm<Real> form_at(const Quadric<Real>& f, const Vec3<Real>& p, const Direction<Real>& v) {
   const Real z = p.z - f.origin;
   const Real gx = f.a * p.x, gy = f.b * p.y, gz = f.c * z + f.d / 2;
-  return {f.a * (v.x * v.x) + f.b * (v.y * v.y) + f.c * (v.z * v.z),
-          gx * v.x + gy * v.y + gz * v.z,
-          value_of(f, p),
-          2 * square_root(gx * gx + gy * gy + gz * gz),
+  return {f.a * (v.x * v.x) + f.b * (v.y * v.y) + f.c * (v.z * v.z), gx * v.x + gy * v.y + gz * v.z,
+          value_of(f, p), 2 * square_root(gx * gx + gy * gy + gz * gz),
           2 * larger(larger(absolute(f.a), absolute(f.b)), absolute(f.c))};
 }
 

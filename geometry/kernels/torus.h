@@ -208,8 +208,8 @@ Real distance_to_in(const Torus<Real>& s, const Vec3<Real>& p, const Direction<R
   const Turns<Real> turns = turns_ahead(near.form, s.rtor + s.rmax);
   Span<Real> segment = whole_ray<Real>();
   if (s.wedge.kind == 1) clip_to_wedge(s.wedge, p, v, tol, segment);
-  const SpanPair<Real> body[] = {
-      moved_by(ring_spans(s.rmax, near.form, turns, tol), near.shift), one_span(segment)};
+  const SpanPair<Real> body[] = {moved_by(ring_spans(s.rmax, near.form, turns, tol), near.shift),
+                                 one_span(segment)};
   const SpanPair<Real> hole[] = {
       s.rmin > 0 ? moved_by(ring_spans(s.rmin, near.form, turns, tol), near.shift)
                  : no_spans<Real>(),

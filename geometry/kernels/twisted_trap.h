@@ -17,8 +17,12 @@ struct TwistedTrap {
   Real shear_x, shear_y;  ///< the middle of the section per length
   Real hx, hy;            ///< the solid is within |x| <= hx, |y| <= hy
   Real reach;             ///< no point is further from the middle of its section
-  TwistedSide<Real> sides[4];
+  TwistedSide<Real> right, left, back, front;
 };
+template <class Real>
+constexpr const TwistedSide<Real>& side_of(const TwistedTrap<Real>& s, int k) {
+  return k == 0 ? s.right : k == 1 ? s.left : k == 2 ? s.back : s.front;
+}
 
 template <class Real>
 struct Turn {
@@ -31,8 +35,8 @@ Turn<Real> turn_by(Real angle) {
   const Real x2 = angle * angle;
   Real cosine = 1, sine = 1;
   for (int i = terms; i > 0; --i) {
-    cosine = 1 - cosine * x2 / Real((2 * i - 1) * (2 * i));
-    sine = 1 - sine * x2 / Real(2 * i * (2 * i + 1));
+    cosine = 1 - cosine * x2 * (1 / Real((2 * i - 1) * (2 * i)));
+    sine = 1 - sine * x2 * (1 / Real(2 * i * (2 * i + 1)));
   }
   return {cosine, sine * angle};
 }
@@ -139,8 +143,8 @@ Side inside(const TwistedTrap<Real>& s, const Vec3<Real>& p, Real tol) {
   Side side = worse(Side::inside, absolute(p.z) - s.hz, tol);
   if (side == Side::outside) return side;
   const Turn<Real> turn = turn_by(s.rate * p.z);
-  for (const TwistedSide<Real>& face : s.sides) {
-    const TwistedValue<Real> at = value_at(s, face, p, turn);
+  for (int k = 0; k < 4; ++k) {
+    const TwistedValue<Real> at = value_at(s, side_of(s, k), p, turn);
     side = worse(side, at.value / gradient(at), tol);
   }
   return side;
@@ -150,8 +154,8 @@ template <class Real>
 bool contains(const TwistedTrap<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   if (beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol)) return false;
   const Turn<Real> turn = turn_by(s.rate * p.z);
-  for (const TwistedSide<Real>& face : s.sides) {
-    if (!within_side(value_at(s, face, p, turn), v, tol)) return false;
+  for (int k = 0; k < 4; ++k) {
+    if (!within_side(value_at(s, side_of(s, k), p, turn), v, tol)) return false;
   }
   return true;
 }
@@ -170,8 +174,8 @@ Real distance_to_in(const TwistedTrap<Real>& s, const Vec3<Real>& p, const Direc
   bool within[4];
   Real event[4];
   for (int k = 0; k < 4; ++k) {
-    within[k] = within_side(value_at(s, s.sides[k], ray.p, turn), v, tol);
-    event[k] = next_crossing(s, s.sides[k], ray, Real(0), within[k]);
+    within[k] = within_side(value_at(s, side_of(s, k), ray.p, turn), v, tol);
+    event[k] = next_crossing(s, side_of(s, k), ray, Real(0), within[k]);
   }
   Real t = larger(slab.enter, Real(0));
   bool waited = t > 0 || shift > 0;
@@ -186,7 +190,7 @@ Real distance_to_in(const TwistedTrap<Real>& s, const Vec3<Real>& p, const Direc
           moved = waited = true;
         }
         within[k] = !within[k];
-        event[k] = next_crossing(s, s.sides[k], ray, event[k], within[k]);
+        event[k] = next_crossing(s, side_of(s, k), ray, event[k], within[k]);
       }
     }
   }
@@ -200,7 +204,8 @@ Real distance_to_out(const TwistedTrap<Real>& s, const Vec3<Real>& p, const Dire
   if (!(absolute(p.z) <= s.hz + tol)) return Real(0);
   TwistedRay<Real> ray = twisted_ray(s, p, v);
   const Turn<Real> turn = turn_by(s.rate * p.z);
-  for (const TwistedSide<Real>& face : s.sides) {
+  for (int k = 0; k < 4; ++k) {
+    const TwistedSide<Real>& face = side_of(s, k);
     if (!within_side(value_at(s, face, p, turn), v, tol)) return Real(0);
     ray.end = smaller(leave, ray.end);
     leave = smaller(next_crossing(s, face, ray, Real(0), true), leave);
@@ -208,8 +213,8 @@ Real distance_to_out(const TwistedTrap<Real>& s, const Vec3<Real>& p, const Dire
   return leave;
 }
 
-/// The largest of the signed distances to the faces, a lower bound on either side: with the steepest
-/// gradient and the strongest bend on the way.
+/// The largest of the signed distances to the faces, a lower bound on either side: with the
+/// steepest gradient and the strongest bend on the way.
 template <class Real>
 Real surface_distance(const TwistedTrap<Real>& s, const Vec3<Real>& p) {
   Real d = absolute(p.z) - s.hz;
@@ -219,8 +224,8 @@ Real surface_distance(const TwistedTrap<Real>& s, const Vec3<Real>& p) {
   const Real shear = square_root(s.shear_x * s.shear_x + s.shear_y * s.shear_y);
   const Real bend = turning * (turning * far + 2 * shear + 1);
   const Turn<Real> turn = turn_by(s.rate * p.z);
-  for (const TwistedSide<Real>& face : s.sides) {
-    const TwistedValue<Real> at = value_at(s, face, p, turn);
+  for (int k = 0; k < 4; ++k) {
+    const TwistedValue<Real> at = value_at(s, side_of(s, k), p, turn);
     const Real steep = gradient(at);
     d = larger(2 * at.value / (steep + square_root(steep * steep + 2 * bend * absolute(at.value))),
                d);

@@ -1,5 +1,5 @@
-// A segment of a tube twisted about the z axis so that lines along z become hyperbolas' rulings: its
-// round faces are hyperboloids, its sides saddles, and its ends flat.
+// A segment of a tube twisted about the z axis so that lines along z become hyperbolas' rulings:
+// its round faces are hyperboloids, its sides saddles, and its ends flat.
 namespace navjit::kernels {
 
 /// The half-plane side through the axis with outward normal n at z = 0, turned by the angle whose

@@ -28,6 +28,10 @@ enum class SolidKind : std::uint8_t {
   elcone,
   paraboloid,
   hype,
+  twistedtubs,
+  twistedbox,
+  twistedtrd,
+  twistedtrap,
   placed,
   scaled,
   union_of,
@@ -85,6 +89,12 @@ decltype(auto) visit(const AnySolid<Real>& s, F&& f) {
       return f(*static_cast<const Polycone<Real>*>(s.shape));
     case SolidKind::polyhedra:
       return f(*static_cast<const Polyhedra<Real>*>(s.shape));
+    case SolidKind::twistedtubs:
+      return f(*static_cast<const TwistedTube<Real>*>(s.shape));
+    case SolidKind::twistedbox:
+    case SolidKind::twistedtrd:
+    case SolidKind::twistedtrap:
+      return f(*static_cast<const TwistedTrap<Real>*>(s.shape));
     case SolidKind::torus:
       return f(*static_cast<const Torus<Real>*>(s.shape));
     case SolidKind::ellipsoid:

@@ -83,7 +83,8 @@ Solid make_arb8(std::string name, double hz, std::span<const PlanarPoint, 8> giv
     }
     const SideCorners side{p[i], p[k], p[i + 4], p[k + 4]};
     if (side.longest() <= slight) continue;  // nothing between two lines that coincide
-    require(side.flat(slight) || dot(minus(side.b, side.a), minus(side.d, side.c)) >= 0, name,
+    const PlanarPoint bottom = minus(side.b, side.a), top = minus(side.d, side.c);
+    require(dot(bottom, top) >= -slight * side.longest(), name,
             "a side of an arb8 twists by more than 90 degrees");
     sides.push_back(side);
   }

@@ -150,6 +150,24 @@ double quadric_volume(const kernels::Quadric<double>& f, double low, double high
   const auto primitive = [&](double z) { return z * (f.e + z * (f.d / 2 + z * (f.c / 3))); };
   return pi / std::sqrt(f.a * f.b) * (primitive(low - f.origin) - primitive(high - f.origin));
 }
+double volume(const kernels::TwistedTube<double>& s) {
+  // Every section is a sector of the same angle.
+  const double angle = angle_of({1, s.start.ny, -s.start.nx, -s.end.ny, s.end.nx});
+  return angle / (2 * pi) *
+         (quadric_volume(s.outer, s.z_low, s.z_high) - quadric_volume(s.inner, s.z_low, s.z_high));
+}
+
+double volume(const kernels::TwistedTrap<double>& s) {
+  // Sections are trapezoids with the sides across w parallel; twist and shear keep their area.
+  const auto area = [&](double z) {
+    const double height = s.back.c0 + s.back.c1 * z + s.front.c0 + s.front.c1 * z;
+    const double right = (s.right.c0 + s.right.c1 * z) / s.right.nu;
+    const double left = (s.left.c0 + s.left.c1 * z) / s.left.nu;
+    return height * (right - left);
+  };
+  return s.hz / 3 * (area(-s.hz) + 4 * area(0) + area(s.hz));
+}
+
 double volume(const kernels::QuadricSolid<double>& s) {
   const double outer = quadric_volume(s.outer, s.z_low, s.z_high);
   return s.bored == 0 ? outer : outer - quadric_volume(s.inner, s.z_low, s.z_high);

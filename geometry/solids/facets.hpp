@@ -7,9 +7,9 @@
 
 namespace navjit::detail {
 
-/// The convex body behind planes with unit normals. Throws GeometryError if it has no volume.
+/// The convex body behind planes with unit normals, which must enclose it.
 Solid make_hull(std::string name, std::vector<kernels::Plane<double>> planes, const Extent& extent);
-/// The volume behind the planes, mm^3; `reach` is longer than any distance within.
+/// The volume behind the planes, mm^3.
 double hull_volume(const kernels::Hull<double>& hull);
 
 /// The plane through three points, with its normal towards the side from which they run

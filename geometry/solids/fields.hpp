@@ -241,6 +241,47 @@ void visit_fields(const Quadric<Real>& s, V&& visit) {
 }
 
 template <class Real, class V>
+void visit_fields(const Saddle<Real>& s, V&& visit) {
+  visit("nx", s.nx);
+  visit("ny", s.ny);
+  visit("kappa", s.kappa);
+}
+
+template <class Real, class V>
+void visit_fields(const TwistedTube<Real>& s, V&& visit) {
+  visit("reach", s.reach);
+  visit("z_low", s.z_low);
+  visit("z_high", s.z_high);
+  visit("outer", s.outer);
+  visit("inner", s.inner);
+  visit("start", s.start);
+  visit("end", s.end);
+}
+
+template <class Real, class V>
+void visit_fields(const TwistedSide<Real>& s, V&& visit) {
+  visit("nu", s.nu);
+  visit("nw", s.nw);
+  visit("c0", s.c0);
+  visit("c1", s.c1);
+}
+
+template <class Real, class V>
+void visit_fields(const TwistedTrap<Real>& s, V&& visit) {
+  visit("hz", s.hz);
+  visit("rate", s.rate);
+  visit("shear_x", s.shear_x);
+  visit("shear_y", s.shear_y);
+  visit("hx", s.hx);
+  visit("hy", s.hy);
+  visit("reach", s.reach);
+  visit("right", s.right);
+  visit("left", s.left);
+  visit("back", s.back);
+  visit("front", s.front);
+}
+
+template <class Real, class V>
 void visit_fields(const QuadricSolid<Real>& s, V&& visit) {
   visit("hx", s.hx);
   visit("hy", s.hy);

@@ -46,14 +46,22 @@ std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Plane& f) {
   return kept;
 }
 
-/// The volume of the pyramids from `apex` over all faces.
-double volume_within(const std::vector<Plane>& planes, const Vec3& apex, double reach) {
-  double volume = 0;
+/// The volume of the pyramids from `apex` over all faces, and how far the body reaches from there.
+struct Measure {
+  double volume, reach;
+};
+/// No point of the body may be further than `reach` from the apex, but the closer the bound, the
+/// more accurate the volume.
+Measure measure(const std::vector<Plane>& planes, const Vec3& apex, double reach) {
+  Measure m{0, 0};
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const Plane& face = planes[i];
     std::vector<Vec3> polygon = square_on(face, apex, reach);
     for (std::size_t k = 0; k < planes.size() && !polygon.empty(); ++k) {
       if (k != i) polygon = clipped(polygon, planes[k]);
+    }
+    for (const Vec3& p : polygon) {
+      m.reach = std::max(m.reach, std::hypot(p.x - apex.x, p.y - apex.y, p.z - apex.z));
     }
     double twice_area = 0;
     for (std::size_t k = 2; k < polygon.size(); ++k) {
@@ -61,9 +69,9 @@ double volume_within(const std::vector<Plane>& planes, const Vec3& apex, double 
       const Vec3 w = kernels::difference(polygon[k], polygon[0]);
       twice_area += std::hypot(u.y * w.z - u.z * w.y, u.z * w.x - u.x * w.z, u.x * w.y - u.y * w.x);
     }
-    volume -= twice_area / 6 * distance(face, apex);
+    m.volume -= twice_area / 6 * distance(face, apex);
   }
-  return volume;
+  return m;
 }
 
 }  // namespace
@@ -81,8 +89,7 @@ kernels::Plane<double> plane_through(const Vec3& a, const Vec3& b, const Vec3& c
 
 double hull_volume(const kernels::Hull<double>& hull) {
   const std::vector<Plane> planes(hull.planes, hull.planes + hull.count);
-  // No body of planes is larger than this about a point that is within it: the planes' own
-  // distances from the origin bound it well enough for one that makes sense.
+  // The planes' own distances from the origin bound a body that makes sense well enough.
   double reach = 0;
   for (const Plane& f : planes) reach = std::max(reach, std::abs(f.d));
   Vec3 apex{0, 0, 0};
@@ -95,7 +102,8 @@ double hull_volume(const kernels::Hull<double>& hull) {
     if (off <= 0) break;
     apex = {apex.x - off * most->a, apex.y - off * most->b, apex.z - off * most->c};
   }
-  return volume_within(planes, apex, 1e3 * reach);
+  const double closer = measure(planes, apex, 1e3 * reach).reach;
+  return measure(planes, apex, 2 * closer).volume;
 }
 
 Solid make_hull(std::string name, std::vector<Plane> planes, const Extent& extent) {

@@ -20,6 +20,8 @@
 #include "geometry/kernels/pairs.h"
 #include "geometry/kernels/torus.h"
 #include "geometry/kernels/quadric.h"
+#include "geometry/kernels/twisted_tube.h"
+#include "geometry/kernels/twisted_trap.h"
 #include "geometry/kernels/arb8.h"
 #include "geometry/kernels/cuttube.h"
 #include "geometry/kernels/scaled.h"

@@ -32,6 +32,14 @@ const char* kind_name(SolidKind kind) {
       return "polycone";
     case SolidKind::polyhedra:
       return "polyhedra";
+    case SolidKind::twistedtubs:
+      return "twistedtubs";
+    case SolidKind::twistedbox:
+      return "twistedbox";
+    case SolidKind::twistedtrd:
+      return "twistedtrd";
+    case SolidKind::twistedtrap:
+      return "twistedtrap";
     case SolidKind::torus:
       return "torus";
     case SolidKind::ellipsoid:

@@ -2,11 +2,14 @@
 
 namespace navjit {
 
-Solid make_polycone(std::string name, std::span<const ZPlane> planes, double start_phi,
-                    double delta_phi) {
+namespace {
+
+/// `planes` bound the extent.
+Solid polycone(std::string name, detail::Sections&& sections, std::span<const ZPlane> planes,
+               double start_phi, double delta_phi) {
   const kernels::Wedge<double> wedge = detail::make_wedge(start_phi, delta_phi, name);
   using Holder = detail::StackHolder<kernels::Polycone<double>>;
-  const auto holder = std::make_shared<const Holder>(detail::make_sections(planes, name), wedge);
+  const auto holder = std::make_shared<const Holder>(std::move(sections), wedge);
   const auto extent_of = [&](const ZPlane& plane) {
     return detail::sector_extent(plane.rmin, plane.rmax, start_phi, delta_phi, plane.z, plane.z);
   };
@@ -14,6 +17,22 @@ Solid make_polycone(std::string name, std::span<const ZPlane> planes, double sta
   for (const ZPlane& plane : planes) extent = detail::merged(extent, extent_of(plane));
   return {std::move(name), SolidKind::polycone, std::shared_ptr<const void>(holder, &holder->shape),
           extent};
+}
+
+}  // namespace
+
+Solid make_polycone(std::string name, std::span<const ZPlane> planes, double start_phi,
+                    double delta_phi) {
+  detail::Sections sections = detail::make_sections(planes, name);
+  return polycone(std::move(name), std::move(sections), planes, start_phi, delta_phi);
+}
+
+Solid make_generic_polycone(std::string name, std::span<const ContourPoint> contour,
+                            double start_phi, double delta_phi) {
+  detail::Sections sections = detail::make_sections(contour, name);
+  std::vector<ZPlane> planes;
+  for (const ContourPoint& p : contour) planes.push_back({p.z, p.r, p.r});
+  return polycone(std::move(name), std::move(sections), planes, start_phi, delta_phi);
 }
 
 }  // namespace navjit

@@ -19,23 +19,30 @@ struct Holder : detail::StackHolder<kernels::Polyhedra<double>> {
   }
 };
 
-}  // namespace
-
-Solid make_polyhedra(std::string name, std::span<const ZPlane> planes, int sides, double start_phi,
-                     double delta_phi) {
+struct Turns {
+  kernels::Wedge<double> wedge;
+  double step, edge_factor;
+};
+Turns make_turns(int sides, double start_phi, double delta_phi, const std::string& name) {
   detail::require(sides >= 1 && sides <= 100000, name, "a polyhedra needs 1 to 100000 sides");
   const kernels::Wedge<double> wedge = detail::make_wedge(start_phi, delta_phi, name);
   if (wedge.kind == 0) delta_phi = 2 * std::numbers::pi;
   const double step = delta_phi / sides;
   detail::require(step < std::numbers::pi * (1 - 1e-9), name,
                   "each side of a polyhedra must span less than 180 degrees");
+  return {wedge, step, 1 / std::cos(step / 2)};
+}
+
+/// `planes` bound the extent.
+Solid polyhedra(std::string name, detail::Sections&& sections, std::span<const ZPlane> planes,
+                int sides, double start_phi, const Turns& turns) {
+  const double step = turns.step, edge_factor = turns.edge_factor;
   std::vector<kernels::SideNormal<double>> normals;
   for (int i = 0; i < sides; ++i) {
     const detail::UnitVector n = detail::unit_vector(start_phi + (i + 0.5) * step);
     normals.push_back({n.x, n.y});
   }
-  const double edge_factor = 1 / std::cos(step / 2);
-  const auto holder = std::make_shared<const Holder>(detail::make_sections(planes, name), wedge,
+  const auto holder = std::make_shared<const Holder>(std::move(sections), turns.wedge,
                                                      std::move(normals), edge_factor);
   Extent e{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
   for (int i = 0; i <= sides; ++i) {
@@ -49,6 +56,28 @@ Solid make_polyhedra(std::string name, std::span<const ZPlane> planes, int sides
   }
   return {std::move(name), SolidKind::polyhedra,
           std::shared_ptr<const void>(holder, &holder->shape), e};
+}
+
+}  // namespace
+
+Solid make_polyhedra(std::string name, std::span<const ZPlane> planes, int sides, double start_phi,
+                     double delta_phi) {
+  const Turns turns = make_turns(sides, start_phi, delta_phi, name);
+  detail::Sections sections = detail::make_sections(planes, name);
+  return polyhedra(std::move(name), std::move(sections), planes, sides, start_phi, turns);
+}
+
+Solid make_generic_polyhedra(std::string name, std::span<const ContourPoint> contour, int sides,
+                             double start_phi, double delta_phi) {
+  const Turns turns = make_turns(sides, start_phi, delta_phi, name);
+  std::vector<ContourPoint> across;
+  std::vector<ZPlane> planes;
+  for (const ContourPoint& p : contour) {
+    across.push_back({p.r / turns.edge_factor, p.z});
+    planes.push_back({p.z, across.back().r, across.back().r});
+  }
+  detail::Sections sections = detail::make_sections(across, name);
+  return polyhedra(std::move(name), std::move(sections), planes, sides, start_phi, turns);
 }
 
 }  // namespace navjit

@@ -60,11 +60,13 @@ Solid make_elcone(std::string name, double x_slope, double y_slope, double z_max
                   "an elliptical cone needs positive semi-axes and a positive height");
   detail::require(z_cut > 0, name, "an elliptical cone needs a positive cut");
   const double hz = std::min(z_cut, z_max), height = z_max + hz;
-  const QuadricShape shape{
-      x_slope * height, y_slope * height,
-      -hz,              hz,
-      {1 / (x_slope * x_slope), 1 / (y_slope * y_slope), -1, 0, 0, z_max},
-      {},               0};
+  const QuadricShape shape{x_slope * height,
+                           y_slope * height,
+                           -hz,
+                           hz,
+                           {1 / (x_slope * x_slope), 1 / (y_slope * y_slope), -1, 0, 0, z_max},
+                           {},
+                           0};
   return detail::make_solid(std::move(name), SolidKind::elcone, shape, extent_of(shape));
 }
 
@@ -74,8 +76,7 @@ Solid make_paraboloid(std::string name, double r_low, double r_high, double hz) 
                   "a paraboloid needs 0 <= its lower radius < its upper radius");
   detail::require(hz > 0, name, "a paraboloid needs a positive length");
   const double rise = (r_high - r_low) * (r_high + r_low) / (2 * hz);
-  const QuadricShape shape{
-      r_high, r_high, -hz, hz, {1, 1, 0, -rise, -r_low * r_low, -hz}, {}, 0};
+  const QuadricShape shape{r_high, r_high, -hz, hz, {1, 1, 0, -rise, -r_low * r_low, -hz}, {}, 0};
   return detail::make_solid(std::move(name), SolidKind::paraboloid, shape, extent_of(shape));
 }
 
@@ -90,14 +91,14 @@ Solid make_hype(std::string name, double rmin, double rmax, double inner_stereo,
                   "the inner face of a hyperbolic tube ends outside of the outer one");
   const double reach = std::sqrt(end_outer);
   const bool bored = end_inner > 0;
-  const QuadricShape shape{reach,
-                           reach,
-                           -hz,
-                           hz,
-                           {1, 1, -outer, 0, -rmax * rmax, 0},
-                           bored ? Quadric<double>{1, 1, -inner, 0, -rmin * rmin, 0}
-                                 : Quadric<double>{},
-                           bored ? 1 : 0};
+  const QuadricShape shape{
+      reach,
+      reach,
+      -hz,
+      hz,
+      {1, 1, -outer, 0, -rmax * rmax, 0},
+      bored ? Quadric<double>{1, 1, -inner, 0, -rmin * rmin, 0} : Quadric<double>{},
+      bored ? 1 : 0};
   return detail::make_solid(std::move(name), SolidKind::hype, shape, extent_of(shape));
 }
 

@@ -80,27 +80,13 @@ void add_ledges(double z, const std::vector<Ring>& below, const std::vector<Ring
   }
 }
 
-}  // namespace
-
-Sections make_sections(std::span<const ZPlane> planes, const std::string& name) {
-  require(planes.size() >= 2, name, "at least two z planes are needed");
-  Sections made{{}, {}, 0};
-  std::vector<double> heights;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    const ZPlane& plane = planes[i];
-    require_finite({plane.z, plane.rmin, plane.rmax}, name);
-    require(plane.rmin >= 0 && plane.rmax >= plane.rmin, name, "a z plane needs 0 <= rmin <= rmax");
-    if (i > 0 && planes[i - 1].z == plane.z) {
-      require(plane.rmin <= planes[i - 1].rmax && planes[i - 1].rmin <= plane.rmax, name,
-              "the parts on the two sides of a step do not touch");
-    }
-    heights.push_back(plane.z);
-    made.rmax = std::max(made.rmax, plane.rmax);
-  }
+/// Cuts what the edges enclose at every height.
+Sections cut(const std::vector<Edge>& edges, std::vector<double> heights, double rmax,
+             const std::string& name) {
+  Sections made{{}, {}, rmax};
   std::sort(heights.begin(), heights.end());
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
 
-  const std::vector<Edge> edges = contour_edges(planes);
   std::vector<Ring> below;
   for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
     const double low = heights[i], high = heights[i + 1];
@@ -113,9 +99,47 @@ Sections make_sections(std::span<const ZPlane> planes, const std::string& name) 
     }
     below = std::move(above);
   }
-  require(!made.sections.empty(), name, "the z planes enclose nothing");
+  require(!made.sections.empty(), name, "its contour encloses nothing");
   add_ledges(heights.back(), below, {}, made.ledges);
   return made;
+}
+
+}  // namespace
+
+Sections make_sections(std::span<const ZPlane> planes, const std::string& name) {
+  require(planes.size() >= 2, name, "at least two z planes are needed");
+  std::vector<double> heights;
+  double rmax = 0;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const ZPlane& plane = planes[i];
+    require_finite({plane.z, plane.rmin, plane.rmax}, name);
+    require(plane.rmin >= 0 && plane.rmax >= plane.rmin, name, "a z plane needs 0 <= rmin <= rmax");
+    if (i > 0 && planes[i - 1].z == plane.z) {
+      require(plane.rmin <= planes[i - 1].rmax && planes[i - 1].rmin <= plane.rmax, name,
+              "the parts on the two sides of a step do not touch");
+    }
+    heights.push_back(plane.z);
+    rmax = std::max(rmax, plane.rmax);
+  }
+  return cut(contour_edges(planes), std::move(heights), rmax, name);
+}
+
+Sections make_sections(std::span<const ContourPoint> contour, const std::string& name) {
+  require(contour.size() >= 3, name, "its contour has less than three points");
+  std::vector<double> heights;
+  std::vector<Edge> edges;
+  double rmax = 0;
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    const ContourPoint &a = contour[i], &b = contour[(i + 1) % contour.size()];
+    require_finite({a.r, a.z}, name);
+    require(a.r >= 0, name, "a radius of its contour is negative");
+    heights.push_back(a.z);
+    rmax = std::max(rmax, a.r);
+    if (a.z != b.z) {
+      edges.push_back(a.z < b.z ? Edge{a.z, a.r, b.z, b.r} : Edge{b.z, b.r, a.z, a.r});
+    }
+  }
+  return cut(edges, std::move(heights), rmax, name);
 }
 
 }  // namespace navjit::detail

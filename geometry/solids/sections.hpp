@@ -16,6 +16,8 @@ struct Sections {
 /// Cuts the contour at every z of a plane. Throws GeometryError if it crosses itself or encloses
 /// nothing.
 Sections make_sections(std::span<const ZPlane> planes, const std::string& name);
+/// The same for a closed contour.
+Sections make_sections(std::span<const ContourPoint> contour, const std::string& name);
 
 /// A stack's shape with the arrays that it points to.
 template <class Shape>

@@ -135,6 +135,20 @@ Solid make_paraboloid(std::string name, double r_low, double r_high, double hz);
 Solid make_hype(std::string name, double rmin, double rmax, double inner_stereo,
                 double outer_stereo, double hz);
 
+/// A tube segment whose straight lines along z lean into rulings of hyperboloids: radii rmin..rmax
+/// and the azimuth -phi/2..phi/2 at z = 0; at the end of larger |z| the section is turned by half of
+/// `twist`.
+Solid make_twistedtubs(std::string name, double twist, double rmin, double rmax, double z_low,
+                       double z_high, double phi);
+/// Turned by `twist` in all from -hz to +hz, in proportion to z.
+Solid make_twistedbox(std::string name, double twist, double hx, double hy, double hz);
+Solid make_twistedtrd(std::string name, double hx1, double hx2, double hy1, double hy2, double hz,
+                      double twist);
+/// The dimensions are those of a trap whose sections are turned about their middles.
+Solid make_twistedtrap(std::string name, double twist, double hz, double theta, double phi,
+                       double hy1, double hx1, double hx2, double hy2, double hx3, double hx4,
+                       double alpha);
+
 Solid make_placed(std::string name, const Solid& solid, const SolidFrame& frame);
 Solid make_union(std::string name, const Solid& a, const Solid& b);
 Solid make_intersection(std::string name, const Solid& a, const Solid& b);

@@ -143,6 +143,21 @@ class WideSolid {
   kernels::Quadric<Real> wide(const kernels::Quadric<double>& s) {
     return {wide(s.a), wide(s.b), wide(s.c), wide(s.d), wide(s.e), wide(s.origin)};
   }
+  kernels::Saddle<Real> wide(const kernels::Saddle<double>& s) {
+    return {wide(s.nx), wide(s.ny), wide(s.kappa)};
+  }
+  kernels::TwistedTube<Real> wide(const kernels::TwistedTube<double>& s) {
+    return {wide(s.reach), wide(s.z_low), wide(s.z_high), wide(s.outer),
+            wide(s.inner), wide(s.start), wide(s.end)};
+  }
+  kernels::TwistedSide<Real> wide(const kernels::TwistedSide<double>& s) {
+    return {wide(s.nu), wide(s.nw), wide(s.c0), wide(s.c1)};
+  }
+  kernels::TwistedTrap<Real> wide(const kernels::TwistedTrap<double>& s) {
+    return {wide(s.hz),   wide(s.rate), wide(s.shear_x), wide(s.shear_y),
+            wide(s.hx),   wide(s.hy),   wide(s.reach),   wide(s.right),
+            wide(s.left), wide(s.back), wide(s.front)};
+  }
   kernels::QuadricSolid<Real> wide(const kernels::QuadricSolid<double>& s) {
     return {wide(s.hx),    wide(s.hy),    wide(s.z_low), wide(s.z_high),
             wide(s.outer), wide(s.inner), s.bored};

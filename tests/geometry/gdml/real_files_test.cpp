@@ -84,8 +84,11 @@ TEST(GdmlRealFolder, EveryFileIsReadOrRefusedWithAReason) {
     } catch (const GdmlError& e) {
       const std::string message = e.what();
       EXPECT_EQ(message.find(entry.path().string()), 0u) << message;
+      // Some of the files are of solids that cannot be: Geant4 complains of them as well.
       EXPECT_TRUE(message.find("unsupported") != std::string::npos ||
-                  message.find("not planar") != std::string::npos)
+                  message.find("not planar") != std::string::npos ||
+                  message.find("rmax < rtor") != std::string::npos ||
+                  message.find("a twisted tube needs") != std::string::npos)
           << message;
     }
   }

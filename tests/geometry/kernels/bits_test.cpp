@@ -25,6 +25,24 @@ constexpr Cone<double> cone{0.9, {0.64, -0.6, 0.8}, {0.3, 0.28, 0.96}, 1, full};
 constexpr Trd<double> trd{0.9, {0.8, 0.6, 0.7}, {0.96, -0.28, 0.8}};
 constexpr Trap<double> trap{
     0.8, {0, -0.96, 0.28, -0.7}, {0, 0.8, 0.6, -0.5}, {-0.8, 0, 0.6, -0.6}, {1, 0, 0, -0.7}};
+constexpr Plane<double> planes[] = {{0, 0, -1, -0.7},
+                                    {0.8, 0, 0.6, -0.6},
+                                    {-0.96, 0.28, 0, -0.5},
+                                    {0, -0.6, 0.8, -0.7},
+                                    {0, 0.8, 0.6, -0.6}};
+constexpr Hull<double> hull{planes, 5};
+constexpr V corners[] = {{-0.9, -0.8, -0.7}, {1.1, -0.6, -0.5}, {0.2, 1.2, -0.6}, {0.1, 0.1, 1.3}};
+constexpr Facet triangles[] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+constexpr FacetBox<double> boxes[] = {{-0.9, -0.8, -0.7, 1.1, 1.2, 1.3, 0, 4, 1}};
+constexpr Facets<double> facets{corners, 4, triangles, 4, boxes, 1};
+constexpr Arb8<double> arb8{0.8,
+                            1.2,
+                            1.2,
+                            {0.1, 0.2, 0.05, 0.1, 0.8, 0.6, -0.7},
+                            {0, 0, 0, 0.28, -0.96, 0, -0.6},
+                            {-0.1, 0.1, 0, 0, 0, -1, -0.6},
+                            {0, 0, 0, 0, 0.6, -0.8, -0.7}};
+constexpr CutTube<double> cut_tube{0.3, 1.1, {0.28, 0, -0.96, -0.6}, {0, 0.6, 0.8, -0.5}, gapped};
 constexpr Orb<double> orb{1.05};
 constexpr Sphere<double> sphere{0.4, 1.2, gapped, {2, {0, 0.6, 0.8}}, {2, {0, -0.28, 0.96}}};
 constexpr Section<double> sections[] = {{-1, 0.2, {0.7, 0.28, 0.96}, {0.2, 0, 1}, 1},
@@ -33,6 +51,29 @@ constexpr Ledge<double> ledges[] = {{-1, 0.2, 0.73}, {0.2, 0, 0.2}, {1, 0, 0.4}}
 constexpr Polycone<double> polycone{sections, 2, ledges, 3, -1, 1, 1.2, full};
 constexpr SideNormal<double> sides[] = {{0.96, 0.28}, {-0.6, 0.8}, {-0.28, -0.96}, {0.8, -0.6}};
 constexpr Polyhedra<double> polyhedra{sections, 2, ledges, 3, -1, 1, 1.6, full, sides, 4};
+
+constexpr Torus<double> torus{0.2, 0.4, 0.8, gapped};
+constexpr QuadricSolid<double> ellipsoid{1.2, 0.7, -0.9, 0.8, {0.69, 2.04, 1, 0, -1, 0}, {}, 0};
+constexpr QuadricSolid<double> hype{
+    1.3, 1.3, -0.9, 0.9, {1, 1, -0.5, 0, -0.8, 0}, {1, 1, -0.1, 0, -0.1, 0}, 1};
+constexpr TwistedTube<double> twisted_tube{1.4,
+                                           -0.9,
+                                           0.8,
+                                           {1, 1, -0.5, 0, -1, 0},
+                                           {1, 1, -0.05, 0, -0.1, 0},
+                                           {-0.6, -0.8, 0.7},
+                                           {-0.6, 0.8, 0.7}};
+constexpr TwistedTrap<double> twisted_trap{0.9,
+                                           0.7,
+                                           0.1,
+                                           -0.05,
+                                           1.3,
+                                           1.3,
+                                           1.2,
+                                           {0.96, -0.28, 0.6, 0.1},
+                                           {-1, 0, 0.6, 0.1},
+                                           {0, -1, 0.5, 0.2},
+                                           {0, 1, 0.5, 0.2}};
 
 /// Hides a value from the optimiser.
 template <class T>
@@ -49,6 +90,20 @@ Polycone<Real> hidden(const Polycone<Real>& s) {
   std::copy_n(s.ledges, 3, own_ledges);
   copy.sections = opaque(&own_sections[0]);
   copy.ledges = opaque(&own_ledges[0]);
+  return copy;
+}
+template <class Real>
+Hull<Real> hidden(const Hull<Real>& s) {
+  static Plane<Real> own[5];
+  std::copy_n(s.planes, 5, own);
+  return {opaque(&own[0]), opaque(s.count)};
+}
+template <class Real>
+Facets<Real> hidden(const Facets<Real>& s) {
+  static kernels::Vec3<Real> own[4];
+  std::copy_n(s.corners, 4, own);
+  Facets<Real> copy = opaque(s);
+  copy.corners = opaque(&own[0]);
   return copy;
 }
 template <class Shape>
@@ -81,10 +136,19 @@ TEST(KernelBits, AreThoseOfLiteralShapes) {
   compare<cone>();
   compare<trd>();
   compare<trap>();
+  compare<hull>();
+  compare<facets>();
+  compare<arb8>();
+  compare<cut_tube>();
   compare<orb>();
   compare<sphere>();
   compare<polycone>();
   compare<polyhedra>();
+  compare<torus>();
+  compare<ellipsoid>();
+  compare<hype>();
+  compare<twisted_tube>();
+  compare<twisted_trap>();
 }
 
 }  // namespace

@@ -1,109 +1,10 @@
-// Random solids of flat faces, with their oracles.
+// Random solids that are given by corners and contours, with their oracles.
 #pragma once
 
-#include <array>
-
+#include "tests/geometry/kernels/facet_oracles.hpp"
 #include "tests/geometry/kernels/random_solids.hpp"
 
 namespace navjit::test {
-
-using Corner = navjit::PlanarPoint;
-using Triangle = std::array<WidePoint, 3>;
-
-inline Wide dot(const WidePoint& a, const WidePoint& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline WidePoint minus(const WidePoint& a, const WidePoint& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline WidePoint cross(const WidePoint& a, const WidePoint& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-inline Wide segment_distance(const WidePoint& a, const WidePoint& b, const WidePoint& p) {
-  const WidePoint u = minus(b, a), w = minus(p, a);
-  const Wide k = std::clamp<Wide>(dot(u, u) > 0 ? dot(u, w) / dot(u, u) : 0, 0, 1);
-  const WidePoint off{w.x - k * u.x, w.y - k * u.y, w.z - k * u.z};
-  return std::sqrt(dot(off, off));
-}
-inline Wide triangle_distance(const Triangle& t, const WidePoint& p) {
-  const WidePoint n = cross(minus(t[1], t[0]), minus(t[2], t[0]));
-  bool over = dot(n, n) > 0;
-  Wide least = INFINITY;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const WidePoint &a = t[i], &b = t[(i + 1) % 3];
-    over &= dot(cross(minus(b, a), minus(p, a)), n) >= 0;
-    least = std::min(least, segment_distance(a, b, p));
-  }
-  return over ? std::abs(dot(n, minus(p, t[0]))) / std::sqrt(dot(n, n)) : least;
-}
-/// How much of the sphere about the point the triangle covers, with a sign.
-inline Wide solid_angle(const Triangle& t, const WidePoint& p) {
-  const WidePoint a = minus(t[0], p), b = minus(t[1], p), c = minus(t[2], p);
-  const Wide la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), lc = std::sqrt(dot(c, c));
-  return 2 * std::atan2(dot(a, cross(b, c)),
-                        la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-}
-inline SignedDistance triangles_distance(std::vector<Triangle> triangles) {
-  return [triangles = std::move(triangles)](const WidePoint& p) {
-    Wide least = INFINITY, covered = 0;
-    for (const Triangle& t : triangles) {
-      least = std::min(least, triangle_distance(t, p));
-      covered += solid_angle(t, p);
-    }
-    return std::abs(covered) > 2 * wide_pi ? -least : least;
-  };
-}
-
-/// The sides of an extruded solid as triangles, and its ends as fans: that covers more than the
-/// ends where the polygon is not convex, but what is covered twice has opposite signs.
-inline SignedDistance extruded_distance(const std::vector<Corner>& polygon,
-                                        const std::vector<ExtrudedSection>& sections) {
-  return [polygon, sections](const WidePoint& p) {
-    // The polygon at the height of the point, moved and scaled on from the ends beyond them.
-    std::vector<Triangle> sides;
-    const std::size_t n = polygon.size();
-    const auto at = [&](std::size_t k, std::size_t i) {
-      const ExtrudedSection& s = sections[k];
-      return WidePoint{Wide(s.scale) * polygon[i % n].x + s.x,
-                       Wide(s.scale) * polygon[i % n].y + s.y, s.z};
-    };
-    Wide least = INFINITY;
-    bool in = false;
-    for (std::size_t k = 0; k + 1 < sections.size(); ++k) {
-      const ExtrudedSection &low = sections[k], &high = sections[k + 1];
-      for (std::size_t i = 0; i < n; ++i) {
-        const WidePoint a = at(k, i), b = at(k, i + 1), c = at(k + 1, i + 1), d = at(k + 1, i);
-        least = std::min({least, triangle_distance(Triangle{a, b, c}, p),
-                          triangle_distance(Triangle{a, c, d}, p)});
-      }
-      if (p.z < low.z || p.z >= high.z) continue;
-      const Wide u = (p.z - low.z) / (Wide(high.z) - low.z);
-      const Wide scale = low.scale + u * (Wide(high.scale) - low.scale);
-      const Wide x = (p.x - low.x - u * (Wide(high.x) - low.x)) / scale;
-      const Wide y = (p.y - low.y - u * (Wide(high.y) - low.y)) / scale;
-      for (std::size_t i = 0; i < n; ++i) {
-        const Corner &a = polygon[i], &b = polygon[(i + 1) % n];
-        if ((a.y > y) != (b.y > y) && x < a.x + (b.x - a.x) * ((y - a.y) / (Wide(b.y) - a.y))) {
-          in = !in;
-        }
-      }
-    }
-    // The ends: within the polygon straight across, else its edges, which the sides have.
-    for (const ExtrudedSection& s : {sections.front(), sections.back()}) {
-      const Wide x = (p.x - s.x) / s.scale, y = (p.y - s.y) / s.scale;
-      bool over = false;
-      for (std::size_t i = 0; i < n; ++i) {
-        const Corner &a = polygon[i], &b = polygon[(i + 1) % n];
-        if ((a.y > y) != (b.y > y) && x < a.x + (b.x - a.x) * ((y - a.y) / (Wide(b.y) - a.y))) {
-          over = !over;
-        }
-      }
-      if (over) least = std::min(least, std::abs(p.z - s.z));
-    }
-    return in ? -least : least;
-  };
-}
 
 /// A star, a comb or a convex polygon about the origin, either way round.
 inline std::vector<Corner> random_polygon(Random& random, double s) {
@@ -153,8 +54,12 @@ inline SolidCase random_extruded(Random& random) {
 inline SolidCase random_tet(Random& random) {
   const double s = random.scale(1e-3, 1e4);
   for (;;) {
+    // Every other corner of a cube, shaken.
     Vec3 c[4];
-    for (Vec3& p : c) p = random.point_in({{-s, -s, -s}, {s, s, s}}, 0);
+    for (int i = 0; i < 4; ++i) {
+      const auto shaken = [&](bool high) { return s * (random.uniform(0.6, 1) * (high ? 1 : -1)); };
+      c[i] = {shaken(i == 1 || i == 2), shaken(i == 1 || i == 3), shaken(i == 2 || i == 3)};
+    }
     WidePoint w[4];
     for (int i = 0; i < 4; ++i) w[i] = {c[i].x, c[i].y, c[i].z};
     const Wide volume = dot(minus(w[1], w[0]), cross(minus(w[2], w[0]), minus(w[3], w[0])));
@@ -190,7 +95,7 @@ inline SolidCase random_tessellated(Random& random) {
   // A closed contour in (r, z) from the axis to the axis, turned in steps.
   std::vector<Corner> contour;
   for (int i = 1; i <= rings; ++i) {
-    const double angle = i * std::numbers::pi / (rings + 1);
+    const double angle = i * std::numbers::pi / (bowl ? 2 * rings : rings + 1);
     contour.push_back({s * std::sin(angle) * random.uniform(0.8, 1), -s * std::cos(angle)});
   }
   const double top = bowl ? -0.6 * s : s;
@@ -219,9 +124,134 @@ inline SolidCase random_tessellated(Random& random) {
   return {make_tessellated("mesh", facets), triangles_distance(std::move(triangles)), 2 * s};
 }
 
+/// Not quite a distance: a bound of it, which the test of precise slopes must not be given.
+inline SignedDistance arb8_distance(const std::vector<Corner>& corners, Wide hz) {
+  return [corners, hz](const WidePoint& p) {
+    const Wide u = std::clamp<Wide>(p.z / hz, -1, 1);
+    const auto at = [&](std::size_t i) {
+      const Corner &a = corners[i % 4], &b = corners[i % 4 + 4];
+      return std::pair((Wide(a.x) * (1 - u) + b.x * (1 + u)) / 2,
+                       (Wide(a.y) * (1 - u) + b.y * (1 + u)) / 2);
+    };
+    // The distance within the plane z, and no more than what the slope of the sides leaves of it.
+    Wide across = -INFINITY, slope = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto [ax, ay] = at(i);
+      const auto [bx, by] = at(i + 1);
+      const Wide ex = bx - ax, ey = by - ay, length = std::hypot(ex, ey);
+      if (!(length > 0)) continue;
+      across = std::max(across, ((p.x - ax) * ey - (p.y - ay) * ex) / length);
+      const Corner &a = corners[i % 4], &b = corners[i % 4 + 4];
+      slope = std::max(slope, std::hypot(Wide(b.x) - a.x, Wide(b.y) - a.y) / (2 * hz));
+    }
+    return std::max(across / (4 * (1 + slope)), std::abs(p.z) - hz);
+  };
+}
+
+inline SolidCase random_arb8(Random& random) {
+  const double s = random.scale(1e-3, 1e4), hz = s * random.scale(0.3, 2);
+  const double twist = random.chance(0.2) ? 0 : random.uniform(-0.8, 0.8);
+  std::vector<Corner> corners;
+  for (const double turn : {0.0, twist}) {
+    const double scale = random.uniform(0.5, 1);
+    for (int i = 0; i < 4; ++i) {
+      const double phi = turn + (i + random.uniform(-0.15, 0.15)) * std::numbers::pi / 2;
+      corners.push_back({scale * s * std::cos(phi), scale * s * std::sin(phi)});
+    }
+  }
+  std::vector<Corner> given = corners;
+  if (random.chance(0.5)) {
+    std::swap(given[1], given[3]);
+    std::swap(given[5], given[7]);
+  }
+  return {make_arb8("arb8", hz, std::span<const Corner, 8>(given.data(), 8)),
+          arb8_distance(corners, hz), 2 * std::max(s, hz)};
+}
+
+inline SolidCase random_cut_tube(Random& random) {
+  const double rmax = random.scale(1e-3, 1e4), hz = rmax * random.scale(1.5, 20);
+  const double rmin = random.chance(0.4) ? 0 : rmax * random.uniform(0.1, 0.9);
+  const Segment phi = random_segment(random);
+  const auto normal = [&](double z) {
+    return Vec3{random.uniform(-0.7, 0.7), random.uniform(-0.7, 0.7), z};
+  };
+  const Vec3 low = normal(-1), high = normal(1);
+  const SignedDistance tube =
+      polycone_distance({{-9 * hz, rmin, rmax}, {9 * hz, rmin, rmax}}, phi.start, phi.delta);
+  const auto beyond = [hz](const Vec3& n, const WidePoint& p) {
+    const Wide z = n.z < 0 ? -hz : hz;
+    return (n.x * p.x + n.y * p.y + n.z * (p.z - z)) / std::hypot(Wide(n.x), Wide(n.y), Wide(n.z));
+  };
+  return {make_cut_tube("cut", rmin, rmax, hz, phi.start, phi.delta, low, high),
+          [=](const WidePoint& p) {
+            return std::max({tube(p), beyond(low, p), beyond(high, p)});
+          },
+          2 * (hz + rmax)};
+}
+
+/// A contour that no list of z planes has: a hollow that opens outwards.
+inline std::vector<PlanarPoint> hollow_contour(double s) {
+  return {{0.3L * s, -s},       {s, -s},       {0.9L * s, -0.4L * s}, {0.5L * s, -0.2L * s},
+          {0.6L * s, 0.3L * s}, {s, 0.5L * s}, {0.9L * s, s},         {0.4L * s, 0.8L * s}};
+}
+inline std::vector<ContourPoint> points_of(const std::vector<PlanarPoint>& contour, double factor) {
+  std::vector<ContourPoint> points;
+  for (const PlanarPoint& p : contour) {
+    points.push_back({static_cast<double>(p.r) * factor, static_cast<double>(p.z)});
+  }
+  return points;
+}
+
+inline SolidCase random_generic_polycone(Random& random) {
+  const double s = random.scale(1e-3, 1e4);
+  auto contour = hollow_contour(s);
+  if (random.chance(0.5)) std::reverse(contour.begin(), contour.end());
+  const Segment phi = random_segment(random);
+  return {make_generic_polycone("contour", points_of(contour, 1), phi.start, phi.delta),
+          [contour, phi](const WidePoint& p) {
+            return std::max(polygon_distance(contour, std::hypot(p.x, p.y), p.z),
+                            azimuth_distance(p, phi.start, phi.delta));
+          },
+          2 * s};
+}
+
+inline SolidCase random_generic_polyhedra(Random& random) {
+  const double s = random.scale(1e-3, 1e4);
+  const auto contour = hollow_contour(s);
+  const int sides = random.integer(3, 9);
+  const Segment phi = random_segment(random);
+  const double delta = std::min(phi.delta, 2 * std::numbers::pi);
+  const double factor = 1 / std::cos(delta / sides / 2);
+  return {
+      make_generic_polyhedra("contour", points_of(contour, factor), sides, phi.start, phi.delta),
+      contour_polyhedra_distance(contour, sides, phi.start, phi.delta), 4 * s};
+}
+
+inline SolidCase random_scaled(Random& random) {
+  const double s = random.scale(1e-3, 1e3);
+  const double planes[3] = {random.uniform(0.3, 2), random.uniform(0.3, 2), random.uniform(0.3, 2)};
+  const double sign = random.chance(0.5) ? 1 : -1;
+  const double x = sign * planes[0], y = planes[1], z = planes[2];
+  const Segment phi = random_segment(random);
+  const SignedDistance f =
+      polycone_distance({{-s, s / 3, s}, {s, s / 2, s / 1.5}}, phi.start, phi.delta);
+  const double least = std::min({planes[0], planes[1], planes[2]});
+  return {make_scaled("scaled", make_cone("c", s / 3, s, s / 2, s / 1.5, s, phi.start, phi.delta),
+                      x, y, z),
+          [=](const WidePoint& p) {
+            return least * f({p.x / x, p.y / y, p.z / z});
+          },
+          4 * s};
+}
+
 constexpr Maker flat_makers[] = {{"extruded", random_extruded},
                                  {"tet", random_tet},
                                  {"para", random_para},
-                                 {"tessellated", random_tessellated}};
+                                 {"tessellated", random_tessellated},
+                                 {"arb8", random_arb8},
+                                 {"cut_tube", random_cut_tube},
+                                 {"generic_polycone", random_generic_polycone},
+                                 {"generic_polyhedra", random_generic_polyhedra},
+                                 {"scaled", random_scaled}};
 
 }  // namespace navjit::test

@@ -71,9 +71,9 @@ inline SignedDistance polycone_distance(std::vector<ZPlane> planes, Wide start, 
   };
 }
 
-inline SignedDistance polyhedra_distance(std::vector<ZPlane> planes, int sides, Wide start,
-                                         Wide delta) {
-  return [polygon = contour(planes), sides, start, delta](const WidePoint& p) {
+inline SignedDistance contour_polyhedra_distance(std::vector<PlanarPoint> polygon, int sides,
+                                                 Wide start, Wide delta) {
+  return [polygon = std::move(polygon), sides, start, delta](const WidePoint& p) {
     const Wide azimuth = azimuth_distance(p, start, delta);
     if (azimuth > 0) return azimuth;
     Wide from_start = std::fmod(std::atan2(p.y, p.x) - start, 2 * wide_pi);
@@ -85,6 +85,11 @@ inline SignedDistance polyhedra_distance(std::vector<ZPlane> planes, int sides, 
     const Wide across = std::hypot(p.x, p.y) * std::cos(from_start - (side + 0.5L) * step);
     return std::max(polygon_distance(polygon, across, p.z), azimuth);
   };
+}
+
+inline SignedDistance polyhedra_distance(const std::vector<ZPlane>& planes, int sides, Wide start,
+                                         Wide delta) {
+  return contour_polyhedra_distance(contour(planes), sides, start, delta);
 }
 
 inline SignedDistance sphere_distance(Wide rmin, Wide rmax, Wide start, Wide delta,

@@ -80,6 +80,22 @@ TEST(Capacity, MatchesTextbookVolumes) {
   EXPECT_NEAR(capacity(make_polyhedra("s", planes, 4, 0, 2 * pi)), 20, 1e-13);
 }
 
+TEST(Capacity, MatchesTextbookVolumesOfCurvedSolids) {
+  constexpr double pi = std::numbers::pi;
+  EXPECT_DOUBLE_EQ(capacity(make_torus("s", 1, 2, 5, 0.3, pi)), 15 * pi * pi);
+  EXPECT_DOUBLE_EQ(capacity(make_ellipsoid("s", 1, 2, 3, 0, 0)), 8 * pi);
+  EXPECT_DOUBLE_EQ(capacity(make_ellipsoid("s", 1, 2, 3, 0, 5)), 4 * pi);
+  EXPECT_DOUBLE_EQ(capacity(make_eltube("s", 1, 2, 3)), 12 * pi);
+  EXPECT_DOUBLE_EQ(capacity(make_elcone("s", 1, 2, 3, 4)), 144 * pi);
+  EXPECT_DOUBLE_EQ(capacity(make_paraboloid("s", 0, 2, 3)), 12 * pi);
+  EXPECT_NEAR(capacity(make_hype("s", 0, 1, 0, pi / 4, 3)), 24 * pi, 1e-12);
+  EXPECT_NEAR(capacity(make_hype("s", 0, 1, pi / 4, pi / 4, 3)), 6 * pi, 1e-12);
+  EXPECT_DOUBLE_EQ(capacity(make_twistedbox("s", 1, 1, 2, 3)), 48);
+  EXPECT_DOUBLE_EQ(capacity(make_twistedtrd("s", 3, 1, 3, 1, 2, 1)),
+                   capacity(make_trd("s", 3, 1, 3, 1, 2)));
+  EXPECT_NEAR(capacity(make_twistedtubs("s", 0, 1, 2, -1, 2, 1)), 4.5, 1e-13);
+}
+
 TEST(Capacity, IsOpenForBooleansAndKeptByPlacing) {
   const Solid box = make_box("b", 1, 2, 3), orb = make_orb("o", 1);
   EXPECT_TRUE(std::isnan(capacity(make_union("u", box, orb))));

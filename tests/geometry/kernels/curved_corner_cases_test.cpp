@@ -1,0 +1,106 @@
+// Tori and curved solids where rays touch, slide and just miss.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geometry/solids/solid.hpp"
+
+namespace navjit {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double tol = 1e-9;
+
+double to_in(const Solid& s, const Vec3& p, double x, double y, double z) {
+  const double n = std::hypot(x, y, z);
+  return distance_to_in(s.any(), p, kernels::make_direction(x / n, y / n, z / n), tol);
+}
+double to_out(const Solid& s, const Vec3& p, double x, double y, double z) {
+  const double n = std::hypot(x, y, z);
+  return distance_to_out(s.any(), p, kernels::make_direction(x / n, y / n, z / n), tol);
+}
+bool in(const Solid& s, const Vec3& p, double x, double y, double z) {
+  const double n = std::hypot(x, y, z);
+  return contains(s.any(), p, kernels::make_direction(x / n, y / n, z / n), tol);
+}
+
+TEST(TorusRays, CrossTheTubeUpToFourTimes) {
+  const Solid torus = make_torus("t", 0, 1, 5, 0, turn);
+  EXPECT_DOUBLE_EQ(to_in(torus, {-10, 0, 0}, 1, 0, 0), 4);
+  EXPECT_DOUBLE_EQ(to_out(torus, {-6, 0, 0}, 1, 0, 0), 2);
+  EXPECT_DOUBLE_EQ(to_in(torus, {-4, 0, 0}, 1, 0, 0), 8);
+  EXPECT_DOUBLE_EQ(to_out(torus, {4, 0, 0}, 1, 0, 0), 2);
+  EXPECT_EQ(to_in(torus, {6, 0, 0}, 1, 0, 0), inf);
+  EXPECT_EQ(to_in(torus, {0, 0, -10}, 0, 0, 1), inf);
+  EXPECT_DOUBLE_EQ(to_in(torus, {5, 0, -10}, 0, 0, 1), 9);
+  EXPECT_DOUBLE_EQ(to_out(torus, {5, 0, -1}, 0, 0, 1), 2);
+}
+
+TEST(TorusRays, HollowTubesAreCrossedTwiceAsOften) {
+  const Solid torus = make_torus("t", 0.5, 1, 5, 0, turn);
+  double x = -10;
+  for (const double step : {4.0, 0.5, 1.0, 0.5, 8.0, 0.5, 1.0, 0.5}) {
+    const Vec3 p{x, 0, 0};
+    EXPECT_NEAR(in(torus, p, 1, 0, 0) ? to_out(torus, p, 1, 0, 0) : to_in(torus, p, 1, 0, 0), step,
+                1e-14);
+    x += step;
+  }
+  EXPECT_EQ(to_in(torus, {x, 0, 0}, 1, 0, 0), inf);
+}
+
+TEST(TorusRays, TangentsGoWhereTheSurfaceBends) {
+  const Solid torus = make_torus("t", 0, 1, 5, 0, turn);
+  // Around the hole, into the torus; across the hole's narrowest place, out of it.
+  EXPECT_TRUE(in(torus, {4, 0, 0}, 0, 1, 0));
+  EXPECT_EQ(to_in(torus, {4, 0, 0}, 0, 1, 0), 0);
+  EXPECT_NEAR(to_out(torus, {4, 0, 0}, 0, 1, 0), std::sqrt(20.0), 1e-14);
+  EXPECT_FALSE(in(torus, {4, 0, 0}, 0, 0, 1));
+  EXPECT_EQ(to_in(torus, {4, 0, 0}, 0, 0, 1), inf);
+  EXPECT_FALSE(in(torus, {6, 0, 0}, 0, 1, 0));
+  EXPECT_EQ(to_in(torus, {6, -9, 0}, 0, 1, 0), inf);
+  // A ray through the hole that touches its narrowest place on both sides of the tangent.
+  EXPECT_NEAR(to_in(torus, {4 - 1e-6, -9, 0}, 0, 1, 0), 9 - std::sqrt(36 - 16.0), 1e-5);
+  EXPECT_NEAR(to_out(torus, {4 + 1e-6, 0, 0}, 0, 1, 0), std::sqrt(20.0), 1e-5);
+  // The plane on top touches along a circle.
+  EXPECT_EQ(to_in(torus, {-9, 0, 1 + 1e-12}, 1, 0, 0), inf);
+  EXPECT_NEAR(to_in(torus, {-9, 0, 1 - 1e-6}, 1, 0, 0), 4 - std::sqrt(2e-6), 1e-8);
+}
+
+TEST(TorusRays, ThinRingsAndClosedHolesAreResolved) {
+  const Solid ring = make_torus("r", 0, 1e-3, 1e3, 0, turn);
+  EXPECT_NEAR(to_in(ring, {-2e3, 0, 0}, 1, 0, 0), 1e3 - 1e-3, 1e-12);
+  EXPECT_NEAR(to_out(ring, {-1e3 - 1e-3, 0, 0}, 1, 0, 0), 2e-3, 1e-12);
+  EXPECT_NEAR(to_in(ring, {-999, 0, 0}, 1, 0, 0), 1999 - 1e-3, 1e-11);
+  EXPECT_NEAR(to_in(ring, {1e3, 1, -5}, 0, -0.2, 1), 5 * std::hypot(1, 0.2), 0.01);
+  const Solid closed = make_torus("c", 0, 1, 1 + 1e-6, 0, turn);
+  EXPECT_EQ(to_in(closed, {0, 0, -3}, 0, 0, 1), inf);
+  EXPECT_NEAR(to_in(closed, {1e-3, 0, -3}, 0, 0, 1), 3 - std::sqrt(2 * 0.999e-3), 1e-4);
+  EXPECT_NEAR(to_out(closed, {1.0, 0, 0}, -1, 0, 0), 1 - 1e-6, 1e-12);
+}
+
+TEST(QuadricRays, GoOnceThroughWhatIsCutAtATip) {
+  const Solid cone = make_elcone("c", 1, 1, 1, 1);
+  EXPECT_EQ(to_in(cone, {0, 0, 5}, 0, 0, -1), 4);
+  EXPECT_EQ(to_out(cone, {0, 0, 1}, 0, 0, -1), 2);
+  EXPECT_EQ(to_in(cone, {-3, 0, 1.5}, 1, 0, 0), inf);
+  const Solid bowl = make_paraboloid("p", 0, 2, 1);
+  EXPECT_EQ(to_in(bowl, {0, 0, -5}, 0, 0, 1), 4);
+  EXPECT_EQ(to_out(bowl, {0, 0, -1}, 0, 0, 1), 2);
+  EXPECT_FALSE(in(bowl, {0, 0, -1}, 1, 0, 0));
+}
+
+TEST(QuadricRays, MeetTheWaistOfAHyperboloidTwice) {
+  const Solid tube = make_hype("h", 0, 1, 0, std::numbers::pi / 4, 4);
+  // Beside the waist, parallel to the axis: in at both ends, out between.
+  const double z = std::sqrt(3.0);
+  EXPECT_NEAR(to_in(tube, {2, 0, -9}, 0, 0, 1), 5, 1e-15);
+  EXPECT_NEAR(to_out(tube, {2, 0, -4}, 0, 0, 1), 4 - z, 1e-15);
+  EXPECT_NEAR(to_in(tube, {2, 0, 0}, 0, 0, 1), z, 1e-15);
+  EXPECT_NEAR(to_out(tube, {2, 0, z}, 0, 0, 1), 4 - z, 1e-15);
+}
+
+}  // namespace
+}  // namespace navjit
