@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 #include <sstream>
 
 #include "analysis/buckets.hpp"
 #include "analysis/pattern.hpp"
+#include "analysis/solid_key.hpp"
 
 namespace navjit {
 namespace {
@@ -14,18 +15,23 @@ namespace {
 /// Up to this many daughters every one is spelled out and tested.
 constexpr std::size_t spell_out_limit = 4;
 
+/// Each class of daughters is code of its own, each number of a solid a constant: beyond this the
+/// compiler takes longer than any run would gain.
+constexpr std::size_t most_classes = 64;
+constexpr std::size_t most_numbers = 4000;
+
 /// Kernels that cost so much more than a slab test that their box goes first.
 bool costly(SolidKind kind) { return kind != SolidKind::box && kind != SolidKind::tube; }
 
 std::vector<DaughterClass> classify(const Geometry& geometry, const Scene& scene) {
   std::vector<DaughterClass> classes;
+  std::map<std::pair<std::string, bool>, std::size_t> known;
   for (std::uint32_t k = 0; k < scene.daughters.size(); ++k) {
     const Daughter& d = scene.daughters[k];
-    const auto same = std::find_if(classes.begin(), classes.end(), [&](const DaughterClass& c) {
-      return c.solid.shape == d.solid.shape && c.rotated == d.transformation.rotated;
-    });
-    if (same != classes.end()) {
-      same->members.push_back(k);
+    const auto [entry, fresh] =
+        known.try_emplace({solid_key(d.solid), d.transformation.rotated}, classes.size());
+    if (!fresh) {
+      classes[entry->second].members.push_back(k);
       continue;
     }
     classes.push_back({d.solid,
@@ -89,9 +95,10 @@ bool worth_compiling(const Geometry& geometry, const ScenePlan& plan, std::strin
       plan.mean_candidates > 0.25 * static_cast<double>(daughters)) {
     return no("no partition leaves few candidates");
   }
-  std::size_t distinct = 0;
-  for (const DaughterClass& c : plan.classes) distinct += c.members.size() > 1 ? 1 : 1;
-  if (distinct > 400) return no("too many different solids to spell out");
+  if (plan.classes.size() > most_classes) return no("too many different solids to spell out");
+  std::size_t numbers = solid_key(geometry.scene(plan.volume).solid).size() / 8;
+  for (const DaughterClass& c : plan.classes) numbers += solid_key(c.solid).size() / 8;
+  if (numbers > most_numbers) return no("solids too large to spell out");
   if (why != nullptr) *why = "constants fold, candidates are few";
   return true;
 }

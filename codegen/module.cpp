@@ -27,6 +27,9 @@ std::map<VolumeId, Parts> choose_parts(const Geometry& geometry, const WorldFact
   std::map<VolumeId, Parts> parts;
   // Of volumes with equal structure the first stands for all.
   const auto first = [&](VolumeId v) { return facts.first_equal[v]; };
+  const auto worth = [&](VolumeId v) {
+    return worth_compiling(geometry, plan_scene(geometry, facts, first(v)));
+  };
   for (const VolumeId v : hot) {
     const bool has_daughters = !geometry.scene(v).daughters.empty();
     parts[first(v)] = {true, has_daughters, has_daughters};
@@ -34,13 +37,15 @@ std::map<VolumeId, Parts> choose_parts(const Geometry& geometry, const WorldFact
   std::size_t neighbours = 0;
   for (const VolumeId v : hot) {
     // Where a track goes from a hot scene: out into the mother, and from there into a sister.
-    if (const auto mother = facts.only_mothers[v]; mother && neighbours < most_neighbours) {
+    if (const auto mother = facts.only_mothers[v];
+        mother && neighbours < most_neighbours && worth(*mother)) {
       neighbours += parts.contains(first(*mother)) ? 0 : 1;
       parts[first(*mother)].reenter = true;
     }
     for (const Daughter& d : geometry.scene(v).daughters) {
       if (neighbours >= most_neighbours) break;
-      if (geometry.scene(d.volume).daughters.empty()) continue;
+      if (geometry.scene(d.volume).daughters.empty() || parts[first(d.volume)].enter) continue;
+      if (!worth(d.volume)) continue;
       neighbours += parts.contains(first(d.volume)) ? 0 : 1;
       parts[first(d.volume)].enter = true;
     }

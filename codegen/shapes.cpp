@@ -2,6 +2,7 @@
 
 #include <type_traits>
 
+#include "analysis/solid_key.hpp"
 #include "codegen/kernel_names.hpp"
 #include "codegen/text.hpp"
 #include "geometry/solids/fields.hpp"
@@ -104,8 +105,8 @@ std::string Shapes::literal(const AnySolid<double>& solid) {
       return text + "}}";
     } else if constexpr (std::is_same_v<Shape, kernels::AnyScaled<double>>) {
       return "{" + literal(shape.solid) + ", " + number(shape.inverse_x) + ", " +
-             number(shape.inverse_y) + ", " + number(shape.inverse_z) + ", " +
-             number(shape.most) + "}";
+             number(shape.inverse_y) + ", " + number(shape.inverse_z) + ", " + number(shape.most) +
+             "}";
     } else if constexpr (requires {
                            shape.a;
                            shape.b;
@@ -120,12 +121,13 @@ std::string Shapes::literal(const AnySolid<double>& solid) {
 }
 
 std::string Shapes::constant(const AnySolid<double>& solid) {
-  const auto known = constants_.find(solid.shape);
+  std::string key = solid_key(solid);
+  const auto known = constants_.find(key);
   if (known != constants_.end()) return known->second;
   const std::string name = "solid_" + std::to_string(constants_.size());
   const std::string solid_type = type(solid), value = literal(solid);
   definitions_ += "constexpr " + solid_type + " " + name + value + ";\n";
-  constants_.emplace(solid.shape, name);
+  constants_.emplace(std::move(key), name);
   return name;
 }
 

@@ -23,7 +23,7 @@ class Shapes {
   std::string type(const kernels::AnySolid<double>& solid);
   std::string literal(const kernels::AnySolid<double>& solid);
 
-  std::map<const void*, std::string> constants_;
+  std::map<std::string, std::string> constants_;  ///< name by solid_key
   std::set<std::string> kernels_;
   std::string definitions_;
   int arrays_ = 0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/model/vector.hpp"
+#include "geometry/model/random.hpp"
 #include "geometry/navigation/generic.hpp"
 
 namespace navjit {
@@ -11,25 +11,6 @@ namespace {
 
 /// Placements remembered per volume: enough for variety.
 constexpr std::size_t most_placements = 64;
-
-double uniform(std::mt19937_64& random, double low, double high) {
-  // Not std::uniform_real_distribution, whose results differ between libraries.
-  const double u = static_cast<double>(random() >> 11) * 0x1p-53;
-  return low + u * (high - low);
-}
-
-Vec3 unit_vector(std::mt19937_64& random) {
-  const double c = uniform(random, -1, 1), phi = uniform(random, 0, 6.283185307179586);
-  const double s = std::sqrt(1 - c * c);
-  return {s * std::cos(phi), s * std::sin(phi), c};
-}
-
-Vec3 to_outer(const Transformation& t, const Vec3& p) {
-  const double* r = t.rotation;
-  return {t.translation[0] + r[0] * p.x + r[3] * p.y + r[6] * p.z,
-          t.translation[1] + r[1] * p.x + r[4] * p.y + r[7] * p.z,
-          t.translation[2] + r[2] * p.x + r[5] * p.y + r[8] * p.z};
-}
 
 }  // namespace
 

@@ -5,17 +5,9 @@
 
 #include "geometry/bvh/box_tree_traversal.hpp"
 #include "geometry/check/surface.hpp"
-#include "geometry/model/vector.hpp"
 
 namespace navjit {
 namespace {
-
-Vec3 to_mother(const Transformation& t, const Vec3& p) {
-  const double* r = t.rotation;
-  return {t.translation[0] + r[0] * p.x + r[3] * p.y + r[6] * p.z,
-          t.translation[1] + r[1] * p.x + r[4] * p.y + r[7] * p.z,
-          t.translation[2] + r[2] * p.x + r[5] * p.y + r[8] * p.z};
-}
 
 /// The deepest finding of each pair of one volume.
 class Findings {
@@ -56,7 +48,7 @@ void check_scene(const Geometry& geometry, VolumeId volume, const OverlapOptions
       points = surface_points(solid, options.resolution, world.tolerance, options.seed);
     }
     for (const Vec3& local : points) {
-      const Vec3 p = to_mother(daughter.transformation, local);
+      const Vec3 p = to_outer(daughter.transformation, local);
       if (inside(scene.solid, p, options.tolerance) == Side::outside) {
         // Safety may be less than the depth, and 0 for awkward shapes: outside by the tolerance is
         // what is known then.

@@ -1,24 +1,11 @@
 #include "geometry/check/surface.hpp"
 
 #include <cmath>
-#include <numbers>
-#include <random>
 
+#include "geometry/model/random.hpp"
 #include "geometry/model/vector.hpp"
 
 namespace navjit {
-namespace {
-
-double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
-
-Vec3 unit_vector(std::mt19937_64& random) {
-  const double c = 2 * uniform(random) - 1, phi = 2 * std::numbers::pi * uniform(random);
-  const double s = std::sqrt(1 - c * c);
-  return {s * std::cos(phi), s * std::sin(phi), c};
-}
-
-}  // namespace
-
 std::vector<Vec3> surface_points(const Solid& solid, std::size_t count, double tolerance,
                                  std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -33,8 +20,8 @@ std::vector<Vec3> surface_points(const Solid& solid, std::size_t count, double t
     Vec3 e1{v.y * a.z - v.z * a.y, v.z * a.x - v.x * a.z, v.x * a.y - v.y * a.x};
     e1 = (1 / norm(e1)) * e1;
     const Vec3 e2{v.y * e1.z - v.z * e1.y, v.z * e1.x - v.x * e1.z, v.x * e1.y - v.y * e1.x};
-    const double r = radius * std::sqrt(uniform(random));
-    const double phi = 2 * std::numbers::pi * uniform(random);
+    const double r = radius * std::sqrt(uniform(random, 0, 1));
+    const double phi = uniform(random, 0, 2 * std::numbers::pi);
     Vec3 p = centre + (r * std::cos(phi)) * e1 + (r * std::sin(phi)) * e2 + (-radius) * v;
     const Direction d = kernels::make_direction(v.x, v.y, v.z);
     for (int crossing = 0; crossing < 64 && points.size() < count; ++crossing) {

@@ -157,8 +157,8 @@ Solid read_twistedtrd(const Dimensions& d, const std::string& name) {
 
 Solid read_twistedtrap(const Dimensions& d, const std::string& name) {
   return make_twistedtrap(name, d.angle("PhiTwist"), d.half("z"), d.angle("Theta", 0),
-                          d.angle("Phi", 0), d.half("y1"), d.half("x1"), d.half("x2"),
-                          d.half("y2"), d.half("x3"), d.half("x4"), d.angle("Alph", 0));
+                          d.angle("Phi", 0), d.half("y1"), d.half("x1"), d.half("x2"), d.half("y2"),
+                          d.half("x3"), d.half("x4"), d.angle("Alph", 0));
 }
 
 // Either radii at the ends and a length, or radii in the middle and the z of the ends; the azimuth

@@ -43,6 +43,14 @@ inline Vec3 to_local(const Transformation& t, const Vec3& p) {
   return {rotate_row(r, x, y, z), rotate_row(r + 3, x, y, z), rotate_row(r + 6, x, y, z)};
 }
 
+/// The inverse for points, for sampling and checks; navigation never needs it.
+inline Vec3 to_outer(const Transformation& t, const Vec3& p) {
+  const double* r = t.rotation;
+  return {t.translation[0] + r[0] * p.x + r[3] * p.y + r[6] * p.z,
+          t.translation[1] + r[1] * p.x + r[4] * p.y + r[7] * p.z,
+          t.translation[2] + r[2] * p.x + r[5] * p.y + r[8] * p.z};
+}
+
 inline Direction to_local(const Transformation& t, const Direction& v) {
   if (!t.rotated) return v;
   const double* r = t.rotation;

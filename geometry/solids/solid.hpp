@@ -72,11 +72,13 @@ struct PlanarPoint {
 struct ExtrudedSection {
   double z, x, y, scale;
 };
-/// A polygon (either way round, convex or not, not crossing itself) along sections that ascend in z.
+/// A polygon (either way round, convex or not, not crossing itself) along sections that ascend in
+/// z.
 Solid make_extruded(std::string name, std::span<const PlanarPoint> polygon,
                     std::span<const ExtrudedSection> sections);
 
-/// Three or four corners, anticlockwise seen from outside; four are cut from the first to the third.
+/// Three or four corners, anticlockwise seen from outside; four are cut from the first to the
+/// third.
 using FacetCorners = std::vector<Vec3>;
 /// The body within facets that close on one another.
 Solid make_tessellated(std::string name, std::span<const FacetCorners> facets);
@@ -126,8 +128,8 @@ Solid make_torus(std::string name, double rmin, double rmax, double rtor, double
 Solid make_ellipsoid(std::string name, double ax, double by, double cz, double z_cut1,
                      double z_cut2);
 Solid make_eltube(std::string name, double hx, double hy, double hz);
-/// Half lengths x_slope * (z_max - z) and y_slope * (z_max - z) for |z| <= z_cut; no more than z_max
-/// counts of z_cut.
+/// Half lengths x_slope * (z_max - z) and y_slope * (z_max - z) for |z| <= z_cut; no more than
+/// z_max counts of z_cut.
 Solid make_elcone(std::string name, double x_slope, double y_slope, double z_max, double z_cut);
 /// The squared radius is linear in z, from r_low at -hz to r_high at +hz.
 Solid make_paraboloid(std::string name, double r_low, double r_high, double hz);
@@ -136,8 +138,8 @@ Solid make_hype(std::string name, double rmin, double rmax, double inner_stereo,
                 double outer_stereo, double hz);
 
 /// A tube segment whose straight lines along z lean into rulings of hyperboloids: radii rmin..rmax
-/// and the azimuth -phi/2..phi/2 at z = 0; at the end of larger |z| the section is turned by half of
-/// `twist`.
+/// and the azimuth -phi/2..phi/2 at z = 0; at the end of larger |z| the section is turned by half
+/// of `twist`.
 Solid make_twistedtubs(std::string name, double twist, double rmin, double rmax, double z_low,
                        double z_high, double phi);
 /// Turned by `twist` in all from -hz to +hz, in proportion to z.

@@ -78,8 +78,8 @@ class WideSolid {
   }
   static kernels::Facet wide(const kernels::Facet& s) { return s; }
   kernels::FacetBox<Real> wide(const kernels::FacetBox<double>& s) {
-    return {wide(s.x_low),  wide(s.y_low),  wide(s.z_low), wide(s.x_high), wide(s.y_high),
-            wide(s.z_high), s.first,        s.count,       s.next};
+    return {wide(s.x_low),  wide(s.y_low), wide(s.z_low), wide(s.x_high), wide(s.y_high),
+            wide(s.z_high), s.first,       s.count,       s.next};
   }
   kernels::Facets<Real> wide(const kernels::Facets<double>& s) {
     return {wide_array(s.corners, s.corner_count), s.corner_count,

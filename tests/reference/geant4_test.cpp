@@ -114,24 +114,15 @@ const std::vector<Reference>& read_today() {
       {"solids/solidSubtraction.gdml"},
       {"solids/solidUnion.gdml"},
       {"solids/twoBoxes.gdml"},
-      {"solids/unionWIthDetector.gdml"},
-  };
-  return files;
-}
-
-/// Files that the reader refuses today. One that it learns to read moves up.
-const std::vector<Reference>& refused_today() {
-  static const std::vector<Reference> files = {
-      {"bmn/bmn.gdml"},           // xtru, as mu2e
-      {"celeritas/solids.gdml"},  // para
-      {"cms/preshower_sf.gdml"},  // torus
-      {"mu2e/mu2e.gdml"},         // xtru
+      {"bmn/bmn.gdml"},
+      {"celeritas/solids.gdml"},
+      {"cms/preshower_sf.gdml"},
+      {"mu2e/mu2e.gdml"},
       {"solids/oneCutTube.gdml"},
       {"solids/oneEllipsoid.gdml"},
       {"solids/oneEllipticalCone.gdml"},
       {"solids/oneEllipticalTube.gdml"},
       {"solids/oneExtrudedSolid.gdml"},
-      {"solids/oneGeneralTrapezoid.gdml"},  // a side is not planar: fatal in Geant4, but ignorable
       {"solids/oneGenericPolycone.gdml"},
       {"solids/oneGenericPolyhedron.gdml"},
       {"solids/oneHyperbolicTube.gdml"},
@@ -139,14 +130,25 @@ const std::vector<Reference>& refused_today() {
       {"solids/oneParallelepiped.gdml"},
       {"solids/oneTesselatedSolid.gdml"},
       {"solids/oneTetrahedron.gdml"},
-      {"solids/oneTorus.gdml"},
       {"solids/oneTwistedBox.gdml"},
-      {"solids/oneTwistedGeneralTrapezoid.gdml"},
       {"solids/oneTwistedTrapezoid.gdml"},
-      {"solids/oneTwistedTube.gdml"},  // Geant4's own answers, and the rays made from them, are NaN
       {"solids/scaledBox.gdml"},
-      {"solids/scaledPhysvol.gdml"},  // a scale that changes lengths
+      {"solids/scaledPhysvol.gdml"},
       {"solids/solidMultiUnion.gdml"},
+      {"solids/unionWIthDetector.gdml"},
+  };
+  return files;
+}
+
+/// Files that the reader refuses.
+const std::vector<Reference>& refused_today() {
+  // Geant4's constructors report a fatal exception for each of these, too; the references were made
+  // ignoring it.
+  static const std::vector<Reference> files = {
+      {"solids/oneGeneralTrapezoid.gdml"},         // two sides are not planar
+      {"solids/oneTorus.gdml"},                    // rmax > rtor
+      {"solids/oneTwistedGeneralTrapezoid.gdml"},  // the same kind of side, twisted
+      {"solids/oneTwistedTube.gdml"},              // no radii; the rays are NaN
   };
   return files;
 }

@@ -44,6 +44,9 @@ bool parse_row(std::string_view text, Row& row) {
     if (i < 3) text.remove_prefix(comma + 1);
   }
   if (!parse(fields[0], row.ray) || !parse(fields[1], row.step)) return false;
+  // Geant4's own names for reflected copies: the file calls them as the original.
+  constexpr std::string_view reflected = "_refl";
+  if (fields[2].ends_with(reflected)) fields[2].remove_suffix(reflected.size());
   row.made.volume = fields[2];
   row.made.stuck = fields[3] == "stuck";
   row.made.length = 0;

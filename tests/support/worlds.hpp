@@ -4,19 +4,16 @@
 #include <cmath>
 #include <random>
 
+#include "geometry/model/random.hpp"
 #include "geometry/model/vector.hpp"
 #include "geometry/model/world.hpp"
 
 namespace navjit::tests {
 
-inline double uniform(std::mt19937_64& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
-}
+using navjit::uniform;
 
 inline Vec3 random_direction(std::mt19937_64& random) {
-  const double c = uniform(random, -1, 1), phi = uniform(random, 0, 6.283185307179586);
-  const double s = std::sqrt(1 - c * c);
-  const Vec3 v{s * std::cos(phi), s * std::sin(phi), c};
+  const Vec3 v = unit_vector(random);
   return (1 / norm(v)) * v;
 }
 

@@ -1,0 +1,23 @@
+// Random numbers that are the same with every standard library, unlike its distributions.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "geometry/solids/solid.hpp"
+
+namespace navjit {
+
+inline double uniform(std::mt19937_64& random, double low, double high) {
+  return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
+}
+
+/// Isotropic.
+inline Vec3 unit_vector(std::mt19937_64& random) {
+  const double c = uniform(random, -1, 1), phi = uniform(random, 0, 2 * std::numbers::pi);
+  const double s = std::sqrt(1 - c * c);
+  return {s * std::cos(phi), s * std::sin(phi), c};
+}
+
+}  // namespace navjit
