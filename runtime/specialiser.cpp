@@ -281,7 +281,8 @@ void Specialiser::compile_module(const std::vector<VolumeId>& batch) {
         recorded > 0 ? std::span(samples).first(recorded) : std::span<const Sample>(samples);
     const double generic_ns = time_per_step(geometry, context, generic::navigators, timed);
     const double specialised_ns = time_per_step(geometry, context, record, timed);
-    const bool forced = facts_.forced_candidates.contains(facts_.first_equal[entry.volume]);
+    const bool forced = facts_.forced_candidates.contains(facts_.first_equal[entry.volume]) ||
+                        !shared_->options.specialiser.keep_only_faster;
     const bool pays = forced || specialised_ns <= generic_ns || timed.size() < 16;
     if (pays) shared_->table.install(entry.volume, &record, installed);
     spdlog::debug("scene {}: {:.1f} ns generic, {:.1f} ns specialised{}", name, generic_ns,

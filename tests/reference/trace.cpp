@@ -44,9 +44,6 @@ bool parse_row(std::string_view text, Row& row) {
     if (i < 3) text.remove_prefix(comma + 1);
   }
   if (!parse(fields[0], row.ray) || !parse(fields[1], row.step)) return false;
-  // Geant4's own names for reflected copies: the file calls them as the original.
-  constexpr std::string_view reflected = "_refl";
-  if (fields[2].ends_with(reflected)) fields[2].remove_suffix(reflected.size());
   row.made.volume = fields[2];
   row.made.stuck = fields[3] == "stuck";
   row.made.length = 0;
@@ -88,8 +85,13 @@ std::vector<Piece> merge(const std::vector<Piece>& pieces) {
   return merged;
 }
 
+/// Geant4 names reflected copies of a volume itself, where the file knows only the original.
+bool same_volume(const std::string& ours, const std::string& theirs) {
+  return ours == theirs || theirs == ours + "_refl";
+}
+
 bool equal(const Piece& a, const Piece& b, const Criteria& criteria) {
-  return !a.first->stuck && !b.first->stuck && a.first->volume == b.first->volume &&
+  return !a.first->stuck && !b.first->stuck && same_volume(a.first->volume, b.first->volume) &&
          std::abs(a.length - b.length) <=
              std::max(criteria.length, criteria.relative * std::max(a.length, b.length));
 }

@@ -65,6 +65,7 @@ RuntimeOptions options(JitMode jit) {
   o.specialiser.compile_ms_per_scene = 1e-3;
   o.specialiser.min_steps = 200;
   o.specialiser.optimisation = 1;
+  o.specialiser.keep_only_faster = false;
   return o;
 }
 
