@@ -1,7 +1,6 @@
 // Doubles to floats that are certainly below or above them.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,8 +14,8 @@ namespace navjit::bvh {
 inline float float_below(double x) {
   if (std::isinf(x)) return x < 0 ? static_cast<float>(x) : std::numeric_limits<float>::max();
   const double shifted = x - (std::fabs(x) * 0x1p-23 + 0x1p-100);
-  return static_cast<float>(
-      std::min(shifted, static_cast<double>(std::numeric_limits<float>::max())));
+  constexpr double largest = std::numeric_limits<float>::max();
+  return static_cast<float>(shifted < largest ? shifted : largest);
 }
 
 /// A float strictly above `x`; +infinity if there is no finite one. `x` may be infinite, not NaN.
