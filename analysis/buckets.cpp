@@ -49,8 +49,8 @@ double total_members(const Buckets& b, std::span<const Extent> boxes, double mar
   return total;
 }
 
-/// What a ray pays: the candidates of a bucket, and the walk from bucket to bucket. A bucket costs
-/// about a third of a candidate to pass (bench/README.md).
+/// What a ray pays: the candidates of a bucket, and the walk from bucket to bucket. The
+/// weights are guesses that served well, not yet fitted to measurements.
 double cost(const Buckets& b, double members) {
   const double buckets =
       static_cast<double>(b.count[0]) * static_cast<double>(b.count[1]) * b.count[2];

@@ -22,32 +22,50 @@ struct Parts {
 /// Relocation of more scenes than this beside the hot ones is left to the table.
 constexpr std::size_t most_neighbours = 24;
 
+/// Plans made once each: several hot scenes have the same neighbours.
+class Plans {
+ public:
+  Plans(const Geometry& geometry, const WorldFacts& facts) : geometry_(geometry), facts_(facts) {}
+
+  const ScenePlan& of(VolumeId volume) {
+    const auto known = plans_.find(volume);
+    if (known != plans_.end()) return known->second;
+    return plans_.emplace(volume, plan_scene(geometry_, facts_, volume)).first->second;
+  }
+
+ private:
+  const Geometry& geometry_;
+  const WorldFacts& facts_;
+  std::map<VolumeId, ScenePlan> plans_;
+};
+
 std::map<VolumeId, Parts> choose_parts(const Geometry& geometry, const WorldFacts& facts,
-                                       std::span<const VolumeId> hot) {
+                                       std::span<const VolumeId> hot, Plans& plans) {
   std::map<VolumeId, Parts> parts;
-  // Of volumes with equal structure the first stands for all.
-  const auto first = [&](VolumeId v) { return facts.first_equal[v]; };
-  const auto worth = [&](VolumeId v) {
-    return worth_compiling(geometry, plan_scene(geometry, facts, first(v)));
-  };
   for (const VolumeId v : hot) {
     const bool has_daughters = !geometry.scene(v).daughters.empty();
-    parts[first(v)] = {true, has_daughters, has_daughters};
+    // Of volumes with equal structure the first stands for all.
+    parts[facts.first_equal[v]] = {true, has_daughters, has_daughters};
   }
   std::size_t neighbours = 0;
-  for (const VolumeId v : hot) {
-    // Where a track goes from a hot scene: out into the mother, and from there into a sister.
-    if (const auto mother = facts.only_mothers[v];
-        mother && neighbours < most_neighbours && worth(*mother)) {
-      neighbours += parts.contains(first(*mother)) ? 0 : 1;
-      parts[first(*mother)].reenter = true;
+  const auto add = [&](VolumeId volume, bool Parts::*part) {
+    const VolumeId first = facts.first_equal[volume];
+    const auto known = parts.find(first);
+    if (known != parts.end()) {
+      known->second.*part = true;
+    } else if (neighbours < most_neighbours && worth_compiling(geometry, plans.of(first))) {
+      parts[first].*part = true;
+      ++neighbours;
     }
+  };
+  for (const VolumeId v : hot) {
+    // Where a track goes from a hot scene: out into the mother, and down into daughters.
+    if (const auto mother = facts.only_mothers[v]) add(*mother, &Parts::reenter);
+    VolumeId last = v;  // placements of one volume mostly follow each other
     for (const Daughter& d : geometry.scene(v).daughters) {
-      if (neighbours >= most_neighbours) break;
-      if (geometry.scene(d.volume).daughters.empty() || parts[first(d.volume)].enter) continue;
-      if (!worth(d.volume)) continue;
-      neighbours += parts.contains(first(d.volume)) ? 0 : 1;
-      parts[first(d.volume)].enter = true;
+      if (d.volume == last || geometry.scene(d.volume).daughters.empty()) continue;
+      add(d.volume, &Parts::enter);
+      last = d.volume;
     }
   }
   return parts;
@@ -56,7 +74,8 @@ std::map<VolumeId, Parts> choose_parts(const Geometry& geometry, const WorldFact
 }  // namespace
 
 Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<const VolumeId> hot) {
-  const std::map<VolumeId, Parts> parts = choose_parts(geometry, facts, hot);
+  Plans plans(geometry, facts);
+  const std::map<VolumeId, Parts> parts = choose_parts(geometry, facts, hot, plans);
   Shapes shapes;
   Neighbours neighbours;
   for (const auto& [volume, part] : parts) {
@@ -66,7 +85,7 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
   std::string declarations, bodies;
   Module module;
   for (const auto& [volume, part] : parts) {
-    const ScenePlan plan = plan_scene(geometry, facts, volume);
+    const ScenePlan& plan = plans.of(volume);
     const SceneText text{geometry, facts, plan, neighbours, shapes};
     const std::string id = std::to_string(volume);
     const std::string& name = geometry.world().volumes[volume].name;

@@ -7,7 +7,7 @@
 
 namespace navjit {
 
-/// What specialised navigators may do to the answers; docs/accuracy.md.
+/// What specialised navigators may do to the answers; docs/numerics.md.
 enum class Level : std::uint8_t {
   exact,  ///< every bit as the generic navigator's
 };
