@@ -181,8 +181,15 @@ int run(const RunOptions& options) {
   }
   report.seconds = seconds;
   report.steps_per_second = static_cast<double>(report.steps) / seconds;
+  // With --jit wait the swaps came before the run; and a run may end before, or just as, something
+  // is swapped: then the whole run is what can be told.
+  const bool measurable = options.runtime.jit != JitMode::wait &&
+                          seconds > watch.last_swap_s + 0.01 &&
+                          report.steps > watch.steps_at_last_swap;
   report.warm_steps_per_second =
-      static_cast<double>(report.steps - watch.steps_at_last_swap) / (seconds - watch.last_swap_s);
+      measurable ? static_cast<double>(report.steps - watch.steps_at_last_swap) /
+                       (seconds - watch.last_swap_s)
+                 : report.steps_per_second;
   report.declined = declined;
   report.differences = differences;
   report.runtime = runtime.final_report();
