@@ -51,7 +51,12 @@ Side inside(const Placed<Real, S>& s, const Vec3<Real>& p, Real tol) {
 }
 template <class Real, class S>
 bool contains(const Placed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  return contains(s.solid, to_local(s, p), to_local(s, v), tol);
+  if (s.rotated == 0) return contains(s.solid, to_local(s, p), v, tol);
+  const Real* r = s.rotation;
+  const Direction<Real> heading =
+      make_heading<Real>(r[0] * v.x + r[1] * v.y + r[2] * v.z, r[3] * v.x + r[4] * v.y + r[5] * v.z,
+                         r[6] * v.x + r[7] * v.y + r[8] * v.z);
+  return contains(s.solid, to_local(s, p), heading, tol);
 }
 template <class Real, class S>
 Real distance_to_in(const Placed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v,

@@ -273,7 +273,8 @@ Real path_until(const Facets<Real>& s, const Vec3<Real>& p, const Direction<Real
 template <class Real>
 bool contains(const Facets<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   if (box_distance2(s.boxes[0], p) > tol * tol) return false;
-  return crossings_ahead(s, p, v, tol, infinity<Real>()).total < 0;
+  const Direction<Real> whole = make_direction(v.x, v.y, v.z);
+  return crossings_ahead(s, p, whole, tol, infinity<Real>()).total < 0;
 }
 
 template <class Real>

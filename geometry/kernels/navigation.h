@@ -3,7 +3,7 @@
 // of their binary interface (abi_version).
 namespace navjit::kernels {
 
-constexpr unsigned abi_version = 1;
+constexpr unsigned abi_version = 2;
 constexpr int stack_levels = 64;
 
 /// One level: a placed volume and its frame in the world, local = rotation * (global -
@@ -19,10 +19,18 @@ struct StackLevel {
 };
 static_assert(sizeof(StackLevel) == 128);
 
+/// The direction of the last step with its reciprocals, kept because a ray's steps share it. No
+/// part of the state: it only saves divisions.
+struct RayConstants {
+  double given[3] = {0, 0, 0};
+  Direction<double> direction = make_direction<double>(0, 0, 0);
+};
+
 /// Not copyable by bytes: rotations point into the stack itself.
 struct Stack {
   int depth;     ///< index of the innermost level; -1 outside the world
   int boundary;  ///< whether the last step ended on a boundary
+  RayConstants ray;
   StackLevel levels[stack_levels];
 };
 
@@ -73,6 +81,25 @@ inline Direction<double> to_local_direction(const StackLevel& level, double u, d
   const double* r = level.rotation;
   return make_direction<double>(r[0] * u + r[1] * v + r[2] * w, r[3] * u + r[4] * v + r[5] * w,
                                 r[6] * u + r[7] * v + r[8] * w);
+}
+
+/// The same for what asks only whether a point is contained.
+inline Direction<double> to_local_heading(const StackLevel& level, double u, double v, double w) {
+  if (level.rotation == nullptr) return make_heading<double>(u, v, w);
+  const double* r = level.rotation;
+  return make_heading<double>(r[0] * u + r[1] * v + r[2] * w, r[3] * u + r[4] * v + r[5] * w,
+                              r[6] * u + r[7] * v + r[8] * w);
+}
+
+/// make_direction(u, v, w), without its divisions where the last step had the same direction.
+inline Direction<double> ray_direction(RayConstants& ray, double u, double v, double w) {
+  if (!((ray.given[0] == u) & (ray.given[1] == v) & (ray.given[2] == w))) {
+    ray.given[0] = u;
+    ray.given[1] = v;
+    ray.given[2] = w;
+    ray.direction = make_direction<double>(u, v, w);
+  }
+  return ray.direction;
 }
 
 /// Pushes a daughter placed by translation alone.

@@ -3,7 +3,8 @@
 //
 // Conventions shared by all kernels (docs/tolerance.md has the reasons):
 //   inside(s, p, tol)            where a point is, regardless of direction
-//   contains(s, p, v, tol)       is the point in the solid once it has moved on along v?
+//   contains(s, p, v, tol)       is the point in the solid once it has moved on along v? Reads the
+//                                components of v alone, not its reciprocals
 //   distance_to_in(s, p, v, tol) path to the first crossing from outside to inside, or infinity
 //   distance_to_out(s, p, v, tol) path to the first crossing from inside to outside
 //   safety_to_in(s, p), safety_to_out(s, p)  lower bounds of the distance to the surface, >= 0
@@ -88,6 +89,13 @@ constexpr Direction<Real> make_direction(Real x, Real y, Real z) {
   // Adding +0 turns -0 into +0, so that reciprocals of zero are +infinity.
   const Real cx = x + Real(0), cy = y + Real(0), cz = z + Real(0);
   return {cx, cy, cz, Real(1) / cx, Real(1) / cy, Real(1) / cz};
+}
+
+/// A direction without its reciprocals: enough for `contains`, which reads the components alone.
+template <class Real>
+constexpr Direction<Real> make_heading(Real x, Real y, Real z) {
+  const Real not_given = static_cast<Real>(__builtin_nan(""));
+  return {x + Real(0), y + Real(0), z + Real(0), not_given, not_given, not_given};
 }
 
 /// The verdict on one face for `contains`: `s` is the signed distance of the point beyond the face

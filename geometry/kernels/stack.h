@@ -77,9 +77,10 @@ Side stack_inside(const Stack& s, const Vec3<Real>& p, Real tol) {
 template <class Stack, class Real>
 bool stack_contains(const Stack& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   if (!in_wedge(s.wedge, p, v, tol)) return false;
+  const Direction<Real> whole = make_direction(v.x, v.y, v.z);
   for (int i = 0; i < s.count; ++i) {
     const Section<Real>& section = s.sections[i];
-    const SectionRange<Real> range = section_range(s, section, p, v, tol);
+    const SectionRange<Real> range = section_range(s, section, p, whole, tol);
     if (range.from > 0 || !(range.to > 0)) continue;
     const Vec3<Real> q = from_section(section, p);
     if (in_face(s, section.outer, q, v, tol) &&

@@ -22,13 +22,46 @@ void push(Stack& stack, const Daughter& daughter, unsigned index) {
   }
 }
 
+// Most volumes are boxes: their kernels are inlined here, in front of the switch over all kinds.
+
+bool contains_here(const AnySolid<double>& solid, const Vec3& p, const Direction& v,
+                   double tolerance) {
+  if (solid.kind == SolidKind::box) {
+    return contains(*static_cast<const kernels::Box<double>*>(solid.shape), p, v, tolerance);
+  }
+  return contains(solid, p, v, tolerance);
+}
+
+double distance_out_here(const AnySolid<double>& solid, const Vec3& p, const Direction& v,
+                         double tolerance) {
+  if (solid.kind == SolidKind::box) {
+    return distance_to_out(*static_cast<const kernels::Box<double>*>(solid.shape), p, v, tolerance);
+  }
+  return distance_to_out(solid, p, v, tolerance);
+}
+
+/// `v` needs no reciprocals.
 bool contains_local(const Daughter& d, const Vec3& p, const Direction& v, double tolerance) {
-  return contains(d.solid, to_local(d.transformation, p), to_local(d.transformation, v), tolerance);
+  const Vec3 q = to_local(d.transformation, p);
+  if (!d.transformation.rotated) return contains_here(d.solid, q, v, tolerance);
+  const double* r = d.transformation.rotation;
+  return contains_here(
+      d.solid, q,
+      kernels::make_heading(rotate_row(r, v.x, v.y, v.z), rotate_row(r + 3, v.x, v.y, v.z),
+                            rotate_row(r + 6, v.x, v.y, v.z)),
+      tolerance);
 }
 
 double distance_local(const Daughter& d, const Vec3& p, const Direction& v, double tolerance) {
-  return distance_to_in(d.solid, to_local(d.transformation, p), to_local(d.transformation, v),
-                        tolerance);
+  const Vec3 q = to_local(d.transformation, p);
+  if (d.transformation.rotated) {
+    return distance_to_in(d.solid, q, to_local(d.transformation, v), tolerance);
+  }
+  if (d.solid.kind == SolidKind::box) {
+    return distance_to_in(*static_cast<const kernels::Box<double>*>(d.solid.shape), q, v,
+                          tolerance);
+  }
+  return distance_to_in(d.solid, q, v, tolerance);
 }
 
 /// The daughter, other than `blocked`, with the local point. Where daughters overlap the last in
@@ -62,7 +95,7 @@ unsigned find_daughter(const Scene& scene, const Vec3& p, const Direction& v, in
 /// The same for a point without a direction: on a face that daughters share, the first in file
 /// order wins; well inside, the rule is that of find_daughter.
 unsigned find_daughter_undirected(const Scene& scene, const Vec3& p, double tolerance) {
-  const Direction none = kernels::make_direction(0.0, 0.0, 0.0);
+  const Direction none = kernels::make_heading(0.0, 0.0, 0.0);
   unsigned on_face = no_daughter, within = no_daughter;
   for (unsigned k = 0; k < scene.daughters.size(); ++k) {
     const Daughter& d = scene.daughters[k];
@@ -122,7 +155,7 @@ void locate(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec
   enter_world(geometry, stack);
   stack.boundary = 0;
   const Vec3 p{point.x + 0.0, point.y + 0.0, point.z + 0.0};
-  const Direction v = kernels::make_direction(direction.x, direction.y, direction.z);
+  const Direction v = kernels::make_heading(direction.x, direction.y, direction.z);
   if (!contains(geometry.scene(geometry.world().top).solid, p, v, geometry.tolerance())) {
     stack.depth = -1;
     return;
@@ -133,31 +166,34 @@ void locate(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec
 void settle(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction,
             int blocked) {
   const double tolerance = geometry.tolerance();
-  const Scene* scene = &geometry.scene(stack.levels[stack.depth].volume);
+  const StackLevel* level = &stack.levels[stack.depth];
+  const Scene* scene = &geometry.scene(level->volume);
+  Vec3 p = kernels::to_local(*level, point.x, point.y, point.z);
+  Direction v = kernels::to_local_heading(*level, direction.x, direction.y, direction.z);
+  const auto move_to = [&](const StackLevel& next) {
+    p = kernels::to_local(next, point.x, point.y, point.z);
+    // Levels without a rotation of their own share their mother's.
+    if (next.rotation != level->rotation || next.rotation == next.own_rotation) {
+      v = kernels::to_local_heading(next, direction.x, direction.y, direction.z);
+    }
+    level = &next;
+    scene = &geometry.scene(next.volume);
+  };
   if (blocked >= 0) {
     // Out of a daughter: the mother may end at the same place.
-    for (;;) {
-      const StackLevel& level = stack.levels[stack.depth];
-      if (contains(scene->solid, kernels::to_local(level, point.x, point.y, point.z),
-                   kernels::to_local_direction(level, direction.x, direction.y, direction.z),
-                   tolerance)) {
-        break;
-      }
-      blocked = static_cast<int>(level.daughter);
+    while (!contains_here(scene->solid, p, v, tolerance)) {
+      blocked = static_cast<int>(level->daughter);
       if (--stack.depth < 0) return;
-      scene = &geometry.scene(stack.levels[stack.depth].volume);
+      move_to(stack.levels[stack.depth]);
     }
   }
+  const bool directed = direction.x != 0 || direction.y != 0 || direction.z != 0;
   while (!scene->daughters.empty()) {
-    const StackLevel& level = stack.levels[stack.depth];
-    const Vec3 p = kernels::to_local(level, point.x, point.y, point.z);
-    const Direction v = kernels::to_local_direction(level, direction.x, direction.y, direction.z);
-    const bool directed = direction.x != 0 || direction.y != 0 || direction.z != 0;
     const unsigned found = directed ? find_daughter(*scene, p, v, blocked, tolerance)
                                     : find_daughter_undirected(*scene, p, tolerance);
     if (found == no_daughter) return;
     push(stack, scene->daughters[found], found);
-    scene = &geometry.scene(stack.levels[stack.depth].volume);
+    move_to(stack.levels[stack.depth]);
     blocked = -1;
   }
 }
@@ -167,8 +203,11 @@ double step(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec
   const StackLevel& level = stack.levels[stack.depth];
   const Scene& scene = geometry.scene(level.volume);
   const Vec3 p = kernels::to_local(level, point.x, point.y, point.z);
-  const Direction v = kernels::to_local_direction(level, direction.x, direction.y, direction.z);
-  const double out = distance_to_out(scene.solid, p, v, geometry.tolerance());
+  const Direction v =
+      level.rotation == nullptr
+          ? kernels::ray_direction(stack.ray, direction.x, direction.y, direction.z)
+          : kernels::to_local_direction(level, direction.x, direction.y, direction.z);
+  const double out = distance_out_here(scene.solid, p, v, geometry.tolerance());
   const Hit hit = nearest_daughter(scene, p, v, out, limit, geometry.tolerance());
   if (hit.distance > limit) {
     stack.boundary = 0;
