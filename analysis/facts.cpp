@@ -119,13 +119,18 @@ WorldFacts analyse_world(const Geometry& geometry) {
       }
     }
   }
+  std::map<std::array<double, 9>, unsigned> rotations;
   for (std::size_t v = 0; v < n; ++v) {
     if (several_mothers[v]) facts.only_mothers[v].reset();
     const FrameSet& set = sets[v];
     FrameFacts& frame = facts.frames[v];
     if (!set.many_rotations && set.rotations.size() == 1) {
       frame.never_rotated = set.rotations[0] == identity;
-      if (!frame.never_rotated) frame.only_rotation = set.rotations[0];
+      if (!frame.never_rotated) {
+        frame.only_rotation = set.rotations[0];
+        const auto next = static_cast<unsigned>(rotations.size() + 1);
+        frame.rotation = rotations.try_emplace(set.rotations[0], next).first->second;
+      }
     }
     if (facts.touchables[v] == 1 && set.translations.size() == 1) {
       frame.only_translation = set.translations[0];

@@ -18,6 +18,7 @@ struct FrameFacts {
   bool never_rotated = false;
   /// The rotation that all touchables share, where there is just one and it is not the identity.
   std::optional<std::array<double, 9>> only_rotation;
+  unsigned rotation = 0;  ///< number of only_rotation in the world, from 1; 0 for none
   /// The frame itself, where the volume has a single touchable.
   std::optional<std::array<double, 3>> only_translation;
 };

@@ -82,9 +82,9 @@ std::string SceneText::frame() const {
            "z) {\n"
            "  return to_local(level, x, y, z);\n}\n"
            "static inline Direction<double> direction(const StackLevel& level, double u, double v, "
-           "double "
-           "w) "
-           "{\n  return to_local_direction(level, u, v, w);\n}\n";
+           "double w) {\n  return to_local_direction(level, u, v, w);\n}\n"
+           "static inline Direction<double> ray(Stack*, const StackLevel& level, double u, double "
+           "v, double w) {\n  return direction(level, u, v, w);\n}\n";
   }
   text +=
       "static inline Vec3<double> point([[maybe_unused]] const StackLevel& level, double x, double "
@@ -96,7 +96,9 @@ std::string SceneText::frame() const {
     text +=
         "static inline Direction<double> direction(const StackLevel&, double u, double v, double "
         "w) {\n"
-        "  return make_direction<double>(u, v, w);\n}\n";
+        "  return make_direction<double>(u, v, w);\n}\n"
+        "static inline Direction<double> ray(Stack* stack, const StackLevel&, double u, double v, "
+        "double w) {\n  return ray_direction(stack->ray, u, v, w);\n}\n";
     return text;
   }
   text += "  const double dx = x - " + t[0] + ", dy = y - " + t[1] + ", dz = z - " + t[2] + ";\n";
@@ -106,6 +108,10 @@ std::string SceneText::frame() const {
       "{\n"
       "  return make_direction<double>(" +
       rows(f.only_rotation->data(), "u", "v", "w") + ");\n}\n";
+  text +=
+      "static inline Direction<double> ray(Stack* stack, const StackLevel& level, double u, double "
+      "v, double w) {\n  return turned_direction(stack->turned, " +
+      std::to_string(f.rotation) + ", u, v, w, [&] { return direction(level, u, v, w); });\n}\n";
   return text;
 }
 
@@ -412,7 +418,7 @@ std::string SceneText::step(const std::string& symbol) const {
       "::point(level, x, y, z);\n"
       "  const Direction<double> d = " +
       ns_ +
-      "::direction(level, u, v, w);\n"
+      "::ray(stack, level, u, v, w);\n"
       "  double best = distance_to_out(" +
       shapes_.constant(scene_.solid) + ", p, d, tolerance);\n";
   const bool daughters = !scene_.daughters.empty();

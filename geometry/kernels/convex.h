@@ -37,7 +37,7 @@ constexpr bool starts_in(const Span<Real>& span) {
 template <class Real>
 constexpr void clip_face(Span<Real>& span, Real s, Real nv, Real tol) {
   if (nv < 0) {
-    if (s > tol) span.enter = larger(s / -nv, span.enter);
+    span.enter = s > tol ? larger(s / -nv, span.enter) : span.enter;
   } else if (nv > 0) {
     span.leave = smaller(-s / nv, span.leave);
     span.until = smaller((-s - tol) / nv, span.until);
@@ -55,7 +55,7 @@ constexpr void clip_slab(Span<Real>& span, Real h, Real p, Real v, Real inverse,
   }
   const Real along = v < 0 ? -p : p, rate = absolute(inverse);
   const Real before = -h - along;
-  if (before > tol) span.enter = larger(before * rate, span.enter);
+  span.enter = before > tol ? larger(before * rate, span.enter) : span.enter;
   span.leave = smaller((h - along) * rate, span.leave);
   span.until = smaller((h - tol - along) * rate, span.until);
 }

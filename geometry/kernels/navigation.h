@@ -26,11 +26,19 @@ struct RayConstants {
   Direction<double> direction = make_direction<double>(0, 0, 0);
 };
 
+/// The same in a frame whose rotation all touchables of a volume share; specialised navigators keep
+/// it. `rotation` numbers the rotation (FrameFacts::rotation).
+struct TurnedRay {
+  RayConstants ray;
+  unsigned rotation = 0;
+};
+
 /// Not copyable by bytes: rotations point into the stack itself.
 struct Stack {
   int depth;     ///< index of the innermost level; -1 outside the world
   int boundary;  ///< whether the last step ended on a boundary
   RayConstants ray;
+  TurnedRay turned;
   StackLevel levels[stack_levels];
 };
 
@@ -98,6 +106,23 @@ inline Direction<double> ray_direction(RayConstants& ray, double u, double v, do
     ray.given[1] = v;
     ray.given[2] = w;
     ray.direction = make_direction<double>(u, v, w);
+  }
+  return ray.direction;
+}
+
+/// turn(), a direction with its reciprocals that follows from (u, v, w) and the rotation alone,
+/// without doing it again where the last step had the same.
+template <class Turn>
+inline Direction<double> turned_direction(TurnedRay& turned, unsigned rotation, double u, double v,
+                                          double w, Turn turn) {
+  RayConstants& ray = turned.ray;
+  if (!((turned.rotation == rotation) & (ray.given[0] == u) & (ray.given[1] == v) &
+        (ray.given[2] == w))) {
+    ray.given[0] = u;
+    ray.given[1] = v;
+    ray.given[2] = w;
+    ray.direction = turn();
+    turned.rotation = rotation;
   }
   return ray.direction;
 }

@@ -100,9 +100,10 @@ constexpr Direction<Real> make_heading(Real x, Real y, Real z) {
 
 /// The verdict on one face for `contains`: `s` is the signed distance of the point beyond the face
 /// (> 0 outside), `nv` the outward normal times the direction, both up to a positive factor.
+/// Without branches: where tracks cross faces, processors cannot foresee the answer.
 template <class Real>
 constexpr bool beyond_face(Real s, Real nv, Real tol) {
-  return s > tol || (s >= -tol && (nv > 0 || (nv == 0 && s > 0)));
+  return (s > tol) | ((s >= -tol) & ((nv > 0) | ((nv == 0) & (s > 0))));
 }
 
 /// The verdict on one face for `inside`, folded into a running one.
