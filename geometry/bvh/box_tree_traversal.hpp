@@ -172,8 +172,8 @@ struct Candidate {
   }
 };
 
-/// The groups that are still to be entered. As the boxes of a group are taken out before the next
-/// group, and there are at most 11 levels, 7 stay for each and 8 more come.
+/// The groups that are still to be entered. There are at most 11 levels; 7 stay for
+/// each and 8 more come.
 class DepthFirst {
  public:
   bool empty() const { return count_ == 0; }
@@ -261,14 +261,15 @@ void BoxTree::descend(const Test& test, double limit, const Visit& visit) const 
   if (groups_.empty()) return;
   detail::Verdict verdict;
   detail::DepthFirst open;
+  detail::NearestFirst found;
   open.insert(0, 0, 0);
   float rounded_limit = float_above(limit);
   while (!open.empty()) {
     const auto [distance, group] = open.take();
     if (!Test::within(distance, limit)) continue;
     test(groups_[group], rounded_limit, verdict);
-    const std::uint32_t above = open.size();
     if (group < parent_groups_) {
+      const std::uint32_t above = open.size();
       const std::uint32_t first = first_group_[group], end = first_group_[group + 1];
       for (unsigned bits = verdict.candidates; bits != 0; bits &= bits - 1) {
         const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
@@ -276,16 +277,18 @@ void BoxTree::descend(const Test& test, double limit, const Visit& visit) const 
       }
       continue;
     }
+    // Mostly the first box ends the matter: cheaper to look for it than to sort.
     for (unsigned bits = verdict.candidates; bits != 0; bits &= bits - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
       const std::uint32_t number = index_of(group, lane);
-      if (number != no_box) open.insert(above, verdict.distance[lane], number);
+      if (number != no_box) found.insert(verdict.distance[lane], number);
     }
-    while (open.size() > above) {
-      const auto box = open.take();
-      if (!Test::within(box.distance, limit)) continue;
+    while (!found.empty()) {
+      const auto box = found.take();
+      if (!Test::within(box.distance, limit)) break;
       limit = visit(box.number, box.distance);
     }
+    found.clear();
     rounded_limit = float_above(limit);
   }
 }
