@@ -45,7 +45,7 @@ struct GeometryOptions {
   /// Forces one search for all scenes with daughters, for tests and measurements.
   enum class Force : std::uint8_t { automatic, all, linear_boxes, bvh } force = Force::automatic;
   /// The box structure of all scenes that have enough daughters for one, whatever their number;
-  /// nothing: bvh::default_method. Changes no answer.
+  /// nothing: bvh::default_method. Changes no step; safeties may differ, as valid bounds.
   std::optional<bvh::Structure> boxes{};
   /// The same for single volumes by name, few daughters or many.
   std::map<std::string, bvh::Structure> boxes_of{};

@@ -75,7 +75,7 @@ std::vector<bvh::Structure> box_structures() {
   return result;
 }
 
-TEST(GenericNavigator, AnswersDoNotDependOnTheBoxStructure) {
+TEST(GenericNavigator, StepsDoNotDependOnTheBoxStructure) {
   for (const int side : {2, 5, 9}) {
     const auto world = std::make_shared<const World>(tests::random_world(99, side));
     const Geometry all(world, {Force::all});
@@ -91,7 +91,8 @@ TEST(GenericNavigator, AnswersDoNotDependOnTheBoxStructure) {
         EXPECT_EQ(trace(all, p, v), trace(other, p, v)) << to_string(structure);
         generic::locate(all, *a, p, v);
         generic::locate(other, *b, p, v);
-        EXPECT_EQ(generic::safety(all, *a, p), generic::safety(other, *b, p));
+        // A solid's bound may be below the distance of its box, and boxes leave such solids out.
+        EXPECT_GE(generic::safety(other, *b, p), generic::safety(all, *a, p));
       }
     }
   }
