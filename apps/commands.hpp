@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/rays.hpp"
+#include "geometry/navigation/geometry.hpp"
 #include "runtime/options.hpp"
 
 namespace navjit::apps {
@@ -13,6 +14,7 @@ struct InspectOptions {
   std::string detector;
   std::string scene;  ///< empty: all volumes in short
   bool emit = false;  ///< print the generated source of the scene
+  GeometryOptions geometry;
 };
 int inspect(const InspectOptions& options);
 

@@ -7,23 +7,21 @@
 #include "analysis/plan.hpp"
 #include "apps/commands.hpp"
 #include "codegen/module.hpp"
+#include "geometry/bvh/box_tree.hpp"
 #include "geometry/gdml/reader.hpp"
 
 namespace navjit::apps {
 namespace {
 
-const char* search_name(Search search) {
-  switch (search) {
-    case Search::none:
-      return "-";
-    case Search::all:
-      return "all";
-    case Search::linear_boxes:
-      return "linear";
-    case Search::bvh:
-      return "bvh_h";
-  }
-  return "";
+/// "all", "linear", "two-level:surface", ...
+std::string search_name(const Scene& scene) {
+  if (scene.boxes) return to_string(scene.boxes->structure());
+  return scene.search == Search::none ? "-" : "all";
+}
+
+std::string clusters_of(const Scene& scene) {
+  const std::size_t clusters = scene.boxes ? scene.boxes->clusters() : 0;
+  return clusters > 0 ? std::to_string(clusters) : "-";
 }
 
 VolumeId find_volume(const World& world, const std::string& name) {
@@ -39,6 +37,14 @@ void print_scene(const Geometry& geometry, const std::string& name, bool emit) {
   const WorldFacts facts = analyse_world(geometry);
   std::fputs(describe(geometry, plan_scene(geometry, facts, volume)).c_str(), stdout);
   std::printf("  touchables   %llu\n", static_cast<unsigned long long>(facts.touchables[volume]));
+  const Scene& scene = geometry.scene(volume);
+  std::printf("  search       %s", search_name(scene).c_str());
+  if (scene.boxes) {
+    const bvh::BoxTree& boxes = *scene.boxes;
+    if (boxes.clusters() > 0) std::printf(", %zu clusters", boxes.clusters());
+    std::printf(", %zu bytes", boxes.bytes());
+  }
+  std::printf("\n");
   if (emit) {
     std::printf("\n%s", codegen::generate(geometry, facts, std::array{volume}).source.c_str());
   }
@@ -59,16 +65,17 @@ void print_world(const Geometry& geometry, const std::string& file, const GdmlRe
       world.tolerance);
   if (unused > 0) std::printf("%zu volumes are not in the tree\n", unused);
   for (const std::string& note : report.notes) std::printf("note: %s\n", note.c_str());
-  std::printf("\n%10s %6s %-13s %-7s %-28s %s\n", "touchables", "daught", "solid", "search",
-              "arrangement", "volume");
+  std::printf("\n%10s %6s %-13s %-21s %8s %-28s %s\n", "touchables", "daught", "solid", "search",
+              "clusters", "arrangement", "volume");
   for (std::size_t v = 0; v < world.volumes.size(); ++v) {
     if (!facts.reachable[v]) continue;
     const auto volume = static_cast<VolumeId>(v);
     const ScenePlan plan = plan_scene(geometry, facts, volume);
-    std::printf("%10llu %6zu %-13s %-7s %-28s %s\n",
+    const Scene& scene = geometry.scene(volume);
+    std::printf("%10llu %6zu %-13s %-21s %8s %-28s %s\n",
                 static_cast<unsigned long long>(facts.touchables[v]),
                 world.volumes[v].daughters.size(), kind_name(world.volumes[v].solid.kind),
-                search_name(geometry.scene(volume).search), plan.pattern.c_str(),
+                search_name(scene).c_str(), clusters_of(scene).c_str(), plan.pattern.c_str(),
                 world.volumes[v].name.c_str());
   }
 }
@@ -77,7 +84,8 @@ void print_world(const Geometry& geometry, const std::string& file, const GdmlRe
 
 int inspect(const InspectOptions& options) {
   GdmlReport report;
-  const Geometry geometry(std::make_shared<const World>(read_gdml(options.detector, {}, &report)));
+  const Geometry geometry(std::make_shared<const World>(read_gdml(options.detector, {}, &report)),
+                          options.geometry);
   if (options.scene.empty()) {
     print_world(geometry, options.detector, report);
   } else {

@@ -8,6 +8,7 @@
 #include <exception>
 #include <map>
 
+#include "apps/boxes_option.hpp"
 #include "apps/commands.hpp"
 
 namespace {
@@ -19,6 +20,22 @@ const std::map<std::string, JitMode> jit_modes{{"off", JitMode::off},
                                                {"wait", JitMode::wait},
                                                {"shadow", JitMode::shadow}};
 const std::map<std::string, Level> levels{{"exact", Level::exact}};
+
+void add_boxes(CLI::App* command, GeometryOptions& options) {
+  command
+      ->add_option_function<std::string>(
+          "--boxes",
+          [&options](const std::string& text) {
+            try {
+              apps::parse_boxes(text, options);
+            } catch (const std::invalid_argument& error) {
+              throw CLI::ValidationError("--boxes", error.what());
+            }
+          },
+          "how daughters' boxes are searched: auto, linear, two-level or\nregular-tree, the last "
+          "two with :surface, :k-means or :furthest")
+      ->option_text("[VOLUME=]SEARCH,...");
+}
 
 void add_runtime_options(CLI::App* command, RuntimeOptions& options) {
   command->add_option("--jit", options.jit, "off, on, wait (specialise first) or shadow (compare)")
@@ -32,6 +49,7 @@ void add_runtime_options(CLI::App* command, RuntimeOptions& options) {
       ->option_text("N");
   command->add_flag("--perf-map", options.specialiser.perf_map,
                     "name generated functions for perf (/tmp/perf-PID.map)");
+  add_boxes(command, options.geometry);
 }
 
 void add_threads(CLI::App* command, unsigned& threads) {
@@ -73,6 +91,7 @@ int parse_and_run(int argc, char** argv) {
   inspect_command->add_option("--scene", inspect.scene, "analysis of one logical volume");
   inspect_command->add_flag("--emit", inspect.emit, "print the scene's generated source")
       ->needs("--scene");
+  add_boxes(inspect_command, inspect.geometry);
 
   apps::RunOptions run;
   std::string origin, eta;

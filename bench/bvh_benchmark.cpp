@@ -1,143 +1,193 @@
-// Linear against two-level box trees, by number of boxes and kind of query. Boxes are cubes of a
-// grid with gaps ("grid", sparse candidates) or plates of a stack ("stack", a ray meets them all).
-// The crossing point of the two is what navjit::bvh::default_method documents.
+// All box structures against each other: methods and clusterings, by scene and kind of query. The
+// choice of navjit::bvh::default_method is read from its tables; docs/bvh.md.
 //
-// A ray's visitor behaves like a navigator whose daughters all fill their boxes: the first box met
-// sets the limit.
-#include <benchmark/benchmark.h>
-
+// Queries start at random within the bounds of the boxes. A ray's visitor behaves like a navigator
+// whose daughters all fill their boxes: the first box met sets the limit.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <ctime>
 #include <limits>
-#include <random>
-#include <vector>
 
+#include "bench/bvh_scenes.hpp"
+#include "bench/statistics.hpp"
 #include "geometry/bvh/box_tree.hpp"
 #include "geometry/bvh/box_tree_traversal.hpp"
+#include "geometry/model/random.hpp"
 
-namespace navjit::bvh {
+namespace navjit::bench {
 namespace {
 
-enum Shape { grid, stack };
+using bvh::BoxTree;
+using bvh::Structure;
 
-std::vector<Extent> make_boxes(Shape shape, int count) {
-  std::vector<Extent> boxes;
-  if (shape == stack) {
-    for (int i = 0; i < count; ++i) {
-      const double low = -500 + 1000.0 * i / count, high = low + 900.0 / count;
-      boxes.push_back({{-500, -500, low}, {500, 500, high}});
-    }
-    return boxes;
-  }
-  const int n = static_cast<int>(std::ceil(std::cbrt(count) - 1e-9));
-  const double pitch = 1000.0 / n;
-  for (int i = 0; i < count; ++i) {
-    const Vec3 low{-500 + pitch * (i % n), -500 + pitch * (i / n % n), -500 + pitch * (i / n / n)};
-    const double edge = 0.7 * pitch;
-    boxes.push_back({low, {low.x + edge, low.y + edge, low.z + edge}});
-  }
-  return boxes;
-}
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Query {
   Vec3 point;
   Direction direction;
 };
 
-std::vector<Query> make_queries() {
-  std::mt19937_64 generator(1);
-  std::uniform_real_distribution<double> at(-500, 500);
-  std::normal_distribution<double> along;
+std::vector<Query> make_queries(const Extent& bounds, std::size_t count) {
+  std::mt19937_64 random(1);
   std::vector<Query> queries;
-  for (int i = 0; i < 1024; ++i) {
-    const double x = along(generator), y = along(generator), z = along(generator);
-    const double length = std::sqrt(x * x + y * y + z * z);
-    queries.push_back({{at(generator), at(generator), at(generator)},
-                       kernels::make_direction(x / length, y / length, z / length)});
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 v = unit_vector(random);
+    queries.push_back(
+        {{uniform(random, bounds.min.x, bounds.max.x), uniform(random, bounds.min.y, bounds.max.y),
+          uniform(random, bounds.min.z, bounds.max.z)},
+         kernels::make_direction(v.x, v.y, v.z)});
   }
   return queries;
 }
 
-BoxTree make_tree(const benchmark::State& state) {
-  const auto groups = static_cast<std::uint32_t>(state.range(2));
-  const std::vector<Extent> boxes =
-      make_boxes(static_cast<Shape>(state.range(1)), static_cast<int>(state.range(0)));
-  if (groups == 0) return {boxes, 1e-9, Method::linear};
-  return {boxes, 1e-9, Method::two_level, groups};
+// Each returns something that depends on all visits.
+double first_hit(const BoxTree& tree, const Query& q) {
+  double limit = 1e9;
+  tree.along_ray(q.point, q.direction, limit,
+                 [&](std::uint32_t, double enter) { return limit = std::min(limit, enter); });
+  return limit;
 }
-
-template <class Ask>
-void run(benchmark::State& state, const Ask& ask) {
-  const BoxTree tree = make_tree(state);
-  const std::vector<Query> queries = make_queries();
-  std::size_t i = 0, visits = 0;
-  for (auto _ : state) {
-    ask(tree, queries[i], visits);
-    i = (i + 1) % queries.size();
-  }
-  state.counters["visits"] =
-      benchmark::Counter(static_cast<double>(visits), benchmark::Counter::kAvgIterations);
-}
-
-void along_ray(benchmark::State& state) {
-  run(state, [](const BoxTree& tree, const Query& query, std::size_t& visits) {
-    double limit = 2000;
-    tree.along_ray(query.point, query.direction, limit, [&](std::uint32_t index, double enter) {
-      benchmark::DoNotOptimize(index);
-      ++visits;
-      return limit = std::min(limit, enter);
-    });
+double all_hits(const BoxTree& tree, const Query& q) {
+  double sum = 0;
+  tree.along_ray(q.point, q.direction, 1e9, [&](std::uint32_t index, double) {
+    sum += index;
+    return 1e9;
   });
+  return sum;
 }
-
-void along_ray_all(benchmark::State& state) {
-  run(state, [](const BoxTree& tree, const Query& query, std::size_t& visits) {
-    tree.along_ray(query.point, query.direction, 2000, [&](std::uint32_t index, double) {
-      benchmark::DoNotOptimize(index);
-      ++visits;
-      return 2000.0;
-    });
+double containing(const BoxTree& tree, const Query& q) {
+  double sum = 0;
+  tree.containing(q.point, [&](std::uint32_t index) {
+    sum += index;
+    return true;
   });
+  return sum;
+}
+double near(const BoxTree& tree, const Query& q) {
+  double radius = infinity;
+  tree.near(q.point, radius,
+            [&](std::uint32_t, double distance) { return radius = std::min(radius, distance); });
+  return radius;
 }
 
-void containing(benchmark::State& state) {
-  run(state, [](const BoxTree& tree, const Query& query, std::size_t& visits) {
-    tree.containing(query.point, [&](std::uint32_t index) {
-      benchmark::DoNotOptimize(index);
-      ++visits;
-      return false;
-    });
-  });
+struct Kind {
+  const char* name;
+  double (*ask)(const BoxTree&, const Query&);
+};
+constexpr Kind kinds[] = {
+    {"first hit", first_hit}, {"all hits", all_hits}, {"containing", containing}, {"near", near}};
+
+volatile double sink;
+
+/// Of this thread's own processor time: machines are shared, and a time slice is far longer than
+/// what is measured.
+double now_ns() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
 }
 
-void near(benchmark::State& state) {
-  run(state, [](const BoxTree& tree, const Query& query, std::size_t& visits) {
-    double radius = std::numeric_limits<double>::infinity();
-    tree.near(query.point, radius, [&](std::uint32_t index, double bound) {
-      benchmark::DoNotOptimize(index);
-      ++visits;
-      return radius = std::min(radius, bound);
-    });
-  });
+/// ns a query.
+double time_queries(const Kind& kind, const BoxTree& tree, const std::vector<Query>& queries) {
+  const double start = now_ns();
+  double sum = 0;
+  for (const Query& query : queries) sum += kind.ask(tree, query);
+  sink = sum;
+  return (now_ns() - start) / static_cast<double>(queries.size());
 }
 
-/// Groups per cluster; 0 stands for linear.
-void arguments(benchmark::internal::Benchmark* benchmark) {
-  benchmark->ArgNames({"boxes", "stack", "groups"});
-  for (const int shape : {grid, stack}) {
-    for (const int count :
-         {1, 4, 8, 12, 16, 20, 24, 32, 48, 64, 128, 256, 512, 1024, 2048, 4096, 10000}) {
-      for (const int groups : {0, 1, 2, 4}) benchmark->Args({count, shape, groups});
+struct Candidate {
+  std::string name;
+  Structure structure;
+};
+
+std::vector<Candidate> candidates(const std::vector<std::uint32_t>& groups) {
+  using enum bvh::Clustering;
+  std::vector<Candidate> result{{"linear", {}}};
+  for (const bvh::Clustering clustering : {surface, k_means, furthest}) {
+    for (const std::uint32_t g : groups) {
+      const Structure two{bvh::Method::two_level, clustering, g};
+      result.push_back({to_string(two) + (g == 0 ? "" : " g" + std::to_string(g)), two});
     }
   }
+  for (const bvh::Clustering clustering : {surface, k_means, furthest}) {
+    const Structure tree{bvh::Method::regular_tree, clustering};
+    result.push_back({to_string(tree), tree});
+  }
+  return result;
 }
 
-BENCHMARK(along_ray)->Apply(arguments);
-BENCHMARK(along_ray_all)->Apply(arguments);
-BENCHMARK(containing)->Apply(arguments);
-BENCHMARK(near)->Apply(arguments);
+void print_heading(const std::vector<Candidate>& list) {
+  std::printf("| scene | boxes | query |");
+  for (const Candidate& candidate : list) std::printf(" %s |", candidate.name.c_str());
+  std::printf("\n|---|--:|---|");
+  for (std::size_t i = 0; i < list.size(); ++i) std::printf("--:|");
+  std::printf("\n");
+}
+
+/// Rows of median ns a query, and one of ms to build; structures in turn within each repetition.
+void measure(const BoxScene& scene, const std::vector<Candidate>& list, int repetitions,
+             std::size_t query_count) {
+  const std::vector<Query> queries = make_queries(bounds(scene.boxes), query_count);
+  std::vector<BoxTree> trees;
+  std::vector<double> build_ms;
+  for (const Candidate& candidate : list) {
+    const double start = now_ns();
+    trees.emplace_back(scene.boxes, 1e-9, candidate.structure);
+    build_ms.push_back(1e-6 * (now_ns() - start));
+  }
+  for (const Kind& kind : kinds) {
+    std::vector<std::vector<double>> times(list.size());
+    for (int r = 0; r < repetitions; ++r) {
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        times[i].push_back(time_queries(kind, trees[i], queries));
+      }
+    }
+    std::printf("| %s | %zu | %s |", scene.name.c_str(), scene.boxes.size(), kind.name);
+    for (const auto& t : times) std::printf(" %.1f |", summarise(t).median);
+    std::printf("\n");
+  }
+  std::printf("| %s | %zu | build, ms |", scene.name.c_str(), scene.boxes.size());
+  for (const double ms : build_ms) std::printf(" %.2f |", ms);
+  std::printf("\n");
+  std::fflush(stdout);
+}
 
 }  // namespace
-}  // namespace navjit::bvh
+}  // namespace navjit::bench
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  using namespace navjit::bench;
+  CLI::App app{"Box structures against each other; median ns a query"};
+  std::vector<std::size_t> counts{1,  4,  8,   12,  16,  20,   24,   32,   48,
+                                  64, 96, 128, 256, 512, 1024, 2048, 4096, 10000};
+  std::vector<std::string> files;
+  std::vector<std::uint32_t> groups{0};
+  std::size_t most = 3, queries = 500;
+  int repetitions = 11;
+  app.add_option("detectors", files, "GDML files, instead of the made-up scenes");
+  app.add_option("--counts", counts, "boxes of the made-up scenes")->delimiter(',');
+  app.add_option("--groups", groups, "groups per cluster of two levels; 0: the default")
+      ->delimiter(',');
+  app.add_option("--volumes", most, "of each file, those with most daughters");
+  app.add_option("--queries", queries, "in a repetition");
+  app.add_option("--repetitions", repetitions, "medians are over these");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    const auto list = candidates(groups);
+    print_heading(list);
+    if (files.empty()) {
+      for (const std::size_t count : counts) {
+        for (const BoxScene& s : made_up_scenes(count)) measure(s, list, repetitions, queries);
+      }
+    }
+    for (const std::string& file : files) {
+      for (const BoxScene& s : scenes_of(file, most)) measure(s, list, repetitions, queries);
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bvh_benchmark: %s\n", error.what());
+    return 1;
+  }
+}

@@ -5,6 +5,8 @@
 #include <functional>
 #include <string>
 
+#include "geometry/navigation/geometry.hpp"
+
 namespace navjit {
 
 /// What specialised navigators may do to the answers; docs/numerics.md.
@@ -43,6 +45,7 @@ struct RuntimeOptions {
   JitMode jit = JitMode::on;
   SpecialiserOptions specialiser{};
   Faults faults{};
+  GeometryOptions geometry{};
 };
 
 }  // namespace navjit

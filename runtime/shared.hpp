@@ -11,7 +11,9 @@ namespace navjit::detail {
 
 struct Shared {
   Shared(std::shared_ptr<const World> world, RuntimeOptions runtime_options)
-      : options(std::move(runtime_options)), geometry(std::move(world)), table(geometry) {}
+      : options(std::move(runtime_options)),
+        geometry(std::move(world), options.geometry),
+        table(geometry) {}
 
   RuntimeOptions options;
   Geometry geometry;

@@ -51,41 +51,72 @@ std::uint32_t groups_for(std::size_t boxes) {
   return static_cast<std::uint32_t>((boxes + group_width - 1) / group_width);
 }
 
-/// Groups per cluster of a two-level tree: parents, which every query scans, against children.
-/// Measured for rays in grids and stacks; the neighbours of each choice are within 20 %.
-std::uint32_t default_groups_per_cluster(std::size_t count) {
-  return count < 512 ? 1 : count < 2048 ? 2 : 4;
+/// Puts boxes[order[...]] in an order in which, on every level of a regular tree, the boxes below a
+/// parent are one cluster: all clusters but the last are full, so that no place is left over.
+void order_for_tree(std::span<const Extent> boxes, Clustering clustering, std::size_t capacity,
+                    std::span<std::uint32_t> order) {
+  if (order.size() <= group_width) {
+    std::sort(order.begin(), order.end());
+    return;
+  }
+  while (capacity >= order.size()) capacity /= group_width;
+  std::vector<Extent> members;
+  for (const std::uint32_t i : order) members.push_back(boxes[i]);
+  const Clusters clusters = cluster(clustering, members, static_cast<std::uint32_t>(capacity));
+  std::vector<std::uint32_t> sorted;
+  for (const std::uint32_t i : clusters.order) sorted.push_back(order[i]);
+  std::copy(sorted.begin(), sorted.end(), order.begin());
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    order_for_tree(boxes, clustering, capacity,
+                   order.subspan(clusters.begin[c], clusters.begin[c + 1] - clusters.begin[c]));
+  }
+}
+
+std::vector<std::uint32_t> all_indices(std::size_t count) {
+  std::vector<std::uint32_t> indices(count);
+  std::iota(indices.begin(), indices.end(), 0u);
+  return indices;
 }
 
 }  // namespace
 
-// With 8 lanes: up to 16 boxes a linear scan wins by 5 to 15 ns a query, from 32 on two levels win
-// (two times at 64 boxes, eight times at 1000); in between they differ by a few ns either way, but
-// for `near`, where two levels win by a third.
-Method default_method(std::size_t count) {
-  return count <= 16 ? Method::linear : Method::two_level;
-}
-
-BoxTree::BoxTree(std::span<const Extent> boxes, double tolerance, Method method)
-    : BoxTree(boxes, tolerance, method, default_groups_per_cluster(boxes.size())) {}
-
-BoxTree::BoxTree(std::span<const Extent> boxes, double tolerance, Method method,
-                 std::uint32_t groups_per_cluster)
-    : size_(boxes.size()), method_(method) {
+BoxTree::BoxTree(std::span<const Extent> boxes, double tolerance, const Structure& structure)
+    : size_(boxes.size()), structure_(structure) {
   if (boxes.size() >> 31 != 0) throw GeometryError("more than 2^31 bounding boxes");
   if (!(tolerance >= 0)) throw GeometryError("the tolerance of bounding boxes must be >= 0");
   std::for_each(boxes.begin(), boxes.end(), check);
-
-  if (method == Method::linear) {
-    std::vector<std::uint32_t> order(boxes.size());
-    std::iota(order.begin(), order.end(), 0u);
-    const std::uint32_t begin[] = {0, static_cast<std::uint32_t>(boxes.size())};
-    fill(boxes, tolerance, order, begin);
-    return;
+  switch (structure.method) {
+    case Method::linear: {
+      const std::uint32_t begin[] = {0, static_cast<std::uint32_t>(boxes.size())};
+      fill(boxes, tolerance, all_indices(boxes.size()), begin);
+      break;
+    }
+    case Method::two_level:
+      build_two_levels(boxes, tolerance);
+      break;
+    case Method::regular_tree:
+      build_regular_tree(boxes, tolerance);
+      break;
   }
+}
 
-  const std::uint32_t per_cluster = std::clamp(groups_per_cluster, 1u, 8u);
-  const Clustering clusters = cluster_by_surface(boxes, per_cluster * group_width);
+std::size_t BoxTree::clusters() const {
+  switch (structure_.method) {
+    case Method::linear:
+      break;
+    case Method::two_level:
+      return first_group_.size() - 1;
+    case Method::regular_tree:
+      return groups_.size() - parent_groups_;
+  }
+  return 0;
+}
+
+void BoxTree::build_two_levels(std::span<const Extent> boxes, double tolerance) {
+  std::uint32_t& per_cluster = structure_.groups_per_cluster;
+  if (per_cluster == 0) per_cluster = default_groups_per_cluster(boxes.size());
+  per_cluster = std::clamp(per_cluster, 1u, 8u);
+  const Clusters clusters = cluster(structure_.clustering, boxes, per_cluster * group_width);
   parent_groups_ = groups_for(clusters.size());
   first_group_.reserve(clusters.size() + 1);
   first_group_.push_back(parent_groups_);
@@ -98,6 +129,38 @@ BoxTree::BoxTree(std::span<const Extent> boxes, double tolerance, Method method,
   for (std::uint32_t c = 0; c < clusters.size(); ++c) {
     for (std::uint32_t g = first_group_[c]; g < first_group_[c + 1]; ++g) {
       include(groups_[c / group_width], c % group_width, groups_[g]);
+    }
+  }
+}
+
+void BoxTree::build_regular_tree(std::span<const Extent> boxes, double tolerance) {
+  if (boxes.empty()) return;
+  std::vector<std::uint32_t> groups_of_level{groups_for(boxes.size())};  // from the leaves up
+  std::size_t capacity = group_width;  // boxes below one lane of the root
+  while (groups_of_level.back() > 1) {
+    groups_of_level.push_back(groups_for(groups_of_level.back()));
+    capacity *= group_width;
+  }
+  std::vector<std::uint32_t> order = all_indices(boxes.size());
+  order_for_tree(boxes, structure_.clustering, capacity, order);
+
+  parent_groups_ = std::accumulate(groups_of_level.begin() + 1, groups_of_level.end(), 0u);
+  groups_.assign(parent_groups_, empty_group());
+  const std::uint32_t begin[] = {0, static_cast<std::uint32_t>(boxes.size())};
+  fill(boxes, tolerance, order, begin);
+
+  std::uint32_t first_of_level = 0;
+  for (std::size_t level = groups_of_level.size(); --level > 0;) {
+    const std::uint32_t first_below = first_of_level + groups_of_level[level];
+    for (std::uint32_t g = 0; g < groups_of_level[level]; ++g) {
+      first_group_.push_back(first_below + g * group_width);
+    }
+    first_of_level = first_below;
+  }
+  first_group_.push_back(static_cast<std::uint32_t>(groups_.size()));
+  for (std::uint32_t g = parent_groups_; g-- > 0;) {
+    for (std::uint32_t child = first_group_[g]; child < first_group_[g + 1]; ++child) {
+      include(groups_[g], child - first_group_[g], groups_[child]);
     }
   }
 }

@@ -1,7 +1,8 @@
 // Boxes in single precision, in groups of one SIMD width, that answer "which of these might a ray
 // meet?" without ever missing one. After S. Wenzel et al., "Accelerating navigation in the VecGeom
-// geometry modeller": a linear scan of all groups, or two levels (BVH_h), where groups of parent
-// boxes stand before clusters of a few groups of children.
+// geometry modeller": a linear scan of all groups; two levels (BVH_h), where groups of parent boxes
+// stand before clusters of a few groups of children; or a regular tree of groups (BVH_p), where
+// each lane is the parent of a whole group below. docs/bvh.md compares them.
 //
 // The traversals are templates in geometry/bvh/box_tree_traversal.hpp, which needs Vc and is slow
 // to parse: include it where they are called, and compile all those places for the same
@@ -12,11 +13,10 @@
 #include <span>
 #include <vector>
 
+#include "geometry/bvh/structure.hpp"
 #include "geometry/solids/solid.hpp"
 
 namespace navjit::bvh {
-
-enum class Method : std::uint8_t { linear, two_level };
 
 /// Boxes in a group. Fixed, so that the layout and the order of visits are those of every machine.
 constexpr std::uint32_t group_width = 8;
@@ -25,9 +25,6 @@ constexpr std::uint32_t group_width = 8;
 struct alignas(64) BoxGroup {
   float bounds[6][group_width];  ///< rows: min x, y, z, max x, y, z
 };
-
-/// The method that is faster for `count` boxes (measured with bench/bvh_benchmark.cpp).
-Method default_method(std::size_t count);
 
 /// Immutable after construction; any number of threads may traverse it.
 ///
@@ -42,12 +39,7 @@ class BoxTree {
 
   /// `boxes` and `tolerance` (>= 0) in mm, in the mother's frame. Throws GeometryError if a bound
   /// or the tolerance is not a number, or there are more than 2^31 boxes.
-  BoxTree(std::span<const Extent> boxes, double tolerance, Method method);
-
-  /// As above, with the number of groups per cluster (1 ... 8) for Method::two_level: for
-  /// experiments. The other constructor chooses a good one.
-  BoxTree(std::span<const Extent> boxes, double tolerance, Method method,
-          std::uint32_t groups_per_cluster);
+  BoxTree(std::span<const Extent> boxes, double tolerance, const Structure& structure);
 
   /// Calls visit(index, enter) for every box that the ray from `p` along `v` meets at a path length
   /// within [0, limit]. `enter` >= 0 is a lower bound of the path length at which it does. `visit`
@@ -68,9 +60,9 @@ class BoxTree {
   void near(const Vec3& p, double radius, Visit&& visit) const;
 
   std::size_t size() const { return size_; }
-  Method method() const { return method_; }
-  /// Clusters of the lower level; 0 for Method::linear.
-  std::size_t clusters() const { return first_group_.empty() ? 0 : first_group_.size() - 1; }
+  const Structure& structure() const { return structure_; }
+  /// Clusters of the lowest level; 0 for Method::linear.
+  std::size_t clusters() const;
   /// Memory held, bytes.
   std::size_t bytes() const;
 
@@ -87,15 +79,23 @@ class BoxTree {
   double scan(std::uint32_t first, std::uint32_t last, const Test& test, double limit,
               const NumberOf& number_of, const Take& take) const;
 
+  /// For Method::regular_tree.
+  template <class Test, class Visit>
+  void descend(const Test& test, double limit, const Visit& visit) const;
+
+  void build_two_levels(std::span<const Extent> boxes, double tolerance);
+  void build_regular_tree(std::span<const Extent> boxes, double tolerance);
   void fill(std::span<const Extent> boxes, double tolerance, std::span<const std::uint32_t> order,
             std::span<const std::uint32_t> begin);
 
-  std::vector<BoxGroup> groups_;            ///< parent groups, then the children's
-  std::vector<std::uint32_t> index_;        ///< of the box in each lane of a child group
-  std::vector<std::uint32_t> first_group_;  ///< per cluster, and one past the last
+  std::vector<BoxGroup> groups_;  ///< parent groups, by level from the root; then the children's
+  std::vector<std::uint32_t> index_;  ///< of the box in each lane of a child group
+  /// Two levels: the first group of each cluster. Regular tree: the first group below each parent
+  /// group, whose lanes stand for it and those that follow. And one past the last.
+  std::vector<std::uint32_t> first_group_;
   std::uint32_t parent_groups_ = 0;
   std::size_t size_ = 0;
-  Method method_ = Method::linear;
+  Structure structure_;
 };
 
 }  // namespace navjit::bvh

@@ -158,6 +158,42 @@ class ContainmentTest {
   Lanes below_[3], above_[3];
 };
 
+/// A candidate as one number: non-negative floats are ordered as their bits are.
+struct Candidate {
+  double distance;
+  std::uint32_t number;
+
+  static std::uint64_t key(float distance, std::uint32_t number) {
+    return std::uint64_t{std::bit_cast<std::uint32_t>(distance + 0.0f)} << 32 | number;
+  }
+  static Candidate of(std::uint64_t key) {
+    return {std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32)),
+            static_cast<std::uint32_t>(key)};
+  }
+};
+
+/// The groups that are still to be entered. There are at most 11 levels; 7 stay for
+/// each and 8 more come.
+class DepthFirst {
+ public:
+  bool empty() const { return count_ == 0; }
+  std::uint32_t size() const { return count_; }
+
+  /// Keeps those from place `above` on in order, the nearest last; by number among equals.
+  void insert(std::uint32_t above, float distance, std::uint32_t number) {
+    const std::uint64_t key = Candidate::key(distance, number);
+    std::uint32_t at = count_++;
+    for (; at > above && keys_[at - 1] < key; --at) keys_[at] = keys_[at - 1];
+    keys_[at] = key;
+  }
+  Candidate take() { return Candidate::of(keys_[--count_]); }
+
+ private:
+  static constexpr unsigned capacity = 96;
+  std::uint64_t keys_[capacity];
+  std::uint32_t count_ = 0;
+};
+
 /// A few candidates, taken out nearest first and by number among equals. Taking one out looks at
 /// all: most queries shrink their limit at once and need no complete order. Kept small and not
 /// initialised: it lives on the stack of every query. Those who fill it empty it in time.
@@ -166,22 +202,16 @@ class NearestFirst {
   bool has_room_for_a_group() const { return count_ + group_width <= capacity; }
   bool empty() const { return count_ == 0; }
 
-  /// `distance` must not be negative: non-negative floats are ordered as their bits are.
+  /// `distance` must not be negative.
   void insert(float distance, std::uint32_t number) {
-    keys_[count_++] = std::uint64_t{std::bit_cast<std::uint32_t>(distance + 0.0f)} << 32 | number;
+    keys_[count_++] = Candidate::key(distance, number);
   }
-
-  struct Candidate {
-    double distance;
-    std::uint32_t number;
-  };
   Candidate take() {
     unsigned best = 0;
     for (unsigned i = 1; i < count_; ++i) best = keys_[i] < keys_[best] ? i : best;
     const std::uint64_t key = keys_[best];
     keys_[best] = keys_[--count_];
-    return {std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32)),
-            static_cast<std::uint32_t>(key)};
+    return Candidate::of(key);
   }
   void clear() { count_ = 0; }
 
@@ -225,13 +255,52 @@ double BoxTree::scan(std::uint32_t first, std::uint32_t last, const Test& test, 
   return limit;
 }
 
+/// Depth first, the nearest lane of each group before the others.
+template <class Test, class Visit>
+void BoxTree::descend(const Test& test, double limit, const Visit& visit) const {
+  if (groups_.empty()) return;
+  detail::Verdict verdict;
+  detail::DepthFirst open;
+  detail::NearestFirst found;
+  open.insert(0, 0, 0);
+  float rounded_limit = float_above(limit);
+  while (!open.empty()) {
+    const auto [distance, group] = open.take();
+    if (!Test::within(distance, limit)) continue;
+    test(groups_[group], rounded_limit, verdict);
+    if (group < parent_groups_) {
+      const std::uint32_t above = open.size();
+      const std::uint32_t first = first_group_[group], end = first_group_[group + 1];
+      for (unsigned bits = verdict.candidates; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
+        if (first + lane < end) open.insert(above, verdict.distance[lane], first + lane);
+      }
+      continue;
+    }
+    // Mostly the first box ends the matter: cheaper to look for it than to sort.
+    for (unsigned bits = verdict.candidates; bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
+      const std::uint32_t number = index_of(group, lane);
+      if (number != no_box) found.insert(verdict.distance[lane], number);
+    }
+    while (!found.empty()) {
+      const auto box = found.take();
+      if (!Test::within(box.distance, limit)) break;
+      limit = visit(box.number, box.distance);
+    }
+    found.clear();
+    rounded_limit = float_above(limit);
+  }
+}
+
 template <class Test, class Visit>
 void BoxTree::nearest_first(const Test& test, double limit, const Visit& visit) const {
+  if (structure_.method == Method::regular_tree) return descend(test, limit, visit);
   const auto scan_children = [&](std::uint32_t first, std::uint32_t last, double from) {
     const auto box = [this](std::uint32_t g, std::uint32_t lane) { return index_of(g, lane); };
     return scan(first, last, test, from, box, visit);
   };
-  if (method_ == Method::linear) {
+  if (structure_.method == Method::linear) {
     scan_children(0, static_cast<std::uint32_t>(groups_.size()), limit);
     return;
   }
@@ -269,9 +338,26 @@ void BoxTree::containing(const Vec3& p, Visit&& visit) const {
     }
     return true;
   };
-  if (method_ == Method::linear) {
+  if (structure_.method == Method::linear) {
     scan_children(0, static_cast<std::uint32_t>(groups_.size()));
     return;
+  }
+  if (structure_.method == Method::regular_tree) {
+    if (groups_.empty()) return;
+    std::uint32_t open[96];  // as in DepthFirst
+    unsigned count = 0;
+    for (std::uint32_t group = 0;; group = open[--count]) {
+      if (group >= parent_groups_) {
+        if (!scan_children(group, group + 1)) return;
+      } else {
+        for (unsigned bits = test(groups_[group]); bits != 0; bits &= bits - 1) {
+          const std::uint32_t child =
+              first_group_[group] + static_cast<std::uint32_t>(std::countr_zero(bits));
+          if (child < first_group_[group + 1]) open[count++] = child;
+        }
+      }
+      if (count == 0) return;
+    }
   }
   const auto clusters = static_cast<std::uint32_t>(this->clusters());
   for (std::uint32_t g = 0; g < parent_groups_; ++g) {

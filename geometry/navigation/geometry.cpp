@@ -1,5 +1,6 @@
 #include "geometry/navigation/geometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/bvh/box_tree.hpp"
@@ -35,26 +36,36 @@ namespace {
 /// Below this number of daughters each is tested without a box: a guess, not yet measured.
 constexpr std::size_t boxes_from = 4;
 
-Search choose(std::size_t daughters, GeometryOptions::Force force) {
-  if (daughters == 0) return Search::none;
-  switch (force) {
-    case GeometryOptions::Force::all:
-      return Search::all;
-    case GeometryOptions::Force::linear_boxes:
-      return Search::linear_boxes;
-    case GeometryOptions::Force::bvh:
-      return Search::bvh;
-    case GeometryOptions::Force::automatic:
-      break;
+/// The boxes of a scene, nothing for a scene that is searched without.
+std::optional<bvh::Structure> choose(const LogicalVolume& volume, const GeometryOptions& options) {
+  using Force = GeometryOptions::Force;
+  const std::size_t daughters = volume.daughters.size();
+  if (daughters == 0 || options.force == Force::all) return {};
+  const auto named = options.boxes_of.find(volume.name);
+  if (named != options.boxes_of.end()) return named->second;
+  if (options.force == Force::linear_boxes) return bvh::Structure{};
+  if (options.force == Force::bvh) {
+    return options.boxes.value_or(bvh::Structure{bvh::Method::two_level});
   }
-  if (daughters < boxes_from) return Search::all;
-  return bvh::default_method(daughters) == bvh::Method::linear ? Search::linear_boxes : Search::bvh;
+  if (daughters < boxes_from) return {};
+  return options.boxes.value_or(bvh::default_method(daughters));
+}
+
+void check_names(const World& world, const GeometryOptions& options) {
+  for (const auto& [name, structure] : options.boxes_of) {
+    if (std::none_of(world.volumes.begin(), world.volumes.end(),
+                     [&](const LogicalVolume& volume) { return volume.name == name; })) {
+      throw GeometryError("a box structure is asked for '" + name +
+                          "', but no logical volume is called so; navjit inspect lists them");
+    }
+  }
 }
 
 }  // namespace
 
 Geometry::Geometry(std::shared_ptr<const World> world, const GeometryOptions& options)
     : world_(std::move(world)) {
+  check_names(*world_, options);
   std::size_t total = 0;
   for (const LogicalVolume& volume : world_->volumes) total += volume.daughters.size();
   daughters_.reserve(total);  // spans into it are taken below
@@ -72,11 +83,12 @@ Geometry::Geometry(std::shared_ptr<const World> world, const GeometryOptions& op
       boxes.push_back(placed_extent(solid, placement.transformation));
     }
     scene.daughters = std::span(daughters_).subspan(first);
-    scene.search = choose(scene.daughters.size(), options.force);
-    if (scene.search == Search::linear_boxes || scene.search == Search::bvh) {
-      scene.boxes = std::make_unique<const bvh::BoxTree>(
-          boxes, world_->tolerance,
-          scene.search == Search::linear_boxes ? bvh::Method::linear : bvh::Method::two_level);
+    const std::optional<bvh::Structure> structure = choose(volume, options);
+    if (structure) {
+      scene.boxes = std::make_unique<const bvh::BoxTree>(boxes, world_->tolerance, *structure);
+      scene.search = structure->method == bvh::Method::linear ? Search::linear_boxes : Search::bvh;
+    } else if (!scene.daughters.empty()) {
+      scene.search = Search::all;
     }
   }
 }

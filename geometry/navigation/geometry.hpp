@@ -1,10 +1,14 @@
 // The world prepared for navigation: per volume a compact scene with its acceleration structure.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "geometry/bvh/structure.hpp"
 #include "geometry/model/world.hpp"
 #include "geometry/navigation/stack.hpp"
 
@@ -40,11 +44,17 @@ struct Scene {
 struct GeometryOptions {
   /// Forces one search for all scenes with daughters, for tests and measurements.
   enum class Force : std::uint8_t { automatic, all, linear_boxes, bvh } force = Force::automatic;
+  /// The box structure of all scenes that have enough daughters for one, whatever their number;
+  /// nothing: bvh::default_method. Changes no step; safeties may differ, as valid bounds.
+  std::optional<bvh::Structure> boxes{};
+  /// The same for single volumes by name, few daughters or many.
+  std::map<std::string, bvh::Structure> boxes_of{};
 };
 
 /// Immutable, shared by all threads. Keeps the world alive.
 class Geometry {
  public:
+  /// Throws GeometryError if the options name a volume that is not there.
   explicit Geometry(std::shared_ptr<const World> world, const GeometryOptions& options = {});
   Geometry(const Geometry&) = delete;
   Geometry& operator=(const Geometry&) = delete;

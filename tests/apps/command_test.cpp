@@ -90,11 +90,26 @@ TEST(Inspect, ShowsVolumesAndTheAnalysisOfAScene) {
   EXPECT_NE(scene.text.find("navjit_step_"), std::string::npos);
 }
 
+TEST(Inspect, ShowsTheBoxStructure) {
+  const std::string inspect = "inspect " + shashlik + " --boxes ";
+  const tests::Output all = run_navjit(inspect + "regular-tree:furthest");
+  EXPECT_EQ(all.status, 0) << all.text;
+  EXPECT_NE(all.text.find("regular-tree:furthest"), std::string::npos);
+  const tests::Output scene =
+      run_navjit(inspect + "linear,InnerLead=two-level:k-means --scene InnerLead");
+  EXPECT_EQ(scene.status, 0) << scene.text;
+  EXPECT_NE(scene.text.find("two-level:k-means, 2 clusters"), std::string::npos) << scene.text;
+  const tests::Output nobody = run_navjit(inspect + "nobody=linear");
+  EXPECT_EQ(nobody.status, 1) << nobody.text;
+  EXPECT_NE(nobody.text.find("'nobody'"), std::string::npos) << nobody.text;
+}
+
 TEST(Usage, WrongUsageIsStatusTwo) {
   for (const char* arguments :
        {"", "fly", "run", "run x.gdml --jit sometimes", "run x.gdml --level best",
         "run x.gdml --rays many", "run x.gdml --rays 0", "run x.gdml --origin 1,2",
-        "run x.gdml --eta nan,2", "run x.gdml --threads 0", "trace x.gdml"}) {
+        "run x.gdml --eta nan,2", "run x.gdml --threads 0", "trace x.gdml",
+        "run x.gdml --boxes tree", "run x.gdml --boxes linear:surface"}) {
     const tests::Output output = run_navjit(arguments);
     EXPECT_EQ(output.status, 2) << arguments << ": " << output.text;
     EXPECT_EQ(std::count(output.text.begin(), output.text.end(), '\n'), 1) << output.text;

@@ -15,7 +15,7 @@ namespace {
 using namespace test;
 
 struct Case {
-  Method method;
+  Structure structure;
   std::size_t count;
   double scale;
 };
@@ -26,8 +26,8 @@ class BoxTreeContract : public testing::TestWithParam<Case> {
     const Case& param = GetParam();
     const double edge = 4 / std::cbrt(static_cast<double>(param.count) + 1);
     boxes_ = boxes(generator_, param.count, param.scale, edge * param.scale);
-    tree_ = BoxTree(boxes_, 0, param.method);
-    queries_ = param.count > 1000 ? 200 : 1500;
+    tree_ = BoxTree(boxes_, 0, param.structure);
+    queries_ = param.count > 1000 ? 100 : param.count > 500 ? 400 : 1000;
   }
 
   /// Inside the cloud of boxes, around it, on a box, or far away.
@@ -112,19 +112,18 @@ TEST_P(BoxTreeContract, ShrinkingLimitsFindTheNearestBox) {
 
 std::vector<Case> cases() {
   std::vector<Case> result;
-  for (const Method method : methods) {
-    for (const std::size_t count : {0, 1, 7, 8, 9, 65, 600}) {
-      for (const double scale : {1e-6, 1.0, 1e4, 1e9}) result.push_back({method, count, scale});
+  for (const Structure& structure : structures()) {
+    for (const std::size_t count : {0, 1, 7, 8, 9, 64, 65, 512, 513}) {
+      for (const double scale : {1e-6, 1.0, 1e4, 1e9}) result.push_back({structure, count, scale});
     }
-    result.push_back({method, 10000, 1e3});
+    result.push_back({structure, 10000, 1e3});
   }
   return result;
 }
 
 std::string case_name(const testing::TestParamInfo<Case>& tested) {
   const Case& c = tested.param;
-  return std::string(c.method == Method::linear ? "linear_" : "two_level_") +
-         std::to_string(c.count) + "_boxes_scale_" +
+  return name_of(c.structure) + "_" + std::to_string(c.count) + "_boxes_scale_" +
          std::to_string(std::lround(std::log10(c.scale) + 6)) + "_decades_above_nm";
 }
 INSTANTIATE_TEST_SUITE_P(Random, BoxTreeContract, testing::ValuesIn(cases()), case_name);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "geometry/bvh/box_tree.hpp"
@@ -16,7 +17,25 @@
 namespace navjit::bvh::test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Method methods[] = {Method::linear, Method::two_level};
+
+/// All methods with all clusterings.
+inline std::vector<Structure> structures() {
+  std::vector<Structure> result{{Method::linear}};
+  for (const Method method : {Method::two_level, Method::regular_tree}) {
+    for (const Clustering clustering :
+         {Clustering::surface, Clustering::k_means, Clustering::furthest}) {
+      result.push_back({method, clustering});
+    }
+  }
+  return result;
+}
+
+/// As a test's name may be.
+inline std::string name_of(const Structure& structure) {
+  std::string name = to_string(structure);
+  for (char& c : name) c = c == '-' || c == ':' ? '_' : c;
+  return name;
+}
 
 /// Where a ray enters and leaves a box; empty unless enter <= leave.
 struct Path {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "geometry/bvh/box_tree.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace navjit {
@@ -62,6 +63,57 @@ TEST_P(EverySearch, GivesTheStepsOfTheFullSearch) {
 
 INSTANTIATE_TEST_SUITE_P(GenericNavigator, EverySearch,
                          testing::Values(Force::automatic, Force::linear_boxes, Force::bvh));
+
+std::vector<bvh::Structure> box_structures() {
+  using enum bvh::Clustering;
+  std::vector<bvh::Structure> result{{bvh::Method::linear}};
+  for (const bvh::Method method : {bvh::Method::two_level, bvh::Method::regular_tree}) {
+    for (const bvh::Clustering clustering : {surface, k_means, furthest}) {
+      result.push_back({method, clustering});
+    }
+  }
+  return result;
+}
+
+TEST(GenericNavigator, StepsDoNotDependOnTheBoxStructure) {
+  for (const int side : {2, 5, 9}) {
+    const auto world = std::make_shared<const World>(tests::random_world(99, side));
+    const Geometry all(world, {Force::all});
+    for (const bvh::Structure& structure : box_structures()) {
+      const Geometry other(world, {Force::bvh, structure});
+      ASSERT_EQ(other.scene(world->top).boxes->structure().method, structure.method);
+      std::mt19937_64 random(8);
+      const auto a = std::make_unique<Stack>(), b = std::make_unique<Stack>();
+      for (int ray = 0; ray < 150; ++ray) {
+        const double h = 10.0 * side;
+        const Vec3 p{uniform(random, -h, h), uniform(random, -h, h), uniform(random, -h, h)};
+        const Vec3 v = random_direction(random);
+        EXPECT_EQ(trace(all, p, v), trace(other, p, v)) << to_string(structure);
+        generic::locate(all, *a, p, v);
+        generic::locate(other, *b, p, v);
+        // A solid's bound may be below the distance of its box, and boxes leave such solids out.
+        EXPECT_GE(generic::safety(other, *b, p), generic::safety(all, *a, p));
+      }
+    }
+  }
+}
+
+TEST(GenericNavigator, TheBoxStructureIsChosenForAllOrByName) {
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  VolumeId stack = 0, turned = 0;
+  for (VolumeId v = 0; v < world->volumes.size(); ++v) {
+    if (world->volumes[v].name == "stack") stack = v;
+    if (world->volumes[v].name == "turned") turned = v;
+  }
+  const bvh::Structure tree{bvh::Method::regular_tree, bvh::Clustering::k_means};
+  const Geometry everywhere(world, {.boxes = tree});
+  EXPECT_EQ(everywhere.scene(stack).boxes->structure(), tree);
+  EXPECT_EQ(everywhere.scene(turned).search, Search::all) << "too few daughters for boxes";
+  const Geometry named(world, {.boxes_of = {{"turned", tree}}});
+  EXPECT_EQ(named.scene(turned).boxes->structure(), tree);
+  EXPECT_NE(named.scene(stack).boxes->structure(), tree);
+  EXPECT_THROW(Geometry(world, {.boxes_of = {{"nobody", tree}}}), GeometryError);
+}
 
 TEST(GenericNavigator, StepsAddUpToTheWayOutOfTheWorld) {
   const Geometry geometry = geometry_of(tests::mixed_world(), Force::automatic);

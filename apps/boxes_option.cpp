@@ -1,0 +1,30 @@
+#include "apps/boxes_option.hpp"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace navjit::apps {
+
+void parse_boxes(const std::string& text, GeometryOptions& options) {
+  std::istringstream entries(text);
+  for (std::string entry; std::getline(entries, entry, ',');) {
+    const std::size_t equals = entry.rfind('=');
+    const std::string name = equals == std::string::npos ? "" : entry.substr(0, equals);
+    const std::string value = equals == std::string::npos ? entry : entry.substr(equals + 1);
+    const std::optional<bvh::Structure> structure = bvh::parse_structure(value);
+    if (!structure && value != "auto") {
+      throw std::invalid_argument("'" + entry +
+                                  "': auto, linear, two-level or regular-tree is needed, the last "
+                                  "two with :surface, :k-means or :furthest if you like");
+    }
+    if (equals == std::string::npos || name == "*") {
+      options.boxes = structure;
+    } else if (structure) {
+      options.boxes_of[name] = *structure;
+    } else {
+      options.boxes_of.erase(name);
+    }
+  }
+}
+
+}  // namespace navjit::apps

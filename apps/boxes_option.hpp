@@ -1,0 +1,16 @@
+// The --boxes option: which box structure finds the daughters of which volume.
+#pragma once
+
+#include <string>
+
+#include "geometry/navigation/geometry.hpp"
+
+namespace navjit::apps {
+
+/// Entries with commas between them, later ones override earlier ones: a structure for all scenes
+/// that have boxes ("two-level:k-means"; see bvh::parse_structure), or VOLUME=STRUCTURE for one
+/// volume ("*" for all). "auto" leaves the choice to the library. Throws std::invalid_argument
+/// that says which entry is wrong.
+void parse_boxes(const std::string& text, GeometryOptions& options);
+
+}  // namespace navjit::apps
