@@ -231,20 +231,23 @@ double safety(const Geometry& geometry, const Stack& stack, const Vec3& point) {
   const Scene& scene = geometry.scene(level.volume);
   const Vec3 p = kernels::to_local(level, point.x, point.y, point.z);
   double safety = safety_to_out(scene.solid, p);
-  const auto test = [&](unsigned k) {
+  // `bound` is the distance to the daughter's box: with it the answer is the same whether the
+  // search left the daughter out or not.
+  const auto test = [&](unsigned k, double bound) {
     const Daughter& d = scene.daughters[k];
-    safety = std::min(safety, safety_to_in(d.solid, to_local(d.transformation, p)));
+    const double away = safety_to_in(d.solid, to_local(d.transformation, p));
+    safety = std::min(safety, std::max(bound, away));
     return safety;
   };
   switch (scene.search) {
     case Search::none:
       break;
     case Search::all:
-      for (unsigned k = 0; k < scene.daughters.size(); ++k) test(k);
+      for (unsigned k = 0; k < scene.daughters.size(); ++k) test(k, 0.0);
       break;
     case Search::linear_boxes:
     case Search::bvh:
-      scene.boxes->near(p, safety, [&](unsigned k, double) { return test(k); });
+      scene.boxes->near(p, safety, test);
   }
   // Frames are composed and applied with rounding; a bound must stay below the truth all the same.
   return std::max(0.0, safety - geometry.tolerance());
