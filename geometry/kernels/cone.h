@@ -48,11 +48,18 @@ bool stays_in_nappe(const ConicalForm<Real>& q) {
   return q.a < 0 && q.rate > 0;
 }
 
+/// Does the direction run along a cylinder?
+template <class Real>
+bool is_along_nappe(const ConicalForm<Real>& q) {
+  return is_along(q.vx) & is_along(q.vy) & is_along(q.rate);
+}
+
 /// Directional containment, for points not beyond the tolerance outside.
 template <class Real>
 bool heads_into_nappe(const ConicalForm<Real>& q, Real tol) {
   const Real inner = q.radius - tol;
   if (inner > 0 && q.r2 < inner * inner) return true;
+  if (is_along_nappe(q)) return true;
   // At the tip every direction is a face's: only those within the cone head in.
   if (q.radius <= tol && q.r2 <= tol * tol) return stays_in_nappe(q);
   return q.b < 0 || (q.b == 0 && q.radius > 0 && q.r2 < q.radius * q.radius);
@@ -72,7 +79,7 @@ bool in_cone(const ConicalFace<Real>& f, const Vec3<Real>& p, const Direction<Re
 /// Exit from the nappe, for points known to be in it and not leaving now.
 template <class Real>
 Real nappe_exit(const ConicalForm<Real>& q) {
-  if (stays_in_nappe(q)) return infinity<Real>();
+  if (stays_in_nappe(q) || is_along_nappe(q)) return infinity<Real>();
   const Real root = square_root(larger(conical_discriminant(q), Real(0)));
   if (q.b < 0) return larger((root - q.b) / q.a, Real(0));
   const Real h = q.b + root, c = q.r2 - q.radius * q.radius;
@@ -103,6 +110,7 @@ Span<Real> cone_span(const ConicalFace<Real>& f, const Vec3<Real>& p, const Dire
     }
     if (!stays) return no_span<Real>();
   }
+  if (is_along_nappe(q)) return no_span<Real>();
   const Real discriminant = conical_discriminant(q), c = q.r2 - q.radius * q.radius;
   if (stays) {
     const Real root = square_root(larger(discriminant, Real(0)));

@@ -90,11 +90,19 @@ constexpr Direction<Real> make_direction(Real x, Real y, Real z) {
   return {cx, cy, cz, Real(1) / cx, Real(1) / cy, Real(1) / cz};
 }
 
+/// Does a direction run along a face, given its outward unit normal times the direction? To within
+/// the rounding of directions and frames: over a path as long as the world such a ray stays within
+/// the tolerance of where it is. On the face it is in the solid.
+template <class Real>
+constexpr bool is_along(Real nv) {
+  return absolute(nv) <= static_cast<Real>(0x1p-50);
+}
+
 /// The verdict on one face for `contains`: `s` is the signed distance of the point beyond the face
-/// (> 0 outside), `nv` the outward normal times the direction, both up to a positive factor.
+/// (> 0 outside), `nv` the outward unit normal times the direction.
 template <class Real>
 constexpr bool beyond_face(Real s, Real nv, Real tol) {
-  return s > tol || (s >= -tol && (nv > 0 || (nv == 0 && s > 0)));
+  return s > tol || (s >= -tol && nv > 0 && !is_along(nv));
 }
 
 /// The verdict on one face for `inside`, folded into a running one.

@@ -9,6 +9,12 @@ struct Tube {
   Wedge<Real> wedge;
 };
 
+/// Does a direction run along the z axis? As for flat faces.
+template <class Real>
+constexpr bool is_along_axis(const Direction<Real>& v) {
+  return is_along(v.x) & is_along(v.y);
+}
+
 /// Directional containment in the infinite cylinder of radius r. A tangent leaves a round surface.
 template <class Real>
 bool in_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
@@ -16,6 +22,7 @@ bool in_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol
   const Real outer = r + tol, inner = r - tol;
   if (r2 > outer * outer) return false;
   if (r2 < inner * inner && inner > 0) return true;
+  if (is_along_axis(v)) return true;
   const Real b = p.x * v.x + p.y * v.y;
   return b < 0 || (b == 0 && r2 < r * r);
 }
@@ -23,11 +30,11 @@ bool in_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol
 /// Exit from the infinite cylinder of radius r, for points known to be in it.
 template <class Real>
 Real leave_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  if (is_along_axis(v)) return in_cylinder(r, p, v, tol) ? infinity<Real>() : Real(0);
   const Real a = v.x * v.x + v.y * v.y, b = p.x * v.x + p.y * v.y;
   const Real r2 = p.x * p.x + p.y * p.y, inner = r - tol;
   const bool deep = r2 < inner * inner && inner > 0;
   if (!deep && (b > 0 || (b == 0 && r2 >= r * r))) return Real(0);
-  if (!(a > 0)) return infinity<Real>();
   const Real cross = p.x * v.y - p.y * v.x;
   // From the closest approach on, exactly what containment there compares.
   const Real discriminant = b == 0 ? a * (r * r - r2) : a * (r * r) - cross * cross;
@@ -46,7 +53,7 @@ Span<Real> cylinder_span(Real r, const Vec3<Real>& p, const Direction<Real>& v, 
     return {-infinity<Real>(), leave, leave};
   }
   const Real b = p.x * v.x + p.y * v.y;
-  if (!(b < 0)) return no_span<Real>();
+  if (!(b < 0) || is_along_axis(v)) return no_span<Real>();
   const Real a = v.x * v.x + v.y * v.y;
   const Real cross = p.x * v.y - p.y * v.x;
   const Real discriminant = a * (r * r) - cross * cross;
