@@ -108,8 +108,9 @@ class RayJudge {
   /// Whether the file lets a volume stick out of the world, and the ray left it there.
   bool ends_in_protrusion(const Made& last) const {
     const reference::Chain chain = reference::chain_of(world_, last.state.touchable());
-    for (const double part : {0.5, 0.999}) {
-      const auto p = reference::along(last.start, ray_.direction, part * last.length);
+    const double exit = static_cast<double>(reference_.exit(ray_.position, ray_.direction));
+    for (const double t : {last.from + 0.5 * last.length, (exit + last.from + last.length) / 2}) {
+      const auto p = reference::along(ray_.position, ray_.direction, t);
       if (reference_.judge(chain, p, slack * world_.tolerance) == Verdict::protrusion) return true;
     }
     return false;

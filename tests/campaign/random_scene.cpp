@@ -9,19 +9,21 @@
 #include <stdexcept>
 
 #include "geometry/model/random.hpp"
+#include "geometry/model/transformation.hpp"
 #include "geometry/model/vector.hpp"
 
 namespace navjit::campaign {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double half_world = 50;  // mm
+constexpr double half_world = 100;  // mm
 
 /// Writes the solids of one file. Every solid fits in a sphere of the radius asked for, about its
 /// origin.
 class Writer {
  public:
-  explicit Writer(std::uint64_t seed) : random_(seed) {}
+  Writer(std::uint64_t seed, bool inverse_booleans)
+      : random_(seed), inverse_booleans_(inverse_booleans) {}
 
   double any(double low, double high) { return uniform(random_, low, high); }
   bool chance(double p) { return any(0, 1) < p; }
@@ -71,6 +73,16 @@ class Writer {
   }
   Vec3 angles() { return {any(-pi, pi), any(-pi, pi), any(-pi, pi)}; }
 
+  /// Of the second solid of a boolean.
+  Vec3 boolean_angles() {
+    const Vec3 a = angles();
+    if (!inverse_booleans_) return a;
+    double r[9];  // its transpose turns back
+    rotation_from_angles(a.x, a.y, a.z, r);
+    return {std::atan2(r[5], r[8]), std::atan2(-r[2], std::hypot(r[0], r[1])),
+            std::atan2(r[1], r[0])};
+  }
+
   /// z, rmin and rmax of the planes of a polycone within a cylinder.
   std::string planes(double r, double hz) {
     const int count = 2 + static_cast<int>(below(4));
@@ -88,6 +100,7 @@ class Writer {
 
  private:
   std::mt19937_64 random_;
+  bool inverse_booleans_;
 };
 
 using Make = std::function<void(Writer&, const std::string&, double)>;
@@ -122,7 +135,7 @@ Make boolean(const char* tag) {
     w.solid(tag, name, {},
             "<first ref=\"" + name + "_a\"/><second ref=\"" + name + "_b\"/>" +
                 Writer::vector("position", name + "_at", at, "mm") +
-                Writer::vector("rotation", name + "_turn", w.angles(), "rad"));
+                Writer::vector("rotation", name + "_turn", w.boolean_angles(), "rad"));
   };
 }
 
@@ -323,12 +336,13 @@ const std::vector<std::string>& scene_kinds() {
   return names;
 }
 
-std::string random_scene(std::uint64_t seed, int solids, const std::vector<std::string>& names) {
+std::string random_scene(std::uint64_t seed, int solids, const std::vector<std::string>& names,
+                         bool inverse_booleans) {
   struct Ball {
     Vec3 centre;
     double radius;
   };
-  Writer w(seed);
+  Writer w(seed, inverse_booleans);
   std::vector<Ball> balls;
   std::string structure, daughters;
   int number = 0;

@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
   CLI::App app("Random scenes: navjit and VecGeom against a reference of 113 bits.");
   std::uint64_t seed = 1, scenes = 100;
   std::size_t rays = 1000;
-  int solids = 40;
+  int solids = 600;
   std::vector<std::string> kinds = campaign::scene_kinds();
   std::string vecgeom, navigator = "automatic", json_file, keep;
   std::size_t examples = 3;
@@ -129,7 +129,9 @@ int main(int argc, char** argv) {
     fs::create_directories(folder);
     for (std::uint64_t i = 0; i < scenes; ++i) {
       const std::string name = "scene" + std::to_string(seed + i);
-      const fs::path file = folder / (name + ".gdml"), ray_file = folder / (name + ".rays.csv"),
+      const fs::path file = folder / (name + ".gdml"),
+                     their_file = folder / (name + ".vecgeom.gdml"),
+                     ray_file = folder / (name + ".rays.csv"),
                      trace_file = folder / (name + ".vecgeom.csv");
       std::ofstream(file) << campaign::random_scene(seed + i, solids, kinds);
       const auto world = std::make_shared<const World>(read_gdml(file));
@@ -144,7 +146,8 @@ int main(int argc, char** argv) {
         std::cerr << name << ": " << c << '\n';
       }
       if (vecgeom.empty()) continue;
-      if (run_vecgeom(vecgeom, navigator, file, ray_file, trace_file)) {
+      std::ofstream(their_file) << campaign::random_scene(seed + i, solids, kinds, true);
+      if (run_vecgeom(vecgeom, navigator, their_file, ray_file, trace_file)) {
         theirs.add(truth, reference::read_trace(trace_file, read.size()));
       } else {
         ++theirs.failed;
