@@ -99,10 +99,12 @@ class RayJudge {
     if (reference_.side_of_world(reference::widen(end), rounding) != Side::surface) return true;
     const double exit = static_cast<double>(reference_.exit(ray_.position, ray_.direction));
     if (std::abs(exit - length) <= 1e-9 * size + 1e3 * rounding) return false;
-    // Along the surface, or by an edge, both ends may be right; well within the world, neither is.
+    // By an edge, a tangent or a face both ends may be right: not if the world went on after the
+    // end of the ray, or the ray after that of the world.
     const double middle = (exit + length) / 2;
     const auto between = reference::along(ray_.position, ray_.direction, middle);
-    return reference_.side_of_world(between, rounding) != Side::surface;
+    return reference_.side_of_world(between, rounding) ==
+           (length < exit ? Side::inside : Side::outside);
   }
 
   /// Whether the file lets a volume stick out of the world, and the ray left it there.

@@ -127,11 +127,12 @@ void make_part(Writer& w, const std::string& name, double r) {
   }
 }
 
-Make boolean(const char* tag) {
-  return [tag](Writer& w, const std::string& name, double r) {
+/// The second solid's origin is up to `apart` r from the first's.
+Make boolean(const char* tag, double apart) {
+  return [tag, apart](Writer& w, const std::string& name, double r) {
     make_part(w, name + "_a", 0.7 * r);
     make_part(w, name + "_b", 0.6 * r);
-    const Vec3 at = (0.4 * r) * w.direction();
+    const Vec3 at = (apart * r) * w.direction();
     w.solid(tag, name, {},
             "<first ref=\"" + name + "_a\"/><second ref=\"" + name + "_b\"/>" +
                 Writer::vector("position", name + "_at", at, "mm") +
@@ -300,9 +301,9 @@ const std::vector<Kind>& kinds() {
                   {"highZ", std::cos(b)}});
        },
        0},
-      {"union", boolean("union"), 0},
-      {"subtraction", boolean("subtraction"), 0},
-      {"intersection", boolean("intersection"), 0},
+      {"union", boolean("union", 0.4), 0},
+      {"subtraction", boolean("subtraction", 0.4), 0},
+      {"intersection", boolean("intersection", 0.1), 0},
   };
   return all;
 }
