@@ -14,14 +14,14 @@ Side inside(const Box<Real>& s, const Vec3<Real>& p, Real tol) {
   return worse(side, absolute(p.z) - s.hz, tol);
 }
 
-// Most volumes are boxes and most directions have no zero component: those take the short way, with
-// all three axes turned so that the ray ascends. The others give the rules; both give the same
-// bits.
+// Most volumes are boxes and most directions run along none of their faces: those take the short
+// way, with all three axes turned so that the ray ascends. The others give the rules; both give the
+// same bits.
 
-/// No component of the direction is zero.
+/// The direction runs along none of the faces.
 template <class Real>
 constexpr bool is_oblique(const Direction<Real>& v) {
-  return (v.x != 0) & (v.y != 0) & (v.z != 0);
+  return !(is_along(v.x) | is_along(v.y) | is_along(v.z));
 }
 /// The coordinate along an axis that ascends with the ray.
 template <class Real>
@@ -48,9 +48,8 @@ Real distance_to_in(const Box<Real>& s, const Vec3<Real>& p, const Direction<Rea
     const Real x = ascending(p.x, v.x), y = ascending(p.y, v.y), z = ascending(p.z, v.z);
     const Real rate_x = absolute(v.inverse_x), rate_y = absolute(v.inverse_y),
                rate_z = absolute(v.inverse_z);
-    const Real until = smaller(
-        (s.hx - tol - x) * rate_x,
-        smaller((s.hy - tol - y) * rate_y, smaller((s.hz - tol - z) * rate_z, infinity<Real>())));
+    const Real until = smaller((s.hx - tol - x) * rate_x,
+                               smaller((s.hy - tol - y) * rate_y, (s.hz - tol - z) * rate_z));
     const Real before_x = -s.hx - x, before_y = -s.hy - y, before_z = -s.hz - z;
     Real enter = Real(-1);
     enter = before_x > tol ? before_x * rate_x : enter;

@@ -48,14 +48,35 @@ bool stays_in_nappe(const ConicalForm<Real>& q) {
   return q.a < 0 && q.rate > 0;
 }
 
-/// Directional containment, for points not beyond the tolerance outside.
+/// Does the direction run along a cylinder?
+template <class Real>
+bool is_along_nappe(const ConicalForm<Real>& q) {
+  return is_along(q.vx) & is_along(q.vy) & is_along(q.rate);
+}
+
+/// Exit from the nappe, for points known to be in it and not leaving now.
+template <class Real>
+Real nappe_exit(const ConicalForm<Real>& q) {
+  if (stays_in_nappe(q) || is_along_nappe(q)) return infinity<Real>();
+  const Real root = square_root(larger(conical_discriminant(q), Real(0)));
+  if (q.b < 0) return larger((root - q.b) / q.a, Real(0));
+  const Real h = q.b + root, c = q.r2 - q.radius * q.radius;
+  if (h > 0) return larger(-c / h, Real(0));
+  if (!(c < 0)) return Real(0);
+  return q.a > 0 ? square_root(-c / q.a) : infinity<Real>();
+}
+
+/// Directional containment, for points not beyond the tolerance outside. A tangent leaves, and so
+/// does what would be out again within the tolerance: a step too short to move the point.
 template <class Real>
 bool heads_into_nappe(const ConicalForm<Real>& q, Real tol) {
   const Real inner = q.radius - tol;
   if (inner > 0 && q.r2 < inner * inner) return true;
+  if (is_along_nappe(q)) return true;
   // At the tip every direction is a face's: only those within the cone head in.
   if (q.radius <= tol && q.r2 <= tol * tol) return stays_in_nappe(q);
-  return q.b < 0 || (q.b == 0 && q.radius > 0 && q.r2 < q.radius * q.radius);
+  if (q.b < 0 && q.b < -tol * q.a) return true;
+  return (q.b < 0 || (q.b == 0 && q.radius > 0)) && nappe_exit(q) > tol;
 }
 template <class Real>
 bool within_tolerance_of_nappe(const ConicalForm<Real>& q, Real tol) {
@@ -67,18 +88,6 @@ template <class Real>
 bool in_cone(const ConicalFace<Real>& f, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   const ConicalForm<Real> q = conical_form(f, p, v);
   return within_tolerance_of_nappe(q, tol) && heads_into_nappe(q, tol);
-}
-
-/// Exit from the nappe, for points known to be in it and not leaving now.
-template <class Real>
-Real nappe_exit(const ConicalForm<Real>& q) {
-  if (stays_in_nappe(q)) return infinity<Real>();
-  const Real root = square_root(larger(conical_discriminant(q), Real(0)));
-  if (q.b < 0) return larger((root - q.b) / q.a, Real(0));
-  const Real h = q.b + root, c = q.r2 - q.radius * q.radius;
-  if (h > 0) return larger(-c / h, Real(0));
-  if (!(c < 0)) return Real(0);
-  return q.a > 0 ? square_root(-c / q.a) : infinity<Real>();
 }
 
 /// Exit from the nappe, for points known to be in it.
@@ -103,6 +112,7 @@ Span<Real> cone_span(const ConicalFace<Real>& f, const Vec3<Real>& p, const Dire
     }
     if (!stays) return no_span<Real>();
   }
+  if (is_along_nappe(q)) return no_span<Real>();
   const Real discriminant = conical_discriminant(q), c = q.r2 - q.radius * q.radius;
   if (stays) {
     const Real root = square_root(larger(discriminant, Real(0)));

@@ -36,21 +36,21 @@ constexpr bool starts_in(const Span<Real>& span) {
 /// outward unit normal times the direction.
 template <class Real>
 constexpr void clip_face(Span<Real>& span, Real s, Real nv, Real tol) {
-  if (nv < 0) {
+  if (is_along(nv)) {
+    if (s > tol) span = no_span<Real>();
+  } else if (nv < 0) {
     span.enter = s > tol ? larger(s / -nv, span.enter) : span.enter;
-  } else if (nv > 0) {
+  } else {
     span.leave = smaller(-s / nv, span.leave);
     span.until = smaller((-s - tol) / nv, span.until);
-  } else if (s > 0) {
-    span = no_span<Real>();
   }
 }
 
 /// Clips a span to the slab |p| <= h of one axis.
 template <class Real>
 constexpr void clip_slab(Span<Real>& span, Real h, Real p, Real v, Real inverse, Real tol) {
-  if (v == 0) {
-    if (absolute(p) > h) span = no_span<Real>();
+  if (is_along(v)) {
+    if (absolute(p) - h > tol) span = no_span<Real>();
     return;
   }
   const Real along = v < 0 ? -p : p, rate = absolute(inverse);
@@ -64,13 +64,13 @@ constexpr void clip_slab(Span<Real>& span, Real h, Real p, Real v, Real inverse,
 /// direction that heads out crosses, at once if the start is on the face.
 template <class Real>
 constexpr Real leave_face(Real s, Real nv, Real tol, Real leave) {
-  if (nv > 0) return s >= -tol ? Real(0) : smaller(-s / nv, leave);
-  return nv == 0 && s > 0 ? Real(0) : leave;
+  if (is_along(nv)) return s > tol ? Real(0) : leave;
+  return nv < 0 ? leave : s >= -tol ? Real(0) : smaller(-s / nv, leave);
 }
 /// The exit from the slab |p| <= h of one axis.
 template <class Real>
 constexpr Real leave_slab(Real h, Real p, Real v, Real inverse, Real tol, Real leave) {
-  if (v == 0) return absolute(p) > h ? Real(0) : leave;
+  if (is_along(v)) return absolute(p) - h > tol ? Real(0) : leave;
   const Real depth = h - (v < 0 ? -p : p);
   return depth <= tol ? Real(0) : smaller(depth * absolute(inverse), leave);
 }

@@ -6,17 +6,6 @@ struct Orb {
   Real radius;  ///< mm
 };
 
-/// Directional containment in the ball of radius r. A tangent leaves a round surface.
-template <class Real>
-bool in_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  const Real r2 = p.x * p.x + p.y * p.y + p.z * p.z;
-  const Real outer = r + tol, inner = r - tol;
-  if (r2 > outer * outer) return false;
-  if (r2 < inner * inner && inner > 0) return true;
-  const Real b = p.x * v.x + p.y * v.y + p.z * v.z;
-  return b < 0 || (b == 0 && r2 < r * r);
-}
-
 /// (v.v) r^2 - |p x v|^2: the discriminant from the moment of the ray about the centre, which keeps
 /// its accuracy far away.
 template <class Real>
@@ -25,17 +14,41 @@ Real ball_discriminant(Real r, const Vec3<Real>& p, const Direction<Real>& v, Re
   return a * (r * r) - (mx * mx + my * my + mz * mz);
 }
 
-/// Exit from the ball of radius r, for points known to be in it.
+/// The far end of a line's part in the ball of radius r; b is p.v, r2 is p.p.
 template <class Real>
-Real leave_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  const Real a = v.x * v.x + v.y * v.y + v.z * v.z, b = p.x * v.x + p.y * v.y + p.z * v.z;
-  const Real r2 = p.x * p.x + p.y * p.y + p.z * p.z, inner = r - tol;
-  const bool deep = r2 < inner * inner && inner > 0;
-  if (!deep && (b > 0 || (b == 0 && r2 >= r * r))) return Real(0);
-  // From the closest approach on, exactly what containment there compares.
+Real ball_exit(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real b, Real r2) {
+  const Real a = v.x * v.x + v.y * v.y + v.z * v.z;
   const Real discriminant = b == 0 ? a * (r * r - r2) : ball_discriminant(r, p, v, a);
   const Real root = square_root(larger(discriminant, Real(0)));
   return larger((root - b) / a, Real(0));
+}
+
+/// On the surface, does a direction head in? A tangent leaves a round surface, and so does what
+/// would be out again within the tolerance: a step too short to move the point.
+template <class Real>
+bool heads_into_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol, Real b,
+                     Real r2) {
+  return b < -tol || (b <= 0 && ball_exit(r, p, v, b, r2) > tol);
+}
+
+/// Directional containment in the ball of radius r.
+template <class Real>
+bool in_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Real r2 = p.x * p.x + p.y * p.y + p.z * p.z;
+  const Real outer = r + tol, inner = r - tol;
+  if (r2 > outer * outer) return false;
+  if (r2 < inner * inner && inner > 0) return true;
+  return heads_into_ball(r, p, v, tol, p.x * v.x + p.y * v.y + p.z * v.z, r2);
+}
+
+/// Exit from the ball of radius r, for points known to be in it.
+template <class Real>
+Real leave_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Real b = p.x * v.x + p.y * v.y + p.z * v.z;
+  const Real r2 = p.x * p.x + p.y * p.y + p.z * p.z, inner = r - tol;
+  const bool deep = r2 < inner * inner && inner > 0;
+  if (!deep && !heads_into_ball(r, p, v, tol, b, r2)) return Real(0);
+  return ball_exit(r, p, v, b, r2);
 }
 
 template <class Real>

@@ -98,12 +98,25 @@ constexpr Direction<Real> make_heading(Real x, Real y, Real z) {
   return {x + Real(0), y + Real(0), z + Real(0), not_given, not_given, not_given};
 }
 
+/// Products of a direction and a unit normal up to this are those of a direction along the face.
+template <class Real>
+constexpr Real along_a_face() {
+  return static_cast<Real>(0x1p-50);
+}
+/// Does a direction run along a face, given its outward unit normal times the direction? To within
+/// the rounding of directions and frames: over a path as long as the world such a ray stays within
+/// the tolerance of where it is. On the face it is in the solid.
+template <class Real>
+constexpr bool is_along(Real nv) {
+  return absolute(nv) <= along_a_face<Real>();
+}
+
 /// The verdict on one face for `contains`: `s` is the signed distance of the point beyond the face
-/// (> 0 outside), `nv` the outward normal times the direction, both up to a positive factor.
-/// Without branches: where tracks cross faces, processors cannot foresee the answer.
+/// (> 0 outside), `nv` the outward unit normal times the direction. Without branches: where tracks
+/// cross faces, processors cannot foresee the answer.
 template <class Real>
 constexpr bool beyond_face(Real s, Real nv, Real tol) {
-  return (s > tol) | ((s >= -tol) & ((nv > 0) | ((nv == 0) & (s > 0))));
+  return (s > tol) | ((s >= -tol) & (nv > along_a_face<Real>()));
 }
 
 /// The verdict on one face for `inside`, folded into a running one.

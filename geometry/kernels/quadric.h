@@ -40,14 +40,16 @@ Real form_distance(const QuadraticForm<Real>& q) {
   return 2 * q.c / (q.gradient + square_root(q.gradient * q.gradient + 2 * (q.bend * size)));
 }
 
-/// Directional containment. A tangent goes where the surface bends.
+/// Directional containment. A tangent goes where the surface bends; what would be out again within
+/// the tolerance, by a step too short to move the point, leaves at once.
 template <class Real>
 bool in_form(const QuadraticForm<Real>& q, Real tol) {
   const Real s = form_distance(q);
   if (s > tol) return false;
   if (s < -tol) return true;
-  if (q.b != 0) return q.b < 0;
-  return q.a < 0 || (q.a >= 0 && q.c < 0);
+  if (q.b > 0 || (q.b == 0 && q.a >= 0 && !(q.c < 0))) return false;
+  if (!(q.a > 0) || q.b < -tol * q.a) return true;
+  return square_root(larger(q.b * q.b - q.a * q.c, Real(0))) - q.b > tol * q.a;
 }
 
 /// A crossing at `t` after one step of Newton's, which undoes the rounding of the closed form.
@@ -84,7 +86,8 @@ SpanPair<Real> form_spans(const Face& f, const Vec3<Real>& p, const Direction<Re
     return {to(-forever, -q.c / h), to(h / -q.a, forever)};
   }
   if (q.a > 0) {
-    if (!(q.b < 0) || !(q.b * q.b > q.a * q.c)) return no_spans<Real>();
+    // On the surface: a graze that is not entered.
+    if (!(q.b < 0) || !(q.b * q.b > q.a * q.c) || form_distance(q) <= tol) return no_spans<Real>();
     const Real h = root - q.b;
     return one_span(to(q.c / h, h / q.a));
   }

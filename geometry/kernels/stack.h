@@ -27,13 +27,12 @@ struct SectionRange {
   Real from, to;
 };
 /// Within the tolerance of a plane the direction decides, the same way for the sections on both of
-/// its sides; in the plane, a point is in the upper one.
-template <class Stack, class Real>
-SectionRange<Real> section_range(const Stack& s, const Section<Real>& section, const Vec3<Real>& p,
+/// its sides; along the plane, a ray is in both.
+template <class Real>
+SectionRange<Real> section_range(const Section<Real>& section, const Vec3<Real>& p,
                                  const Direction<Real>& v, Real tol) {
-  if (v.z == 0) {
-    const bool at_top = (p.z == section.z_high) & (p.z == s.z_high);
-    const bool in = (p.z >= section.z_low) & ((p.z < section.z_high) | at_top);
+  if (is_along(v.z)) {
+    const bool in = (section.z_low - p.z <= tol) & (p.z - section.z_high <= tol);
     return {Real(0), in ? infinity<Real>() : Real(0)};
   }
   const Real to_low = section.z_low - p.z, to_high = section.z_high - p.z;
@@ -80,7 +79,7 @@ bool stack_contains(const Stack& s, const Vec3<Real>& p, const Direction<Real>& 
   const Direction<Real> whole = make_direction(v.x, v.y, v.z);
   for (int i = 0; i < s.count; ++i) {
     const Section<Real>& section = s.sections[i];
-    const SectionRange<Real> range = section_range(s, section, p, whole, tol);
+    const SectionRange<Real> range = section_range(section, p, whole, tol);
     if (range.from > 0 || !(range.to > 0)) continue;
     const Vec3<Real> q = from_section(section, p);
     if (in_face(s, section.outer, q, v, tol) &&
@@ -95,8 +94,8 @@ template <class Stack, class Real>
 Real stack_distance_to_in(const Stack& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   // The whole stack: its ends, and a cylinder around it that leaves the surface well inside.
   Span<Real> body = whole_ray<Real>();
-  if (v.z == 0) {
-    if (p.z < s.z_low || p.z > s.z_high) return infinity<Real>();
+  if (is_along(v.z)) {
+    if (s.z_low - p.z > tol || p.z - s.z_high > tol) return infinity<Real>();
   } else {
     const Real before = v.z < 0 ? p.z - s.z_high : s.z_low - p.z;
     const Real depth = v.z < 0 ? p.z - s.z_low : s.z_high - p.z;
@@ -118,7 +117,7 @@ Real stack_distance_to_in(const Stack& s, const Vec3<Real>& p, const Direction<R
   for (int k = 0; k < s.count; ++k) {
     const int i = v.z < 0 ? s.count - 1 - k : k;
     const Section<Real>& section = s.sections[i];
-    const SectionRange<Real> range = section_range(s, section, p, v, tol);
+    const SectionRange<Real> range = section_range(section, p, v, tol);
     if (!(range.from < range.to) || range.to <= around.enter) continue;
     if (range.from >= nearest || range.from >= around.leave) break;
     // The faces are looked at from where the ray enters the section.
@@ -149,7 +148,7 @@ Real stack_distance_to_out(const Stack& s, const Vec3<Real>& p, const Direction<
   for (int k = 0; k < s.count; ++k) {
     const int i = v.z < 0 ? s.count - 1 - k : k;
     const Section<Real>& section = s.sections[i];
-    const SectionRange<Real> range = section_range(s, section, p, v, tol);
+    const SectionRange<Real> range = section_range(section, p, v, tol);
     if (!(reach < range.to)) continue;
     if (reach < range.from) break;
     const Vec3<Real> q = from_section(section, advance(p, v, range.from));

@@ -120,16 +120,19 @@ Turns<Real> turns_ahead(const RingForm<Real>& q, Real reach) {
   return turns;
 }
 
-/// Directional containment in the tube of radius r. A tangent goes where the surface bends.
+/// Directional containment in the tube of radius r. A tangent goes where the surface bends; what
+/// would be out again within the tolerance, by a step too short to move the point, leaves at once.
 template <class Real>
 bool in_ring(Real r, const RingForm<Real>& q, Real tol) {
   const Sample<Real> at = value_at(q, Real(0));
   const Real outer = r + tol, inner = r - tol;
   if (at.value > outer * outer) return false;
   if (at.value < inner * inner && inner > 0) return true;
-  if (at.slope != 0) return at.slope < 0;
-  const Real bend = curvature(q);
-  return bend < 0 || (bend > 0 && at.value < r * r);
+  if (at.slope > 0) return false;
+  const Real bend = curvature(q), c = at.value - r * r;
+  if (at.slope == 0 && !(bend < 0 || (bend > 0 && c < 0))) return false;
+  if (!(bend > 0) || at.slope < -tol * bend) return true;
+  return square_root(larger(at.slope * at.slope - bend * c, Real(0))) - at.slope > tol * bend;
 }
 
 /// The parts of the ray in the tube of radius r.
@@ -141,11 +144,15 @@ SpanPair<Real> ring_spans(Real r, const RingForm<Real>& q, const Turns<Real>& tu
   };
   SpanPair<Real> pair = no_spans<Real>();
   bool in = in_ring(r, q, tol), second = false, falling = turns.falling;
+  // Heading in, but out again within the tolerance.
+  const bool grazes = !in && falling && value_at(q, Real(0)).value <= (r + tol) * (r + tol);
   Real enter = -infinity<Real>(), from = 0;
   for (int i = 0; i <= turns.count; ++i, falling = !falling) {
     const Real to = i < turns.count ? turns.at[i] : turns.end;
     const bool beyond = i == turns.count || distance(to).value >= 0;
-    if (!in && !beyond) {
+    if (i == 0 && grazes) {
+      // What is left of it is not entered.
+    } else if (!in && !beyond) {
       // What starts out though within the tube, heading out within the tolerance, enters where it
       // turns.
       enter = falling ? bracketed_zero(distance, from, to, false) : to;

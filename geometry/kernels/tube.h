@@ -9,30 +9,51 @@ struct Tube {
   Wedge<Real> wedge;
 };
 
-/// Directional containment in the infinite cylinder of radius r. A tangent leaves a round surface.
+/// Does a direction run along the z axis? As for flat faces.
+template <class Real>
+constexpr bool is_along_axis(const Direction<Real>& v) {
+  return is_along(v.x) & is_along(v.y);
+}
+
+/// The far end of a line's part in the infinite cylinder of radius r, which is not along the axis;
+/// a, b and r2 are v.v, p.v and p.p of the parts across z.
+template <class Real>
+Real cylinder_exit(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real a, Real b, Real r2) {
+  const Real cross = p.x * v.y - p.y * v.x;
+  const Real discriminant = b == 0 ? a * (r * r - r2) : a * (r * r) - cross * cross;
+  const Real root = square_root(larger(discriminant, Real(0)));
+  return larger((root - b) / a, Real(0));
+}
+
+/// On the surface, does a direction head in? A tangent leaves a round surface, and so does what
+/// would be out again within the tolerance: a step too short to move the point.
+template <class Real>
+bool heads_into_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol, Real a,
+                         Real b, Real r2) {
+  if (is_along_axis(v)) return true;
+  return b < -tol * a || (b <= 0 && cylinder_exit(r, p, v, a, b, r2) > tol);
+}
+
+/// Directional containment in the infinite cylinder of radius r.
 template <class Real>
 bool in_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   const Real r2 = p.x * p.x + p.y * p.y;
   const Real outer = r + tol, inner = r - tol;
   if (r2 > outer * outer) return false;
   if (r2 < inner * inner && inner > 0) return true;
-  const Real b = p.x * v.x + p.y * v.y;
-  return b < 0 || (b == 0 && r2 < r * r);
+  const Real a = v.x * v.x + v.y * v.y, b = p.x * v.x + p.y * v.y;
+  return heads_into_cylinder(r, p, v, tol, a, b, r2);
 }
 
 /// Exit from the infinite cylinder of radius r, for points known to be in it.
 template <class Real>
 Real leave_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   const Real a = v.x * v.x + v.y * v.y, b = p.x * v.x + p.y * v.y;
-  const Real r2 = p.x * p.x + p.y * p.y, inner = r - tol;
+  const Real r2 = p.x * p.x + p.y * p.y, inner = r - tol, outer = r + tol;
+  if (is_along_axis(v)) return r2 > outer * outer ? Real(0) : infinity<Real>();
   const bool deep = r2 < inner * inner && inner > 0;
-  if (!deep && (b > 0 || (b == 0 && r2 >= r * r))) return Real(0);
-  if (!(a > 0)) return infinity<Real>();
-  const Real cross = p.x * v.y - p.y * v.x;
-  // From the closest approach on, exactly what containment there compares.
-  const Real discriminant = b == 0 ? a * (r * r - r2) : a * (r * r) - cross * cross;
-  const Real root = square_root(larger(discriminant, Real(0)));
-  return larger((root - b) / a, Real(0));
+  if (!deep && !heads_into_cylinder(r, p, v, tol, a, b, r2)) return Real(0);
+  return cylinder_exit(r, p, v, a, b, r2);
 }
 
 /// The span of the infinite cylinder of radius r. The discriminant comes from the moment of the ray
@@ -46,7 +67,7 @@ Span<Real> cylinder_span(Real r, const Vec3<Real>& p, const Direction<Real>& v, 
     return {-infinity<Real>(), leave, leave};
   }
   const Real b = p.x * v.x + p.y * v.y;
-  if (!(b < 0)) return no_span<Real>();
+  if (!(b < 0) || is_along_axis(v)) return no_span<Real>();
   const Real a = v.x * v.x + v.y * v.y;
   const Real cross = p.x * v.y - p.y * v.x;
   const Real discriminant = a * (r * r) - cross * cross;

@@ -34,7 +34,7 @@ TEST_P(Precision, DistancesAreWithinRoundingOfTheReference) {
   Random random(31);
   constexpr double inf = std::numeric_limits<double>::infinity();
   int compared = 0;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0, n = scaled(100); i < n; ++i) {
     const SolidCase c = GetParam().make(random);
     const kernels::AnySolid<double> s = c.solid.any();
     const WideSolid<Quad> wide = widen<Quad>(c.solid);
@@ -78,7 +78,7 @@ TEST_P(Precision, DistancesAreWithinRoundingOfTheReference) {
 
 TEST_P(Precision, SafetiesAreWithinRoundingOfTheReference) {
   Random random(32);
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0, n = scaled(100); i < n; ++i) {
     const SolidCase c = GetParam().make(random);
     const WideSolid<Quad> wide = widen<Quad>(c.solid);
     for (int k = 0; k < 60; ++k) {

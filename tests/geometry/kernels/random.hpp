@@ -1,13 +1,23 @@
 // Random numbers, points and directions of the sort that geometry is tested with.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <random>
 
 #include "geometry/solids/solid.hpp"
 
 namespace navjit::test {
+
+/// How often a property is tried: more often by the factor NAVJIT_TEST_SCALE of the environment, to
+/// look for what is rare.
+inline int scaled(int count) {
+  const char* text = std::getenv("NAVJIT_TEST_SCALE");
+  const double scale = text == nullptr ? 1 : std::strtod(text, nullptr);
+  return scale > 0 ? std::max(1, static_cast<int>(std::min(count * scale, 2e9))) : count;
+}
 
 class Random {
  public:

@@ -30,6 +30,12 @@ void check_ray(const SolidCase& c, const Vec3& p, const Direction& v) {
   if (std::abs(f) < 10 * tol) return;
 
   const bool in = f < 0;
+  if (in) {
+    // Searches by boxes rely on the extent.
+    const Extent& e = c.solid.extent;
+    ASSERT_TRUE(p.x >= e.min.x - tol && p.x <= e.max.x + tol && p.y >= e.min.y - tol &&
+                p.y <= e.max.y + tol && p.z >= e.min.z - tol && p.z <= e.max.z + tol);
+  }
   ASSERT_EQ(inside(s, p, tol), in ? Side::inside : Side::outside);
   ASSERT_EQ(contains(s, p, v, tol), in);
   const double near_in = safety_to_in(s, p), near_out = safety_to_out(s, p);
@@ -77,7 +83,7 @@ void check_ray(const SolidCase& c, const Vec3& p, const Direction& v) {
 
 TEST_P(RayProperties, AgreeWithTheOracle) {
   Random random(11);
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0, n = scaled(150); i < n; ++i) {
     const SolidCase c = GetParam().make(random);
     for (int k = 0; k < 80; ++k) {
       Vec3 p = random.point_in(c.solid.extent, random.chance(0.5) ? 0.0 : 0.5);
@@ -106,7 +112,7 @@ std::optional<Vec3> surface_point(const SolidCase& c, Random& random) {
 
 TEST_P(RayProperties, StartsOnTheSurfaceGoByTheDirection) {
   Random random(12);
-  for (int i = 0; i < 120; ++i) {
+  for (int i = 0, n = scaled(120); i < n; ++i) {
     const SolidCase c = GetParam().make(random);
     const kernels::AnySolid<double> s = c.solid.any();
     const double tol = c.tolerance();
@@ -174,7 +180,7 @@ void check_agreement(const SolidCase& c, const Vec3& p, const Direction& v) {
 
 TEST_P(RayProperties, DirectionalAnswersAgreeEverywhere) {
   Random random(13);
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0, n = scaled(150); i < n; ++i) {
     const SolidCase c = GetParam().make(random);
     const Extent& e = c.solid.extent;
     for (int k = 0; k < 100; ++k) {
@@ -211,7 +217,7 @@ TEST_P(RayProperties, DirectionalAnswersAgreeEverywhere) {
 
 TEST_P(RayProperties, RaysTowardsAnInteriorPointAreNeverLost) {
   Random random(14);
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0, n = scaled(150); i < n; ++i) {
     const SolidCase c = GetParam().make(random);
     const kernels::AnySolid<double> s = c.solid.any();
     const double tol = c.tolerance();
@@ -242,7 +248,7 @@ TEST_P(RayProperties, RaysTowardsAnInteriorPointAreNeverLost) {
 
 TEST_P(RayProperties, SteppingThroughAlternatesAndEnds) {
   Random random(15);
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0, n = scaled(100); i < n; ++i) {
     const SolidCase c = GetParam().make(random);
     const kernels::AnySolid<double> s = c.solid.any();
     const double tol = c.tolerance();

@@ -1,0 +1,102 @@
+// The same detector at 113 bits: what the navigator is judged by. Slow and plain: no acceleration
+// but boxes that say which daughters are surely not involved, looked at one by one.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "geometry/model/world.hpp"
+#include "geometry/solids/widen.hpp"
+
+namespace navjit::reference {
+
+__extension__ typedef __float128 Quad;
+using WidePoint = kernels::Vec3<Quad>;
+using WideDirection = kernels::Direction<Quad>;
+
+WidePoint widen(const Vec3& p);
+WideDirection widen_direction(const Vec3& v);
+/// p + t v, unrounded as far as 113 bits go.
+WidePoint along(const Vec3& p, const Vec3& v, double t);
+
+/// What the reference says about a point that a navigator claims to be in a touchable.
+enum class Verdict : std::uint8_t {
+  right,            ///< in the touchable, and in nothing below it
+  near_a_boundary,  ///< within the tolerance of a surface that matters: nothing is claimed
+  overlap,          ///< right, but the file also has a sister there
+  protrusion,       ///< right, but the file's mother is not there
+  outside,          ///< wrong: not in the touchable's own solid
+  missed_daughter,  ///< wrong: in a daughter of the touchable
+};
+const char* name_of(Verdict verdict);
+constexpr bool is_wrong(Verdict v) { return v >= Verdict::outside; }
+
+/// A touchable, as the daughters on the way down from the world.
+using Chain = std::vector<std::uint32_t>;
+Chain chain_of(const World& world, TouchableId touchable);
+
+/// One step of a reference trace.
+struct WideStep {
+  VolumeId volume;  ///< in which the step was made
+  Quad length;      ///< mm
+};
+
+/// The world's solids and placements in wide numbers, taken from the doubles of the model, which
+/// are the detector's definition. Frames are applied level by level. Immutable.
+class WideGeometry {
+ public:
+  explicit WideGeometry(std::shared_ptr<const World> world);
+
+  const World& world() const { return *world_; }
+
+  /// Judges the claim that the innermost volume at a global point is that of `chain`. All surfaces
+  /// count as `tolerance` mm thick to either side.
+  Verdict judge(const Chain& chain, const WidePoint& point, double tolerance) const;
+
+  /// The innermost touchable with the point; false if it is outside the world. On surfaces the
+  /// direction decides, where daughters overlap the last in file order.
+  bool locate(const WidePoint& point, const WideDirection& direction, Chain& chain) const;
+
+  /// All steps of a ray from a global point until it leaves the world, by the navigator's own
+  /// definition of them (docs/tolerance.md). Ends early, with `stuck` set, after 100 steps in a row
+  /// that do not move it.
+  std::vector<WideStep> trace(const Vec3& point, const Vec3& direction, bool& stuck) const;
+
+  /// How far from a point in the world to its outer surface.
+  Quad exit(const Vec3& point, const Vec3& direction) const;
+  /// Where a point is with respect to the world's outer surface.
+  Side side_of_world(const WidePoint& point, double tolerance) const;
+
+ private:
+  struct Placed {
+    Quad translation[3];
+    Quad rotation[9];
+    bool rotated;
+    VolumeId volume;
+  };
+  struct Scene {
+    kernels::AnySolid<Quad> solid;
+    std::vector<Placed> daughters;
+    std::vector<Extent> boxes;  ///< around the daughters, with a generous margin
+  };
+  /// A volume on the way down, with the ray in its frame.
+  struct Level {
+    VolumeId volume;
+    std::uint32_t daughter;
+    WidePoint p;
+    WideDirection v;
+  };
+
+  static WidePoint to_local(const Placed& t, const WidePoint& p);
+  static WideDirection to_local(const Placed& t, const WideDirection& v);
+  void push(std::vector<Level>& levels, std::uint32_t daughter) const;
+  void move(std::vector<Level>& levels, Quad t) const;
+  void settle(std::vector<Level>& levels, int blocked) const;
+
+  std::shared_ptr<const World> world_;
+  std::vector<std::shared_ptr<const WideSolid<Quad>>> solids_;
+  std::vector<Scene> scenes_;
+};
+
+}  // namespace navjit::reference
