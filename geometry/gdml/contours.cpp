@@ -36,6 +36,14 @@ NamedSolid read_xtru(FileContext& file, const XmlElement& element, const std::st
       fail(child, "unknown element here; use twoDimVertex or section");
     }
   }
+  // Cutting it into triangles takes time with the square of the corners.
+  const std::size_t cost = polygon.size() * polygon.size() / 64;
+  if (cost > file.session.xml.elements) {
+    fail(element,
+         "too many corners in the file's xtru; raise GdmlLimits::max_elements if this is "
+         "meant");
+  }
+  file.session.xml.elements -= cost;
   return made(make_extruded(name, polygon, sections));
 }
 

@@ -109,7 +109,10 @@ VolumeId with_solid(FileContext& file, const XmlElement& element, VolumeId id, S
   file.session.xml.elements -= cost;
   const LogicalVolume& model = file.session.world.volumes[id];
   check_placements(file, element, model.daughters.size());
-  LogicalVolume volume{.name = model.name, .solid = std::move(solid), .material = model.material};
+  LogicalVolume volume;
+  volume.name = model.name;
+  volume.solid = std::move(solid);
+  volume.material = model.material;
   Mother copy{volume.daughters};
   for (const Placement& daughter : model.daughters) add_placement(file, element, copy, daughter);
   return add_volume(file.session, std::move(volume), nullptr);
@@ -119,7 +122,7 @@ void check_placements(FileContext& file, const XmlElement& element, std::size_t 
   const Session& session = file.session;
   const GdmlLimits& limits = session.options.limits;
   if (count > limits.max_placements - std::min(session.placements, limits.max_placements) ||
-      session.placement_name_bytes > limits.max_bytes) {
+      session.placement_name_bytes > 64 * limits.max_placements) {
     fail(element, "more than " + std::to_string(limits.max_placements) +
                       " placements, or too long names of them; raise GdmlLimits::max_placements "
                       "if this is meant");

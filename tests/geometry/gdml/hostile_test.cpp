@@ -175,6 +175,21 @@ TEST_F(GdmlHostile, CopiesOfDifferentShapes) {
                  "too many copies of different shapes");
 }
 
+TEST_F(GdmlHostile, PolygonsOfManyCorners) {
+  std::string corners, many;
+  for (int i = 0; i < 4000; ++i) {
+    corners += "<twoDimVertex x='" + std::to_string(i) + "' y='" + std::to_string(i % 2) + "'/>";
+  }
+  corners += "<twoDimVertex x='2000' y='5000'/>";
+  for (int i = 0; i < 3; ++i) {
+    many += "<xtru name='x" + std::to_string(i) + "'>" + corners +
+            "<section zOrder='0' zPosition='0'/><section zOrder='1' zPosition='9'/></xtru>";
+  }
+  GdmlOptions options;
+  options.limits.max_elements = 500'000;
+  expect_refused(in_world("", many), "too many corners", options);
+}
+
 TEST_F(GdmlHostile, Matrices) {
   expect_refused(in_world("", "", "<matrix name='m' coldim='2147483647' values='1 2 3'/>"),
                  "coldim=2147483647");
