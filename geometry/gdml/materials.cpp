@@ -136,28 +136,28 @@ void read_material(FileContext& file, const XmlElement& element) {
   file.materials.try_emplace(name, index);
 }
 
+/// What materials are made of is read before them: some files give it only afterwards.
 constexpr struct {
   std::string_view tag;
   ElementReader read;
-} readers[] = {
-    {"define", read_define},
-    {"isotope", read_isotope},
-    {"element", read_element},
-    {"material", read_material},
-};
+} first_readers[] = {{"define", read_define}, {"isotope", read_isotope}, {"element", read_element}};
 
 }  // namespace
 
 void read_materials(FileContext& file, const XmlElement& section) {
+  for (const auto& reader : first_readers) {
+    for (const XmlElement& element : section.children()) {
+      if (element.tag == reader.tag) reader.read(file, element);
+    }
+  }
   for (const XmlElement& element : section.children()) {
     file.charge(element);
-    const auto* reader = std::find_if(std::begin(readers), std::end(readers),
-                                      [&](const auto& r) { return r.tag == element.tag; });
     if (element.tag == "loop") {
       file.loop(element, [&] { read_materials(file, element); });
-    } else if (reader != std::end(readers)) {
-      reader->read(file, element);
-    } else {
+    } else if (element.tag == "material") {
+      read_material(file, element);
+    } else if (std::none_of(std::begin(first_readers), std::end(first_readers),
+                            [&](const auto& r) { return r.tag == element.tag; })) {
       file.note("skipped <" + printable(element.tag) + "> in <materials>");
     }
   }

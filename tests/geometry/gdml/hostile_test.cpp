@@ -166,12 +166,12 @@ TEST_F(GdmlHostile, CopiesOfDifferentShapes) {
                     attributes + "><volumeref ref='S'/></divisionvol></volume>"};
   };
   expect_refused(
-      divided("<tube name='m' rmax='9' z='9' deltaphi='7'/>", "axis='kRho' number='3000000'"),
+      divided("<tube name='m' rmax='9' z='9' deltaphi='7'/>", "axis='kRho' number='900000'"),
       "too many copies of different shapes");
   std::string planes;
   for (int i = 0; i < 1000; ++i) planes += "<zplane z='" + std::to_string(i) + "' rmax='9'/>";
   expect_refused(divided("<polycone name='m' deltaphi='7'>" + planes + "</polycone>",
-                         "axis='kRho' number='3000000'"),
+                         "axis='kRho' number='900000'"),
                  "too many copies of different shapes");
 }
 

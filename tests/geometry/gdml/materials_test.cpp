@@ -85,6 +85,14 @@ TEST_F(GdmlMaterials, StateTemperatureAndPressure) {
   EXPECT_EQ(other.state, MaterialState::undefined);
 }
 
+TEST_F(GdmlMaterials, ElementsMayFollow) {
+  const Material m = material(
+      "<material name='M'><D value='1'/><composite n='2' ref='H'/><composite n='1' ref='O'/>"
+      "</material>" +
+      hydrogen + oxygen);
+  EXPECT_NEAR(m.radiation_length / 360.8, 1, 0.01);
+}
+
 TEST_F(GdmlMaterials, UnknownPartsAreNoted) {
   GdmlReport report;
   const Material m =
