@@ -8,7 +8,8 @@
 namespace navjit::apps {
 
 int check(const CheckOptions& options) {
-  const Geometry geometry(std::make_shared<const World>(read_gdml(options.detector)));
+  const Geometry geometry(
+      std::make_shared<const World>(read_gdml(options.detector, {.setup = options.setup})));
   OverlapOptions overlap_options;
   overlap_options.resolution = options.resolution;
   overlap_options.tolerance = options.tolerance;

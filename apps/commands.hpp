@@ -12,6 +12,7 @@ namespace navjit::apps {
 
 struct InspectOptions {
   std::string detector;
+  std::string setup;  ///< of the file; empty: its default
   std::string scene;  ///< empty: all volumes in short
   bool emit = false;  ///< print the generated source of the scene
   GeometryOptions geometry;
@@ -20,6 +21,7 @@ int inspect(const InspectOptions& options);
 
 struct RunOptions {
   std::string detector;
+  std::string setup;
   std::uint64_t rays = 100000;
   RaySource source;
   unsigned threads = 1;
@@ -30,6 +32,7 @@ int run(const RunOptions& options);
 
 struct TraceOptions {
   std::string detector;
+  std::string setup;
   std::string rays;  ///< a file, or a number
   std::uint64_t seed = 1;
   unsigned threads = 1;
@@ -40,6 +43,7 @@ int trace(const TraceOptions& options);
 
 struct CheckOptions {
   std::string detector;
+  std::string setup;
   std::size_t resolution = 1000;  ///< points on each daughter's surface
   double tolerance = 1e-6;        ///< mm
 };

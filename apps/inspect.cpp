@@ -50,6 +50,28 @@ void print_scene(const Geometry& geometry, const std::string& name, bool emit) {
   }
 }
 
+/// Of the volumes in the tree. What is not known is a dash.
+void print_materials(const World& world, const WorldFacts& facts) {
+  std::vector<bool> used(world.materials.size());
+  for (std::size_t v = 0; v < world.volumes.size(); ++v) {
+    if (facts.reachable[v]) used[world.volumes[v].material] = true;
+  }
+  const auto print = [](double value) {
+    if (value > 0) {
+      std::printf("%10.5g ", value);
+    } else {
+      std::printf("%10s ", "-");
+    }
+  };
+  std::printf("\n%10s %10s %s\n", "g/cm3", "X0/cm", "material");
+  for (std::size_t m = 0; m < used.size(); ++m) {
+    if (!used[m]) continue;
+    print(world.materials[m].density);
+    print(world.materials[m].radiation_length / 10);
+    std::printf("%s\n", world.materials[m].name.c_str());
+  }
+}
+
 void print_world(const Geometry& geometry, const std::string& file, const GdmlReport& report) {
   const World& world = geometry.world();
   const WorldFacts facts = analyse_world(geometry);
@@ -78,14 +100,16 @@ void print_world(const Geometry& geometry, const std::string& file, const GdmlRe
                 search_name(scene).c_str(), clusters_of(scene).c_str(), plan.pattern.c_str(),
                 world.volumes[v].name.c_str());
   }
+  print_materials(world, facts);
 }
 
 }  // namespace
 
 int inspect(const InspectOptions& options) {
   GdmlReport report;
-  const Geometry geometry(std::make_shared<const World>(read_gdml(options.detector, {}, &report)),
-                          options.geometry);
+  const Geometry geometry(
+      std::make_shared<const World>(read_gdml(options.detector, {.setup = options.setup}, &report)),
+      options.geometry);
   if (options.scene.empty()) {
     print_world(geometry, options.detector, report);
   } else {

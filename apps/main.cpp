@@ -52,6 +52,12 @@ void add_runtime_options(CLI::App* command, RuntimeOptions& options) {
   add_boxes(command, options.geometry);
 }
 
+void add_detector(CLI::App* command, std::string& detector, std::string& setup) {
+  command->add_option("detector", detector, "GDML file")->required();
+  command->add_option("--setup", setup, "which <setup> of the file (default: its default)")
+      ->option_text("NAME");
+}
+
 void add_threads(CLI::App* command, unsigned& threads) {
   command->add_option("--threads", threads, "navigating threads")
       ->check(CLI::Range(1U, 1024U))
@@ -87,7 +93,7 @@ int parse_and_run(int argc, char** argv) {
 
   apps::InspectOptions inspect;
   CLI::App* inspect_command = app.add_subcommand("inspect", "What is in a detector");
-  inspect_command->add_option("detector", inspect.detector, "GDML file")->required();
+  add_detector(inspect_command, inspect.detector, inspect.setup);
   inspect_command->add_option("--scene", inspect.scene, "analysis of one logical volume");
   inspect_command->add_flag("--emit", inspect.emit, "print the scene's generated source")
       ->needs("--scene");
@@ -96,7 +102,7 @@ int parse_and_run(int argc, char** argv) {
   apps::RunOptions run;
   std::string origin, eta;
   CLI::App* run_command = app.add_subcommand("run", "Transport rays with the JIT on");
-  run_command->add_option("detector", run.detector, "GDML file")->required();
+  add_detector(run_command, run.detector, run.setup);
   run_command->add_option("--rays", run.rays, "number of rays")->check(CLI::PositiveNumber);
   run_command->add_option("--seed", run.source.seed, "of the random rays");
   run_command->add_option("--origin", origin, "start of all rays, mm (default: over the world)")
@@ -109,7 +115,7 @@ int parse_and_run(int argc, char** argv) {
 
   apps::TraceOptions trace;
   CLI::App* trace_command = app.add_subcommand("trace", "Write every step of every ray");
-  trace_command->add_option("detector", trace.detector, "GDML file")->required();
+  add_detector(trace_command, trace.detector, trace.setup);
   trace_command->add_option("--rays", trace.rays, "CSV file of rays, or their number")
       ->required()
       ->option_text("FILE|N");
@@ -121,7 +127,7 @@ int parse_and_run(int argc, char** argv) {
 
   apps::CheckOptions check;
   CLI::App* check_command = app.add_subcommand("check", "Find overlaps and protrusions");
-  check_command->add_option("detector", check.detector, "GDML file")->required();
+  add_detector(check_command, check.detector, check.setup);
   check_command->add_option("--resolution", check.resolution, "points on each daughter's surface")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000000}))
       ->option_text("N");

@@ -133,7 +133,7 @@ void compare_with_generic(Runtime& specialised, const RunOptions& options, RunRe
 }  // namespace
 
 int run(const RunOptions& options) {
-  Runtime runtime(read_gdml(options.detector), options.runtime);
+  Runtime runtime(read_gdml(options.detector, {.setup = options.setup}), options.runtime);
   const World& world = runtime.world();
   const std::uint64_t chunks = (options.rays + rays_per_chunk - 1) / rays_per_chunk;
   std::vector<ChunkTotals> totals(chunks);

@@ -21,6 +21,11 @@ if(NAVJIT_SANITIZE)
   endif()
 endif()
 
+if(NAVJIT_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link,address -fno-omit-frame-pointer -g1 -O1)
+  add_link_options(-fsanitize=address)
+endif()
+
 # A library of all sources of this folder, with the project's root as include directory.
 function(navjit_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)

@@ -130,6 +130,27 @@ NamedSolid read_scaled(FileContext& file, const XmlElement& element, const std::
   return result;
 }
 
+/// The solid scaled by (sx, sy, sz), turned and moved, all given as attributes.
+NamedSolid read_reflected(FileContext& file, const XmlElement& element, const std::string& name) {
+  const NamedSolid& solid = find_solid(file, element, "solid");
+  const double length = file.unit(element, "lunit", Dimension::length);
+  const double angle = file.unit(element, "aunit", Dimension::angle);
+  Frame frame;
+  double scale[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const char axis = "xyz"[i];
+    frame.position[i] = file.length(element, std::string("d") + axis, length, 0);
+    frame.rotation[i] = file.number(element, std::string("r") + axis, 0) * angle;
+    scale[i] = file.number(element, std::string("s") + axis, 1);
+  }
+  NamedSolid result;
+  result.depth = solid.depth + 2;
+  result.parts = solid.parts;
+  check_depth(file, element, result);
+  result.solid = placed(make_scaled(name, *solid.solid, scale[0], scale[1], scale[2]), frame);
+  return result;
+}
+
 template <Combine combine>
 NamedSolid read_with(FileContext& file, const XmlElement& element, const std::string& name) {
   return read_boolean(file, element, name, combine);
@@ -141,6 +162,7 @@ constexpr SolidKindReader readers[] = {
     {"intersection", read_with<make_intersection>},
     {"multiUnion", read_multi_union},
     {"scaledSolid", read_scaled},
+    {"reflectedSolid", read_reflected},
 };
 
 }  // namespace

@@ -11,17 +11,36 @@
 #include "geometry/gdml/expressions.hpp"
 #include "geometry/gdml/units.hpp"
 #include "geometry/gdml/xml.hpp"
+#include "geometry/model/radiation_length.hpp"
 
 namespace navjit::gdml {
 
 using Vector = std::array<double, 3>;
 
+/// The dimensions of a solid that divisions cut, as the file gives them: half lengths and radii in
+/// mm, angles in rad. Those that a kind does not have are zero.
+struct DivisibleShape {
+  std::string_view tag;  ///< "box", "tube", "cone", "trd", "para", "polycone", "polyhedra", "trap"
+  double x1 = 0, y1 = 0, x2 = 0, y2 = 0;  ///< at -hz and at hz; box and para have the first two
+  double hz = 0;
+  double alpha = 0, theta = 0, phi = 0;               ///< para, trap
+  double rmin1 = 0, rmax1 = 0, rmin2 = 0, rmax2 = 0;  ///< cone; the tube has the first two
+  double start = 0, delta = 0;                        ///< azimuth
+  std::vector<ZPlane> planes{};
+  int sides = 0;
+
+  friend bool operator==(const DivisibleShape&, const DivisibleShape&) = default;
+};
+/// Throws GeometryError.
+Solid make_shape(const std::string& name, const DivisibleShape& shape);
+
 /// A solid of the file. One that is not supported is an error only once it is used.
 struct NamedSolid {
   std::optional<Solid> solid;
   const XmlElement* element = nullptr;
-  std::size_t depth = 1;  ///< levels of booleans, 1 for a primitive
-  std::size_t parts = 1;  ///< primitives it is made of
+  std::optional<DivisibleShape> shape;  ///< of the kinds that can be divided
+  std::size_t depth = 1;                ///< levels of booleans, 1 for a primitive
+  std::size_t parts = 1;                ///< primitives it is made of
 };
 
 /// Placements that go together, relative to a frame of their own.
@@ -34,6 +53,9 @@ struct Setup {
   std::string name, world;
   const XmlElement* world_element;
 };
+
+/// What a material is made of, by mass; empty if that is not known.
+using Components = std::vector<MaterialComponent>;
 
 struct FileContext;
 
@@ -49,6 +71,7 @@ struct Session {
   std::size_t placements = 0;
   std::size_t placement_name_bytes = 0;
   World world;
+  std::vector<const NamedSolid*> volume_solids;  ///< of the world's volumes
   std::map<std::string, std::size_t> notes;
   /// Files read or being read, by canonical path.
   std::map<std::string, std::unique_ptr<FileContext>> files;
@@ -70,6 +93,8 @@ struct FileContext {
   Definitions<Vector> positions, rotations, scales;
   Definitions<double> quantities;
   Definitions<std::uint32_t> materials;
+  Definitions<MaterialComponent> isotopes, elements;  ///< with a fraction of 1
+  Definitions<Components> compositions;               ///< of the materials
   Definitions<NamedSolid> solids;
   Definitions<VolumeId> volumes;
   Definitions<Assembly> assemblies;

@@ -36,15 +36,15 @@ NamedSolid read_xtru(FileContext& file, const XmlElement& element, const std::st
       fail(child, "unknown element here; use twoDimVertex or section");
     }
   }
+  // Cutting it into triangles takes time with the square of the corners.
+  const std::size_t cost = polygon.size() * polygon.size() / 64;
+  if (cost > file.session.xml.elements) {
+    fail(element,
+         "too many corners in the file's xtru; raise GdmlLimits::max_elements if this is "
+         "meant");
+  }
+  file.session.xml.elements -= cost;
   return made(make_extruded(name, polygon, sections));
-}
-
-NamedSolid read_para(FileContext& file, const XmlElement& element, const std::string& name) {
-  const double unit = 0.5 * length_unit(file, element), angle = angle_unit(file, element);
-  return made(make_para(name, file.length(element, "x", unit), file.length(element, "y", unit),
-                        file.length(element, "z", unit), file.number(element, "alpha") * angle,
-                        file.number(element, "theta") * angle,
-                        file.number(element, "phi") * angle));
 }
 
 NamedSolid read_arb8(FileContext& file, const XmlElement& element, const std::string& name) {
@@ -155,7 +155,6 @@ NamedSolid read_tessellated(FileContext& file, const XmlElement& element, const 
 constexpr SolidKindReader readers[] = {
     {"xtru", read_xtru},
     {"arb8", read_arb8},
-    {"para", read_para},
     {"tet", read_tet},
     {"tessellated", read_tessellated},
     {"cutTube", read_cut_tube},

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/gdml/solids.hpp"
 #include "geometry/gdml/structure.hpp"
 
 namespace navjit::gdml {
@@ -62,15 +61,15 @@ Vector signs(FileContext& file, const XmlElement& element, Vector scale) {
   return scale;
 }
 
-/// Geant4 places by translation * inverse rotation * scale, applied to daughter coordinates.
-Transformation transformation(const Frame& frame, const Vector& scale) {
+}  // namespace
+
+// Geant4 places by translation * inverse rotation * scale, applied to daughter coordinates.
+Transformation placement_frame(const Frame& frame, const Vector& scale) {
   double rotation[9];
   rotation_from_angles(frame.rotation[0], frame.rotation[1], frame.rotation[2], rotation);
   for (int i = 0; i < 9; ++i) rotation[i] *= scale[static_cast<std::size_t>(i / 3)];
   return make_transformation({frame.position[0], frame.position[1], frame.position[2]}, rotation);
 }
-
-}  // namespace
 
 void read_physvol(FileContext& file, const XmlElement& element, Mother& mother) {
   std::optional<Target> target;
@@ -94,7 +93,7 @@ void read_physvol(FileContext& file, const XmlElement& element, Mother& mother) 
   placement.copy_number = file.integer(element, "copynumber", 0);
   placement.name = file.optional_name(element);
   if (placement.name.empty()) placement.name = target->name + "_PV";
-  placement.transformation = transformation(frame, scale);
+  placement.transformation = placement_frame(frame, scale);
   if (target->assembly == nullptr) {
     placement.volume = target->volume;
     return add_placement(file, element, mother, std::move(placement));
@@ -104,6 +103,7 @@ void read_physvol(FileContext& file, const XmlElement& element, Mother& mother) 
     fail(element,
          "assemblies are nested more than " + std::to_string(max_depth) + " deep; flatten them");
   }
+  check_placements(file, element, target->assembly->placements.size());
   for (const Placement& inner : target->assembly->placements) {
     Placement imprint = inner;
     imprint.name = placement.name + '.' + inner.name;

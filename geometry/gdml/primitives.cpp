@@ -46,6 +46,10 @@ class Dimensions {
     file_.session.xml.elements -= cost;
     return n;
   }
+  /// Counts something assumed.
+  void note(const char* what) const { file_.note(what); }
+  bool has(const char* attribute) const { return element_.find(attribute).has_value(); }
+  [[noreturn]] void refuse(const char* problem) const { fail(element_, problem); }
   /// The <zplane> children.
   std::vector<ZPlane> z_planes() const {
     std::vector<ZPlane> planes;
@@ -74,28 +78,57 @@ class Dimensions {
   double length_unit_, angle_unit_;
 };
 
-Solid read_box(const Dimensions& d, const std::string& name) {
-  return make_box(name, d.half("x"), d.half("y"), d.half("z"));
+DivisibleShape read_box(const Dimensions& d) {
+  return {.tag = "box", .x1 = d.half("x"), .y1 = d.half("y"), .hz = d.half("z")};
 }
 
-Solid read_tube(const Dimensions& d, const std::string& name) {
-  return make_tube(name, d.length("rmin", 0), d.length("rmax"), d.half("z"), d.angle("startphi", 0),
-                   d.angle("deltaphi"));
+DivisibleShape read_tube(const Dimensions& d) {
+  return {.tag = "tube",
+          .hz = d.half("z"),
+          .rmin1 = d.length("rmin", 0),
+          .rmax1 = d.length("rmax"),
+          .start = d.angle("startphi", 0),
+          .delta = d.angle("deltaphi")};
 }
 
-Solid read_cone(const Dimensions& d, const std::string& name) {
-  return make_cone(name, d.length("rmin1", 0), d.length("rmax1"), d.length("rmin2", 0),
-                   d.length("rmax2"), d.half("z"), d.angle("startphi", 0), d.angle("deltaphi"));
+DivisibleShape read_cone(const Dimensions& d) {
+  return {.tag = "cone",
+          .hz = d.half("z"),
+          .rmin1 = d.length("rmin1", 0),
+          .rmax1 = d.length("rmax1"),
+          .rmin2 = d.length("rmin2", 0),
+          .rmax2 = d.length("rmax2"),
+          .start = d.angle("startphi", 0),
+          .delta = d.angle("deltaphi")};
 }
 
-Solid read_trd(const Dimensions& d, const std::string& name) {
-  return make_trd(name, d.half("x1"), d.half("x2"), d.half("y1"), d.half("y2"), d.half("z"));
+DivisibleShape read_trd(const Dimensions& d) {
+  return {.tag = "trd",
+          .x1 = d.half("x1"),
+          .y1 = d.half("y1"),
+          .x2 = d.half("x2"),
+          .y2 = d.half("y2"),
+          .hz = d.half("z")};
+}
+
+DivisibleShape read_para(const Dimensions& d) {
+  return {.tag = "para",
+          .x1 = d.half("x"),
+          .y1 = d.half("y"),
+          .hz = d.half("z"),
+          .alpha = d.angle("alpha"),
+          .theta = d.angle("theta"),
+          .phi = d.angle("phi")};
 }
 
 Solid read_trap(const Dimensions& d, const std::string& name) {
-  return make_trap(name, d.half("z"), d.angle("theta", 0), d.angle("phi", 0), d.half("y1"),
-                   d.half("x1"), d.half("x2"), d.angle("alpha1", 0), d.half("y2"), d.half("x3"),
-                   d.half("x4"), d.angle("alpha2", 0));
+  Solid trap = make_trap(name, d.half("z"), d.angle("theta", 0), d.angle("phi", 0), d.half("y1"),
+                         d.half("x1"), d.half("x2"), d.angle("alpha1", 0), d.half("y2"),
+                         d.half("x3"), d.half("x4"), d.angle("alpha2", 0));
+  if (trap.kind != SolidKind::trap) {
+    d.note("joined the corners of a <trap> whose sides are not planar by straight lines (arb8)");
+  }
+  return trap;
 }
 
 Solid read_orb(const Dimensions& d, const std::string& name) {
@@ -107,18 +140,58 @@ Solid read_sphere(const Dimensions& d, const std::string& name) {
                      d.angle("deltaphi"), d.angle("starttheta", 0), d.angle("deltatheta"));
 }
 
-Solid read_polycone(const Dimensions& d, const std::string& name) {
-  return make_polycone(name, d.z_planes(), d.angle("startphi", 0), d.angle("deltaphi"));
+DivisibleShape read_polycone(const Dimensions& d) {
+  return {.tag = "polycone",
+          .start = d.angle("startphi", 0),
+          .delta = d.angle("deltaphi"),
+          .planes = d.z_planes()};
 }
 
-Solid read_polyhedra(const Dimensions& d, const std::string& name) {
-  return make_polyhedra(name, d.z_planes(), d.sides("numsides"), d.angle("startphi", 0),
-                        d.angle("deltaphi"));
+DivisibleShape read_polyhedra(const Dimensions& d) {
+  return {.tag = "polyhedra",
+          .start = d.angle("startphi", 0),
+          .delta = d.angle("deltaphi"),
+          .planes = d.z_planes(),
+          .sides = d.sides("numsides")};
+}
+
+// What a paramvol gives has names of its own; the length is a whole one nevertheless.
+DivisibleShape read_tube_dimensions(const Dimensions& d) {
+  return {.tag = "tube",
+          .hz = d.half("hz"),
+          .rmin1 = d.length("InR", 0),
+          .rmax1 = d.length("OutR"),
+          .start = d.angle("StartPhi", 0),
+          .delta = d.angle("DeltaPhi")};
+}
+DivisibleShape read_polycone_dimensions(const Dimensions& d) {
+  return {.tag = "polycone",
+          .start = d.angle("startPhi", 0),
+          .delta = d.angle("openPhi"),
+          .planes = d.z_planes()};
+}
+// Geant4 takes these radii for those of the edges.
+DivisibleShape read_polyhedra_dimensions(const Dimensions& d) {
+  DivisibleShape shape{.tag = "polyhedra",
+                       .start = d.angle("startPhi", 0),
+                       .delta = d.angle("openPhi"),
+                       .planes = d.z_planes(),
+                       .sides = d.sides("numSide")};
+  const double inwards = std::cos(shape.delta / (2 * std::max(shape.sides, 1)));
+  for (ZPlane& plane : shape.planes) {
+    plane.rmin *= inwards;
+    plane.rmax *= inwards;
+  }
+  return shape;
 }
 
 Solid read_torus(const Dimensions& d, const std::string& name) {
-  return make_torus(name, d.length("rmin", 0), d.length("rmax"), d.length("rtor"),
-                    d.angle("startphi", 0), d.angle("deltaphi"));
+  const double rmax = d.length("rmax"), rtor = d.length("rtor");
+  if (rmax >= rtor) {
+    d.note("took a <torus> with rmax >= rtor for all points that near to its circle");
+  }
+  return make_torus(name, d.length("rmin", 0), rmax, rtor, d.angle("startphi", 0),
+                    d.angle("deltaphi"));
 }
 
 Solid read_ellipsoid(const Dimensions& d, const std::string& name) {
@@ -156,9 +229,13 @@ Solid read_twistedtrd(const Dimensions& d, const std::string& name) {
 }
 
 Solid read_twistedtrap(const Dimensions& d, const std::string& name) {
-  return make_twistedtrap(name, d.angle("PhiTwist"), d.half("z"), d.angle("Theta", 0),
-                          d.angle("Phi", 0), d.half("y1"), d.half("x1"), d.half("x2"), d.half("y2"),
-                          d.half("x3"), d.half("x4"), d.angle("Alph", 0));
+  Solid trap = make_twistedtrap(name, d.angle("PhiTwist"), d.half("z"), d.angle("Theta", 0),
+                                d.angle("Phi", 0), d.half("y1"), d.half("x1"), d.half("x2"),
+                                d.half("y2"), d.half("x3"), d.half("x4"), d.angle("Alph", 0));
+  if (static_cast<const kernels::TwistedTrap<double>*>(trap.shape.get())->steepening > 0) {
+    d.note("took sections linear in z for a <twistedtrap> whose untwisted sides are not planar");
+  }
+  return trap;
 }
 
 // Either radii at the ends and a length, or radii in the middle and the z of the ends; the azimuth
@@ -168,6 +245,11 @@ Solid read_twistedtubs(const Dimensions& d, const std::string& name) {
   const double segments = d.plain("nseg", 0);
   const double phi = segments != 0 ? d.angle("totphi") / segments : d.angle("phi", 0);
   const double length = d.length("zlen", 0);
+  if (length == 0 && d.has("endouterrad")) {
+    d.refuse(
+        "a twisted tube needs zlen beside endinnerrad and endouterrad: without a length it has no "
+        "points; add zlen, and phi or nseg and totphi");
+  }
   if (length == 0) {
     return make_twistedtubs(name, twist, d.length("midinnerrad", 0), d.length("midouterrad", 0),
                             d.length("negativeEndz", 0), d.length("positiveEndz", 0), phi);
@@ -184,14 +266,23 @@ NamedSolid primitive(FileContext& file, const XmlElement& element, const std::st
   return result;
 }
 
+template <DivisibleShape (*read)(const Dimensions&)>
+NamedSolid divisible(FileContext& file, const XmlElement& element, const std::string& name) {
+  NamedSolid result;
+  result.shape = read(Dimensions(file, element));
+  result.solid = make_shape(name, *result.shape);
+  return result;
+}
+
 constexpr SolidKindReader readers[] = {
-    {"box", primitive<read_box>},
-    {"tube", primitive<read_tube>},
-    {"trd", primitive<read_trd>},
-    {"cone", primitive<read_cone>},
+    {"box", divisible<read_box>},
+    {"tube", divisible<read_tube>},
+    {"trd", divisible<read_trd>},
+    {"cone", divisible<read_cone>},
+    {"para", divisible<read_para>},
     {"trap", primitive<read_trap>},
-    {"polycone", primitive<read_polycone>},
-    {"polyhedra", primitive<read_polyhedra>},
+    {"polycone", divisible<read_polycone>},
+    {"polyhedra", divisible<read_polyhedra>},
     {"sphere", primitive<read_sphere>},
     {"orb", primitive<read_orb>},
     {"torus", primitive<read_torus>},
@@ -209,5 +300,14 @@ constexpr SolidKindReader readers[] = {
 }  // namespace
 
 std::span<const SolidKindReader> primitive_readers() { return readers; }
+
+std::span<const SolidKindReader> dimension_readers() {
+  static constexpr SolidKindReader table[] = {
+      {"tube", divisible<read_tube_dimensions>},
+      {"polycone", divisible<read_polycone_dimensions>},
+      {"polyhedra", divisible<read_polyhedra_dimensions>},
+  };
+  return table;
+}
 
 }  // namespace navjit::gdml

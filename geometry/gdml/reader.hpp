@@ -26,7 +26,8 @@ struct GdmlLimits {
   std::size_t max_entities = 1000;              ///< entity declarations in one document
   std::size_t max_name_length = 512;            ///< characters in a name
   std::size_t max_loop_iterations = 1'000'000;  ///< elements processed by loops, and their turns
-  std::size_t max_placements = 4'000'000;       ///< daughters of all volumes and assemblies
+  std::size_t max_placements = 1'000'000;       ///< daughters of all volumes and assemblies; 64
+                                                ///< characters of name for each
   int max_planes = 1000;                        ///< z planes, or sides, of one solid
   std::size_t max_solid_depth = 200;            ///< levels of nested booleans
   std::size_t max_solid_parts = 10'000;         ///< primitives that make up one boolean

@@ -17,8 +17,27 @@ SolidReader find_reader(std::string_view tag) {
 
 }  // namespace
 
-const NamedSolid& find_solid(FileContext& file, const XmlElement& element) {
-  const NamedSolid& found = file.look_up(file.solids, element, "solid", file.reference(element));
+NamedSolid read_dimensions(FileContext& file, const XmlElement& element, std::string_view kind,
+                           const std::string& name) {
+  constexpr std::string_view kinds[] = {"box",      "tube",      "cone",     "orb",   "sphere",
+                                        "trd",      "trap",      "para",     "torus", "hype",
+                                        "polycone", "polyhedra", "ellipsoid"};
+  if (std::find(std::begin(kinds), std::end(kinds), kind) == std::end(kinds)) {
+    fail(element,
+         "unknown dimensions; use those of a box, tube, cone, orb, sphere, trd, trap, "
+         "para, torus, hype, polycone, polyhedra or ellipsoid");
+  }
+  SolidReader read = find_reader(kind);
+  for (const SolidKindReader& own : dimension_readers()) {
+    if (own.tag == kind) read = own.read;
+  }
+  return at_element(element, [&] { return read(file, element, name); });
+}
+
+const NamedSolid& find_solid(FileContext& file, const XmlElement& element,
+                             std::string_view attribute) {
+  const NamedSolid& found =
+      file.look_up(file.solids, element, "solid", file.reference(element, attribute));
   if (!found.solid) {
     fail(*found.element, "unsupported solid '" + printable(found.element->tag) +
                              "'; replace it by a supported one or take it out");

@@ -17,13 +17,20 @@ struct SolidKindReader {
 
 /// box, tube, cone, ...
 std::span<const SolidKindReader> primitive_readers();
+/// tube, polycone and polyhedra as a paramvol gives their dimensions
+std::span<const SolidKindReader> dimension_readers();
 /// xtru, arb8, tessellated, ...: what is given by corners and contours
 std::span<const SolidKindReader> contour_readers();
 /// union, subtraction, intersection
 std::span<const SolidKindReader> boolean_readers();
 
+/// The solid of a kind that the dimensions in a paramvol give. Fails on unknown kinds.
+NamedSolid read_dimensions(FileContext& file, const XmlElement& element, std::string_view kind,
+                           const std::string& name);
+
 /// The solid that an element refers to. Fails if it is not defined or of an unsupported kind.
-const NamedSolid& find_solid(FileContext& file, const XmlElement& element);
+const NamedSolid& find_solid(FileContext& file, const XmlElement& element,
+                             std::string_view attribute = "ref");
 
 /// A position or rotation given by an element: inline, or by reference to a definition.
 /// Tags: `prefix` + "position", "rotation", and the same with "ref". Both zero if not given.

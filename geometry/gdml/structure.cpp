@@ -8,11 +8,6 @@
 namespace navjit::gdml {
 namespace {
 
-void unsupported(FileContext&, const XmlElement& element, Mother&) {
-  fail(element, "unsupported structure '" + printable(element.tag) +
-                    "'; write its copies as physvols or a loop of physvols");
-}
-
 constexpr struct {
   std::string_view tag;
   DaughterReader read;
@@ -20,7 +15,7 @@ constexpr struct {
     {"physvol", read_physvol},
     {"replicavol", read_replica},
     {"divisionvol", read_division},
-    {"paramvol", unsupported},
+    {"paramvol", read_paramvol},
 };
 
 void read_daughters(FileContext& file, const XmlElement& section, Mother& mother) {
@@ -47,7 +42,7 @@ std::uint32_t find_material(FileContext& file, const XmlElement& element) {
   if (name.starts_with("G4_") && !file.materials.contains(name)) {
     auto& materials = file.session.world.materials;
     file.materials.emplace(name, static_cast<std::uint32_t>(materials.size()));
-    materials.push_back({name, 0});
+    materials.push_back({.name = name});
     file.note("kept the name but no density of materials from Geant4's NIST table");
   }
   return file.look_up(file.materials, element, "material", name);
@@ -76,12 +71,10 @@ void read_volume(FileContext& file, const XmlElement& element) {
   volume.solid = *solid->solid;
   volume.material = material ? *material : nameless_material(file);
   file.open_name = name;
-  Mother mother{volume.daughters, 1, &volume.solid};
+  Mother mother{volume.daughters, 1, solid};
   read_daughters(file, element, mother);
   file.open_name.clear();
-  auto& volumes = file.session.world.volumes;
-  const auto id = static_cast<VolumeId>(volumes.size());
-  volumes.push_back(std::move(volume));
+  const VolumeId id = add_volume(file.session, std::move(volume), solid);
   file.define(file.volumes, "volume", name, id);
 }
 
@@ -98,16 +91,49 @@ void read_assembly(FileContext& file, const XmlElement& element) {
 
 }  // namespace
 
-void add_placement(FileContext& file, const XmlElement& element, Mother& mother,
-                   Placement placement) {
-  Session& session = file.session;
-  session.placement_name_bytes += placement.name.size();
-  if (++session.placements > session.options.limits.max_placements ||
-      session.placement_name_bytes > session.options.limits.max_bytes) {
-    fail(element, "more than " + std::to_string(session.options.limits.max_placements) +
+VolumeId add_volume(Session& session, LogicalVolume volume, const NamedSolid* solid) {
+  session.world.volumes.push_back(std::move(volume));
+  session.volume_solids.push_back(solid);
+  return static_cast<VolumeId>(session.world.volumes.size() - 1);
+}
+
+VolumeId with_solid(FileContext& file, const XmlElement& element, VolumeId id, Solid solid,
+                    std::size_t size) {
+  // Copies cost memory as elements do, and more of it.
+  const std::size_t cost = 16 + size;
+  if (cost > file.session.xml.elements) {
+    fail(element,
+         "too many copies of different shapes; raise GdmlLimits::max_elements if this is "
+         "meant");
+  }
+  file.session.xml.elements -= cost;
+  const LogicalVolume& model = file.session.world.volumes[id];
+  check_placements(file, element, model.daughters.size());
+  LogicalVolume volume;
+  volume.name = model.name;
+  volume.solid = std::move(solid);
+  volume.material = model.material;
+  Mother copy{volume.daughters};
+  for (const Placement& daughter : model.daughters) add_placement(file, element, copy, daughter);
+  return add_volume(file.session, std::move(volume), nullptr);
+}
+
+void check_placements(FileContext& file, const XmlElement& element, std::size_t count) {
+  const Session& session = file.session;
+  const GdmlLimits& limits = session.options.limits;
+  if (count > limits.max_placements - std::min(session.placements, limits.max_placements) ||
+      session.placement_name_bytes > 64 * limits.max_placements) {
+    fail(element, "more than " + std::to_string(limits.max_placements) +
                       " placements, or too long names of them; raise GdmlLimits::max_placements "
                       "if this is meant");
   }
+}
+
+void add_placement(FileContext& file, const XmlElement& element, Mother& mother,
+                   Placement placement) {
+  file.session.placement_name_bytes += placement.name.size();
+  check_placements(file, element, 1);
+  ++file.session.placements;
   mother.placements.push_back(std::move(placement));
 }
 

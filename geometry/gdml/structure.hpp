@@ -1,30 +1,66 @@
 // What the readers of <structure> share.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
-#include "geometry/gdml/context.hpp"
+#include "geometry/gdml/solids.hpp"
 
 namespace navjit::gdml {
 
 /// Where the daughters of the volume or assembly being read go.
 struct Mother {
   std::vector<Placement>& placements;
-  int assembly_depth = 1;        ///< levels of assemblies, counting this one
-  const Solid* solid = nullptr;  ///< null in an assembly
+  int assembly_depth = 1;             ///< levels of assemblies, counting this one
+  const NamedSolid* solid = nullptr;  ///< null in an assembly
 };
 
 using DaughterReader = void (*)(FileContext&, const XmlElement&, Mother&);
 
+/// Adds a volume that has this solid.
+VolumeId add_volume(Session& session, LogicalVolume volume, const NamedSolid* solid);
+/// Fails if so many more placements are beyond the limit.
+void check_placements(FileContext& file, const XmlElement& element, std::size_t count);
 /// Adds a daughter; fails beyond the limit on placements.
 void add_placement(FileContext& file, const XmlElement& element, Mother& mother,
                    Placement placement);
 
+/// A volume like `id`, under its name and with its daughters, but of another solid, which is given
+/// by so many numbers. Fails beyond the limits.
+VolumeId with_solid(FileContext& file, const XmlElement& element, VolumeId id, Solid solid,
+                    std::size_t size);
+/// Of a shape that can be divided, roughly.
+inline std::size_t size_of(const DivisibleShape& shape) {
+  return 4 * shape.planes.size() + static_cast<std::size_t>(std::max(shape.sides, 0));
+}
+
+/// One piece of a divided solid, and where it goes: turned by `turn` about z, then moved.
+struct Slice {
+  DivisibleShape shape;
+  double translation[3] = {0, 0, 0};
+  double turn = 0;
+};
+enum class DivisionAxis { x, y, z, rho, phi };
+struct Division {
+  DivisionAxis axis;
+  int number = 0;
+  double width = 0, offset = 0;  ///< mm or rad
+  bool by_planes = false;        ///< between the z planes of a polycone or polyhedra
+};
+/// The length or angle that a solid can be divided along an axis, mm or rad; nothing if it cannot.
+std::optional<double> divisible_length(const DivisibleShape& shape, DivisionAxis axis);
+Slice slice(const DivisibleShape& shape, const Division& division, int i);
+
+/// The frame that <position> and <rotation> place a daughter in.
+Transformation placement_frame(const Frame& frame, const Vector& scale = {1, 1, 1});
+
 /// physvol
 void read_physvol(FileContext& file, const XmlElement& element, Mother& mother);
-/// divisionvol: a box cut into boxes along x, y or z
+/// divisionvol: a solid cut along one of its axes
 void read_division(FileContext& file, const XmlElement& element, Mother& mother);
-/// replicavol: copies along x, y, z or around z
+/// replicavol: copies along x, y, z, outwards from z or around it
 void read_replica(FileContext& file, const XmlElement& element, Mother& mother);
+/// paramvol: copies with frames and dimensions of their own
+void read_paramvol(FileContext& file, const XmlElement& element, Mother& mother);
 
 }  // namespace navjit::gdml

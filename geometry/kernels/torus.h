@@ -1,4 +1,5 @@
-// A torus about the z axis, hollow and cut to an azimuthal segment if need be.
+// A torus about the z axis, hollow and cut to an azimuthal segment if need be. A tube wider than
+// its circle covers the axis: the solid is still all points within rmax of the circle.
 //
 // Along a ray, the squared distance h from the circle in the middle of the tube is convex far from
 // the z axis, concave near it, and convex again beyond: all that is needed to bracket its turning
@@ -21,21 +22,26 @@ struct RingForm {
   Direction<Real> v;
 };
 
+/// How fast a ray moves away from the axis. On it, where that jumps, the rate ahead.
+template <class Real>
+Real radial_rate(const RingForm<Real>& q, Real x, Real y, Real rho) {
+  return rho > 0 ? (x * q.v.x + y * q.v.y) / rho : square_root(q.v.x * q.v.x + q.v.y * q.v.y);
+}
+
 /// The squared distance from the circle and half its derivative.
 template <class Real>
 Sample<Real> value_at(const RingForm<Real>& q, Real t) {
   const Real x = q.p.x + t * q.v.x, y = q.p.y + t * q.v.y, z = q.p.z + t * q.v.z;
   const Real rho = square_root(x * x + y * y), across = rho - q.ring;
-  const Real radial = rho > 0 ? (x * q.v.x + y * q.v.y) / rho : Real(0);
-  return {across * across + z * z, across * radial + z * q.v.z};
+  return {across * across + z * z, across * radial_rate(q, x, y, rho) + z * q.v.z};
 }
-/// Half the second derivative of h at the start.
+/// Half the second derivative of h at the start, ahead.
 template <class Real>
 Real curvature(const RingForm<Real>& q) {
   const Real rho = square_root(q.p.x * q.p.x + q.p.y * q.p.y);
   const Real cross = q.p.x * q.v.y - q.p.y * q.v.x;
   const Real a = q.v.x * q.v.x + q.v.y * q.v.y + q.v.z * q.v.z;
-  return rho > 0 ? a - q.ring * (cross * cross) / (rho * rho * rho) : -infinity<Real>();
+  return rho > 0 ? a - q.ring * (cross * cross) / (rho * rho * rho) : a;
 }
 
 /// The larger of 0 and the cube root.
@@ -64,8 +70,7 @@ Real turning_point(const RingForm<Real>& q, Real low, Real high, bool minimum) {
   const auto slope = [&](Real t) {
     const Real x = q.p.x + t * q.v.x, y = q.p.y + t * q.v.y, z = q.p.z + t * q.v.z;
     const Real rho = square_root(x * x + y * y);
-    const Real radial = rho > 0 ? (x * q.v.x + y * q.v.y) / rho : Real(0);
-    const Real cross = x * q.v.y - y * q.v.x;
+    const Real radial = radial_rate(q, x, y, rho), cross = x * q.v.y - y * q.v.x;
     const Real bend = rho > 0 ? cross * cross / (rho * rho * rho) : Real(0);
     return Sample<Real>{(rho - q.ring) * radial + z * q.v.z, a - q.ring * bend};
   };

@@ -4,10 +4,12 @@
 // sides bend.
 namespace navjit::kernels {
 
-/// In the frame that turns with the section: nu u + nw w < c0 + c1 z, with (nu, nw) of length 1.
+/// In the frame that turns with the section: (nu + nu1 z) u + (nw + nw1 z) w < c0 + c1 z + c2 z^2,
+/// with (nu, nw) of length 1. The last three are zero for a side that is planar but for the twist.
 template <class Real>
 struct TwistedSide {
   Real nu, nw, c0, c1;
+  Real nu1 = 0, nw1 = 0, c2 = 0;
 };
 
 template <class Real>
@@ -18,6 +20,9 @@ struct TwistedTrap {
   Real hx, hy;            ///< the solid is within |x| <= hx, |y| <= hy
   Real reach;             ///< no point is further from the middle of its section
   TwistedSide<Real> right, left, back, front;
+  Real steep = 1;       ///< the most that (nu, nw) of a side grows to near the solid
+  Real steepening = 0;  ///< the largest of (nu1, nw1)
+  Real curve = 0;       ///< the largest |c2|
 };
 template <class Real>
 constexpr const TwistedSide<Real>& side_of(const TwistedTrap<Real>& s, int k) {
@@ -42,7 +47,7 @@ Turn<Real> turn_by(Real angle) {
 }
 
 /// How far a point is beyond the plane of a side within its section; and its derivatives along z,
-/// across it being those of a unit vector (nx, ny).
+/// across it being (nx, ny).
 template <class Real>
 struct TwistedValue {
   Real value, nx, ny, nz;
@@ -51,14 +56,16 @@ template <class Real>
 TwistedValue<Real> value_at(const TwistedTrap<Real>& s, const TwistedSide<Real>& side,
                             const Vec3<Real>& p, const Turn<Real>& turn) {
   const Real x = p.x - s.shear_x * p.z, y = p.y - s.shear_y * p.z;
-  const Real nx = turn.cosine * side.nu - turn.sine * side.nw;
-  const Real ny = turn.sine * side.nu + turn.cosine * side.nw;
-  return {nx * x + ny * y - (side.c0 + side.c1 * p.z), nx, ny,
-          s.rate * (nx * y - ny * x) - (nx * s.shear_x + ny * s.shear_y) - side.c1};
+  const Real u = side.nu + side.nu1 * p.z, w = side.nw + side.nw1 * p.z;
+  const Real nx = turn.cosine * u - turn.sine * w, ny = turn.sine * u + turn.cosine * w;
+  const Real along = turn.cosine * x + turn.sine * y, across = turn.cosine * y - turn.sine * x;
+  return {nx * x + ny * y - (side.c0 + (side.c1 + side.c2 * p.z) * p.z), nx, ny,
+          s.rate * (nx * y - ny * x) - (nx * s.shear_x + ny * s.shear_y) +
+              (side.nu1 * along + side.nw1 * across) - (side.c1 + 2 * side.c2 * p.z)};
 }
 template <class Real>
 Real gradient(const TwistedValue<Real>& at) {
-  return square_root(1 + at.nz * at.nz);
+  return square_root(at.nx * at.nx + at.ny * at.ny + at.nz * at.nz);
 }
 template <class Real>
 Real rate_along(const TwistedValue<Real>& at, const Direction<Real>& v) {
@@ -74,6 +81,17 @@ bool within_side(const TwistedValue<Real>& at, const Direction<Real>& v, Real to
   return nv < 0 || (nv == 0 && at.value <= 0);
 }
 
+/// Bounds on how fast (nx, ny) of a side changes along z, and on how fast that does.
+template <class Real>
+struct TwistedRates {
+  Real first, second;
+};
+template <class Real>
+TwistedRates<Real> normal_rates(const TwistedTrap<Real>& s) {
+  const Real turning = absolute(s.rate);
+  return {turning * s.steep + s.steepening, turning * (turning * s.steep + 2 * s.steepening)};
+}
+
 /// A ray near the solid, with a bound on the second derivatives of the sides along it.
 template <class Real>
 struct TwistedRay {
@@ -87,7 +105,8 @@ template <class Real>
 TwistedRay<Real> twisted_ray(const TwistedTrap<Real>& s, const Vec3<Real>& p,
                              const Direction<Real>& v) {
   // Within the box that `approach` goes to, with some room, points are this far from the middle.
-  const Real shear = absolute(s.shear_x) + absolute(s.shear_y), turning = absolute(s.rate);
+  const Real shear = absolute(s.shear_x) + absolute(s.shear_y);
+  const TwistedRates<Real> rates = normal_rates(s);
   const Real room = Real(1) + Real(1) / 32, size = s.hx + s.hy + s.hz;
   const Real far = (s.hx + s.hy + shear * s.hz) * room;
   const Real vz = absolute(v.z), across = square_root(v.x * v.x + v.y * v.y);
@@ -96,7 +115,8 @@ TwistedRay<Real> twisted_ray(const TwistedTrap<Real>& s, const Vec3<Real>& p,
   clip_slab(span, s.hy * room, p.y, v.y, v.inverse_y, Real(0));
   clip_slab(span, s.hz * room, p.z, v.z, v.inverse_z, Real(0));
   return {p, v, larger(span.leave, Real(0)),
-          vz * turning * (vz * (turning * far + 2 * shear) + 2 * across),
+          vz * (vz * (rates.second * far + 2 * (rates.first * shear + s.curve)) +
+                2 * rates.first * across),
           size / (Real(1024) * 1024 * 1024 * 16)};
 }
 
@@ -220,9 +240,10 @@ Real surface_distance(const TwistedTrap<Real>& s, const Vec3<Real>& p) {
   Real d = absolute(p.z) - s.hz;
   if (d > 0) return d;
   const Real x = p.x - s.shear_x * p.z, y = p.y - s.shear_y * p.z;
-  const Real far = larger(square_root(x * x + y * y), s.reach), turning = absolute(s.rate);
+  const Real far = larger(square_root(x * x + y * y), s.reach);
   const Real shear = square_root(s.shear_x * s.shear_x + s.shear_y * s.shear_y);
-  const Real bend = turning * (turning * far + 2 * shear + 1);
+  const TwistedRates<Real> rates = normal_rates(s);
+  const Real bend = rates.second * far + rates.first * (2 * shear + 1) + 2 * s.curve;
   const Turn<Real> turn = turn_by(s.rate * p.z);
   for (int k = 0; k < 4; ++k) {
     const TwistedValue<Real> at = value_at(s, side_of(s, k), p, turn);

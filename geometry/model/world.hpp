@@ -21,9 +21,15 @@ struct Tolerance {
   double relative = 4e-15;
 };
 
+enum class MaterialState : std::uint8_t { undefined, solid, liquid, gas };
+
 struct Material {
   std::string name;
   double density = 0;  ///< g/cm3; 0 where the file gives none
+  MaterialState state = MaterialState::undefined;
+  double temperature = 293.15;  ///< K
+  double pressure = 101325;     ///< Pa
+  double radiation_length = 0;  ///< mm; 0 where density or composition are not known
 };
 
 struct Placement {

@@ -136,8 +136,18 @@ double volume(const kernels::Polyhedra<double>& s) {
   return stack_volume(s, s.side_count * std::tan(angle_of(s.wedge) / (2 * s.side_count)));
 }
 
+/// Integral of the distance from the axis over a disc around radius `ring`, without what would be
+/// beyond the axis.
+double disc_moment(double ring, double r) {
+  if (r <= ring) return ring * (pi * r * r);
+  const double cut = std::sqrt((r - ring) * (r + ring));
+  return ring * (r * r * (pi / 2 + std::asin(ring / r)) + ring * cut) + cut * cut * cut * 2 / 3;
+}
 double volume(const kernels::Torus<double>& s) {
-  return angle_of(s.wedge) * s.rtor * (pi * (s.rmax - s.rmin) * (s.rmax + s.rmin));
+  if (s.rmax <= s.rtor) {
+    return angle_of(s.wedge) * s.rtor * (pi * (s.rmax - s.rmin) * (s.rmax + s.rmin));
+  }
+  return angle_of(s.wedge) * (disc_moment(s.rtor, s.rmax) - disc_moment(s.rtor, s.rmin));
 }
 
 /// Volume within a quadric between two planes; its sections are ellipses.
@@ -161,9 +171,10 @@ double volume(const kernels::TwistedTrap<double>& s) {
   // Sections are trapezoids with the sides across w parallel; twist and shear keep their area.
   const auto area = [&](double z) {
     const double height = s.back.c0 + s.back.c1 * z + s.front.c0 + s.front.c1 * z;
-    const double right = (s.right.c0 + s.right.c1 * z) / s.right.nu;
-    const double left = (s.left.c0 + s.left.c1 * z) / s.left.nu;
-    return height * (right - left);
+    const auto middle = [&](const kernels::TwistedSide<double>& f) {
+      return (f.c0 + (f.c1 + f.c2 * z) * z) / (f.nu + f.nu1 * z);
+    };
+    return height * (middle(s.right) - middle(s.left));
   };
   return s.hz / 3 * (area(-s.hz) + 4 * area(0) + area(s.hz));
 }

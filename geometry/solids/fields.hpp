@@ -264,6 +264,9 @@ void visit_fields(const TwistedSide<Real>& s, V&& visit) {
   visit("nw", s.nw);
   visit("c0", s.c0);
   visit("c1", s.c1);
+  visit("nu1", s.nu1);
+  visit("nw1", s.nw1);
+  visit("c2", s.c2);
 }
 
 template <class Real, class V>
@@ -279,6 +282,9 @@ void visit_fields(const TwistedTrap<Real>& s, V&& visit) {
   visit("left", s.left);
   visit("back", s.back);
   visit("front", s.front);
+  visit("steep", s.steep);
+  visit("steepening", s.steepening);
+  visit("curve", s.curve);
 }
 
 template <class Real, class V>

@@ -56,7 +56,8 @@ Solid make_cone(std::string name, double rmin1, double rmax1, double rmin2, doub
 Solid make_trd(std::string name, double hx1, double hx2, double hy1, double hy2, double hz);
 /// theta, phi: direction of the line through the centres of the faces at -hz and +hz. At -hz: hy1,
 /// hx1 at -hy1, hx2 at +hy1, and alpha1 the slant of the line through the middles of those edges;
-/// at +hz likewise hy2, hx3, hx4, alpha2. The sides must be planar.
+/// at +hz likewise hy2, hx3, hx4, alpha2. Where a side is not planar, the
+/// solid is the arb8 of the eight corners.
 Solid make_trap(std::string name, double hz, double theta, double phi, double hy1, double hx1,
                 double hx2, double alpha1, double hy2, double hx3, double hx4, double alpha2);
 /// A trap whose faces are parallelograms in pairs: hx, hy at every z.
@@ -111,6 +112,7 @@ Solid make_sphere(std::string name, double rmin, double rmax, double start_phi, 
 /// The radii of a polycone or polyhedra at one z.
 struct ZPlane {
   double z, rmin, rmax;
+  friend bool operator==(const ZPlane&, const ZPlane&) = default;
 };
 /// The contour runs along the planes' rmax and back along their rmin; it may step (equal z) and
 /// turn back, but not cross itself.
@@ -121,7 +123,8 @@ Solid make_polycone(std::string name, std::span<const ZPlane> planes, double sta
 Solid make_polyhedra(std::string name, std::span<const ZPlane> planes, int sides, double start_phi,
                      double delta_phi);
 
-/// A tube of radii rmin..rmax around a circle of radius rtor > rmax in the plane z = 0.
+/// The points at rmin..rmax from a circle of radius rtor in the plane z = 0; with rmax >= rtor they
+/// reach the axis.
 Solid make_torus(std::string name, double rmin, double rmax, double rtor, double start_phi,
                  double delta_phi);
 /// Cut to z_cut1..z_cut2, unless both are 0.
@@ -146,7 +149,8 @@ Solid make_twistedtubs(std::string name, double twist, double rmin, double rmax,
 Solid make_twistedbox(std::string name, double twist, double hx, double hy, double hz);
 Solid make_twistedtrd(std::string name, double hx1, double hx2, double hy1, double hy2, double hz,
                       double twist);
-/// The dimensions are those of a trap whose sections are turned about their middles.
+/// The dimensions are those of a trap whose sections are turned about their middles. Dimensions of
+/// sections are linear in z, also where the untwisted sides would not be planar.
 Solid make_twistedtrap(std::string name, double twist, double hz, double theta, double phi,
                        double hy1, double hx1, double hx2, double hy2, double hx3, double hx4,
                        double alpha);

@@ -1,15 +1,18 @@
 #include <algorithm>
 #include <numbers>
+#include <optional>
 
 #include "geometry/solids/make.hpp"
 
 namespace navjit {
 namespace {
 
-/// The plane nearest to four corners, anti-clockwise seen from outside. The normal is the product
-/// of the diagonals: it exists also where one edge has no length.
-kernels::Plane<double> side_plane(const Vec3& p1, const Vec3& p2, const Vec3& p3, const Vec3& p4,
-                                  double scale, const std::string& name) {
+/// The plane nearest to four corners, anti-clockwise seen from outside; nothing if they are not in
+/// one plane. The normal is the product of the diagonals: it exists also where one edge has no
+/// length.
+std::optional<kernels::Plane<double>> side_plane(const Vec3& p1, const Vec3& p2, const Vec3& p3,
+                                                 const Vec3& p4, double scale,
+                                                 const std::string& name) {
   const double ux = p4.x - p2.x, uy = p4.y - p2.y, uz = p4.z - p2.z;
   const double wx = p3.x - p1.x, wy = p3.y - p1.y, wz = p3.z - p1.z;
   double a = uy * wz - uz * wy, b = uz * wx - ux * wz, c = ux * wy - uy * wx;
@@ -24,9 +27,9 @@ kernels::Plane<double> side_plane(const Vec3& p1, const Vec3& p2, const Vec3& p3
                    4;
   for (const Vec3& p : {p1, p2, p3, p4}) {
     const double off = std::abs(a * p.x + b * p.y + c * p.z + d);
-    detail::require(off < 1e-5 * scale || off < 1e-5, name, "a side of the trap is not planar");
+    if (!(off < 1e-5 * scale || off < 1e-5)) return std::nullopt;
   }
-  return {a, b, c, d};
+  return kernels::Plane<double>{a, b, c, d};
 }
 
 }  // namespace
@@ -54,8 +57,15 @@ Solid make_trap(std::string name, double hz, double theta, double phi, double hy
   const auto side = [&](int i, int j, int k, int l) {
     return side_plane(corners[i], corners[j], corners[k], corners[l], scale, name);
   };
-  const kernels::Trap<double> shape{hz, side(0, 4, 5, 1), side(2, 3, 7, 6), side(0, 2, 6, 4),
-                                    side(1, 5, 7, 3)};
+  const auto front = side(0, 4, 5, 1), back = side(2, 3, 7, 6);
+  const auto left = side(0, 2, 6, 4), right = side(1, 5, 7, 3);
+  if (!front || !back || !left || !right) {
+    PlanarPoint around[8];
+    constexpr int order[8] = {0, 1, 3, 2, 4, 5, 7, 6};
+    for (int i = 0; i < 8; ++i) around[i] = {corners[order[i]].x, corners[order[i]].y};
+    return make_arb8(std::move(name), hz, around);
+  }
+  const kernels::Trap<double> shape{hz, *front, *back, *left, *right};
   return detail::make_solid(std::move(name), SolidKind::trap, shape, e);
 }
 

@@ -16,6 +16,29 @@ kernels::TwistedSide<double> side(double nu, double nw, double offset0, double o
   return {nu / norm, nw / norm, offset0 / norm, offset1 / norm};
 }
 
+/// The side whose edges lean differently at the two ends, in sections that grow: `sign` is 1 on the
+/// right, -1 on the left. Section at z: half height y0 + y1 z, half width x0 + x1 z in the middle,
+/// which grows by d0 + d1 z up to the upper edge.
+struct Section {
+  double y0, y1, x0, x1, d0, d1;
+};
+kernels::TwistedSide<double> bent_side(double sign, double slant, const Section& s) {
+  const double w0 = -sign * slant * s.y0 - s.d0, w1 = -sign * slant * s.y1 - s.d1;
+  const double norm = std::hypot(s.y0, w0);
+  return {sign * s.y0 / norm, w0 / norm, s.y0 * s.x0 / norm, (s.y0 * s.x1 + s.y1 * s.x0) / norm,
+          sign * s.y1 / norm, w1 / norm, s.y1 * s.x1 / norm};
+}
+
+void set_bounds(kernels::TwistedTrap<double>& s) {
+  for (const auto* side : {&s.right, &s.left}) {
+    const double rate = std::hypot(side->nu1, side->nw1);
+    s.steepening = std::max(s.steepening, rate);
+    // Rays are followed a little beyond the ends.
+    s.steep = std::max(s.steep, 1 + 1.05 * s.hz * rate);
+    s.curve = std::max(s.curve, std::abs(side->c2));
+  }
+}
+
 /// Extent of the four edges along z, from points on them with an allowance for what lies between.
 void set_extent(const kernels::TwistedTrap<double>& s, const double (&half)[2][3], double alpha,
                 Extent& e) {
@@ -60,8 +83,8 @@ Solid make_twisted(std::string name, SolidKind kind, double twist, double hz, do
   detail::require(theta >= 0 && theta < pi / 2 && std::abs(alpha) < pi / 2, name,
                   "theta must be from 0 to below 90 degrees, alpha between -90 and 90 degrees");
   const double lean1 = (hx2 - hx1) / (2 * hy1), lean2 = (hx4 - hx3) / (2 * hy2);
-  detail::require(std::abs(lean1 - lean2) * std::max(hy1, hy2) <= 1e-9 * (hx1 + hx2 + hx3 + hx4),
-                  name, "a side of the trap is not planar before the twist");
+  const bool planar =
+      std::abs(lean1 - lean2) * std::max(hy1, hy2) <= 1e-9 * (hx1 + hx2 + hx3 + hx4);
   const double lean = (lean1 + lean2) / 2, slant = std::tan(alpha);
   const double middle1 = (hx1 + hx2) / 2, middle2 = (hx3 + hx4) / 2;
   const double x0 = (middle1 + middle2) / 2, x1 = (middle2 - middle1) / (2 * hz);
@@ -77,6 +100,13 @@ Solid make_twisted(std::string name, SolidKind kind, double twist, double hz, do
                                      side(-1, slant - lean, x0, x1),
                                      side(0, -1, y0, y1),
                                      side(0, 1, y0, y1)};
+  if (!planar) {
+    const Section section{
+        y0, y1, x0, x1, (hx2 - hx1 + hx4 - hx3) / 4, (hx4 - hx3 - hx2 + hx1) / (4 * hz)};
+    shape.right = bent_side(1, slant, section);
+    shape.left = bent_side(-1, slant, section);
+    set_bounds(shape);
+  }
   Extent extent;
   set_extent(shape, {{hy1, hx1, hx2}, {hy2, hx3, hx4}}, alpha, extent);
   shape.hx = std::max(-extent.min.x, extent.max.x);

@@ -151,12 +151,12 @@ class WideSolid {
             wide(s.inner), wide(s.start), wide(s.end)};
   }
   kernels::TwistedSide<Real> wide(const kernels::TwistedSide<double>& s) {
-    return {wide(s.nu), wide(s.nw), wide(s.c0), wide(s.c1)};
+    return {wide(s.nu), wide(s.nw), wide(s.c0), wide(s.c1), wide(s.nu1), wide(s.nw1), wide(s.c2)};
   }
   kernels::TwistedTrap<Real> wide(const kernels::TwistedTrap<double>& s) {
-    return {wide(s.hz),   wide(s.rate), wide(s.shear_x), wide(s.shear_y),
-            wide(s.hx),   wide(s.hy),   wide(s.reach),   wide(s.right),
-            wide(s.left), wide(s.back), wide(s.front)};
+    return {wide(s.hz),    wide(s.rate),  wide(s.shear_x),    wide(s.shear_y), wide(s.hx),
+            wide(s.hy),    wide(s.reach), wide(s.right),      wide(s.left),    wide(s.back),
+            wide(s.front), wide(s.steep), wide(s.steepening), wide(s.curve)};
   }
   kernels::QuadricSolid<Real> wide(const kernels::QuadricSolid<double>& s) {
     return {wide(s.hx),    wide(s.hy),    wide(s.z_low), wide(s.z_high),

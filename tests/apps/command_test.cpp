@@ -104,6 +104,12 @@ TEST(Inspect, ShowsTheBoxStructure) {
   EXPECT_NE(nobody.text.find("'nobody'"), std::string::npos) << nobody.text;
 }
 
+TEST(Inspect, ShowsDensityAndRadiationLength) {
+  const tests::Output output = run_navjit("inspect " + shashlik);
+  EXPECT_EQ(output.status, 0);
+  EXPECT_NE(output.text.find("     g/cm3      X0/cm material\n"), std::string::npos) << output.text;
+}
+
 TEST(Usage, WrongUsageIsStatusTwo) {
   for (const char* arguments :
        {"", "fly", "run", "run x.gdml --jit sometimes", "run x.gdml --level best",
@@ -133,6 +139,30 @@ std::string volume(const std::string& name, const std::string& solid,
                    const std::string& daughters = "") {
   return "<volume name=\"" + name + "\"><materialref ref=\"M\"/><solidref ref=\"" + solid + "\"/>" +
          daughters + "</volume>\n";
+}
+
+using Setups = Folder;
+
+TEST_F(Setups, AreChosenByName) {
+  std::string text =
+      gdml("<box name=\"b\" x=\"10\" y=\"10\" z=\"10\"/>", volume("V", "b") + volume("W", "b"));
+  const auto end = text.find("</gdml>");
+  text.insert(end, "<setup name=\"other\" version=\"1.0\"><world ref=\"V\"/></setup>\n");
+  write_file(file("two.gdml"), text);
+  const auto last_line = [&](const std::string& options) {
+    const tests::Output output = run_navjit("trace " + file("two.gdml") + " --rays 1" + options);
+    EXPECT_EQ(output.status, 0) << output.text;
+    return output.text.substr(output.text.find('\n') + 1);
+  };
+  EXPECT_EQ(last_line("").substr(0, 6), "0,0,W,");
+  EXPECT_EQ(last_line(" --setup other").substr(0, 6), "0,0,V,");
+  for (const char* command : {"inspect ", "run ", "check "}) {
+    const tests::Output output = run_navjit(command + file("two.gdml") + " --setup nowhere");
+    EXPECT_EQ(output.status, 1) << command;
+    EXPECT_NE(output.text.find("setup 'nowhere' is not defined; choose one of 'Default', 'other'"),
+              std::string::npos)
+        << output.text;
+  }
 }
 
 TEST_F(BadInput, GivesOneLineWithFileLineAndElement) {

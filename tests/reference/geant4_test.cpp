@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <ostream>
@@ -140,15 +141,21 @@ const std::vector<Reference>& read_today() {
   return files;
 }
 
-/// Files that the reader refuses.
-const std::vector<Reference>& refused_today() {
-  // Geant4's constructors report a fatal exception for each of these, too; the references were made
-  // ignoring it.
+/// Files of solids for which Geant4's constructors report a fatal exception; the references were
+/// made ignoring it, with what was left of the solids. docs/gdml.md tells what that was.
+const std::vector<Reference>& read_otherwise() {
   static const std::vector<Reference> files = {
       {"solids/oneGeneralTrapezoid.gdml"},         // two sides are not planar
       {"solids/oneTorus.gdml"},                    // rmax > rtor
       {"solids/oneTwistedGeneralTrapezoid.gdml"},  // the same kind of side, twisted
-      {"solids/oneTwistedTube.gdml"},              // no radii; the rays are NaN
+  };
+  return files;
+}
+
+/// Files that the reader refuses.
+const std::vector<Reference>& refused_today() {
+  static const std::vector<Reference> files = {
+      {"solids/oneTwistedTube.gdml"},  // no length; the rays are NaN
   };
   return files;
 }
@@ -195,6 +202,38 @@ INSTANTIATE_TEST_SUITE_P(
                       Reference{"atlas/TileTB_2B1EB.gdml"}),
     test_name);
 
+/// Read with a meaning of our own: rays get through, in both modes alike.
+using Geant4ReferenceOtherwise = Geant4Reference;
+TEST_P(Geant4ReferenceOtherwise, IsRead) {
+  const std::vector<Ray> rays = apps::read_rays(GetParam().rays());
+  const auto read = world();
+  const Trace generic = make_trace(read, rays, JitMode::off);
+  const Comparison result = compare(generic, make_trace(read, rays, JitMode::wait));
+  EXPECT_EQ(result.differing, 0u) << result;
+  EXPECT_EQ(result.stuck, 0u) << result;
+  EXPECT_GT(result.steps, 0u);
+}
+INSTANTIATE_TEST_SUITE_P(Detectors, Geant4ReferenceOtherwise, ::testing::ValuesIn(read_otherwise()),
+                         test_name);
+
+/// Where Geant4 finds the way out of its twisted trap at all, it is ours, but for one ray of 73.
+TEST(Geant4ReferenceTwistedTrap, AgreesWhereGeant4Steps) {
+  const Reference reference{"solids/oneTwistedGeneralTrapezoid.gdml"};
+  if (!fs::exists(data / reference.detector) || !fs::exists(reference.trace())) GTEST_SKIP();
+  const std::vector<Ray> rays = apps::read_rays(reference.rays());
+  const Trace theirs = read_trace(reference.trace(), rays.size());
+  const Trace ours = make_trace(std::make_shared<const World>(read_gdml(data / reference.detector)),
+                                rays, JitMode::off);
+  int stepped = 0, equal = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (theirs[i].empty() || theirs[i][0].length < 1e-6) continue;
+    ++stepped;
+    equal += ours[i].size() == 1 && std::abs(ours[i][0].length - theirs[i][0].length) < 1e-6;
+  }
+  EXPECT_EQ(stepped, 73);
+  EXPECT_GE(equal, 72);
+}
+
 /// Refused in words, or else read right.
 using Geant4ReferenceRefused = Geant4Reference;
 TEST_P(Geant4ReferenceRefused, IsRefusedOrAgreesWithGeant4) {
@@ -214,7 +253,7 @@ INSTANTIATE_TEST_SUITE_P(Detectors, Geant4ReferenceRefused, ::testing::ValuesIn(
 TEST(Geant4References, AllHaveATest) {
   if (!fs::is_directory(references)) GTEST_SKIP() << references << " is not there";
   std::vector<std::string> tested;
-  for (const auto* list : {&read_today(), &refused_today()}) {
+  for (const auto* list : {&read_today(), &read_otherwise(), &refused_today()}) {
     for (const Reference& reference : *list) tested.push_back(reference.trace().filename());
   }
   for (const auto& entry : fs::directory_iterator(references)) {

@@ -158,7 +158,7 @@ TEST_F(GdmlErrors, Structure) {
   expect_in_structure(volume("W", "<physvol copynumber='x'/>"), "<physvol>", "places no volume");
   expect_in_structure(volume("W", "<physvol copynumber='0.5'><volumeref ref='D'/></physvol>"),
                       "<physvol>", "copynumber: '0.5' must be an integer");
-  expect_in_structure(volume("W", "<paramvol/>"), "<paramvol>", "unsupported structure 'paramvol'");
+  expect_in_structure(volume("W", "<paramvol/>"), "<paramvol>", "it has no <volumeref>");
   expect_in_structure("<box name='W'/>", "<box name='W'>", "unknown element in <structure>");
 }
 

@@ -84,6 +84,38 @@ TEST_F(GdmlReader, KeepsMaterials) {
   EXPECT_EQ(material(3).density, 11.35);
 }
 
+TEST_F(GdmlReader, LoopsAndDefinitionsInEverySection) {
+  GdmlReport report;
+  const World world = read(
+      "<gdml><userinfo><auxiliary auxtype='a' auxvalue='b'><auxiliary auxtype='c'/></auxiliary>"
+      "</userinfo><define><variable name='i' value='0'/><loop for='i' from='1' to='2' step='1'>"
+      "<constant name='c[i]' value='10*i'/></loop></define><materials><define><constant name='d' "
+      "value='2'/></define><property name='p' ref='m'/><loop for='i' from='1' to='2' step='1'>"
+      "<material name='M[i]' Z='i'><MEE value='78' unit='eV'/><property name='RINDEX' ref='m'/><D "
+      "value='d*i'/><atom value='1'/></material></loop></materials><solids><define><position "
+      "name='p' x='5'/></define><box name='w' x='99' y='99' z='99'/><loop for='i' from='1' to='2' "
+      "step='1'><opticalsurface name='o[i]'><property name='R' ref='m'/></opticalsurface><box "
+      "name='b[i]' x='c[i]' y='1' z='1'/></loop></solids><structure><loop for='i' from='1' to='2' "
+      "step='1'><volume name='V[i]'><materialref ref='M[i]'/><solidref ref='b[i]'/></volume></loop>"
+      "<volume name='W'><materialref ref='M_0'/><solidref ref='w'/><loop for='i' from='1' to='2' "
+      "step='1'><auxiliary auxtype='x'/><physvol><volumeref ref='V[i]'/><position y='i*20'/>"
+      "</physvol></loop></volume></structure><setup name='s' version='1'><world ref='W'/></setup>"
+      "<extension/></gdml>",
+      &report);
+  ASSERT_EQ(top(world).daughters.size(), 2u);
+  const LogicalVolume& second = world.volumes[top(world).daughters[1].volume];
+  EXPECT_EQ(second.name, "V_1");
+  EXPECT_EQ(second.solid.extent.max.x, 10);
+  EXPECT_EQ(world.materials[second.material].density, 4);
+  std::string notes;
+  for (const std::string& note : report.notes) notes += note + '\n';
+  for (const char* note :
+       {"skipped <userinfo> (1)", "skipped <extension> (1)", "skipped <opticalsurface> (2)",
+        "skipped <property> in <materials> (1)", "skipped <auxiliary> in <loop> (2)"}) {
+    EXPECT_HAS(notes, note);
+  }
+}
+
 TEST_F(GdmlReader, ChoosesTheSetup) {
   const std::string start = "<gdml><solids><box name='b' x='2' y='2' z='2'/></solids><structure>" +
                             volume("A") + volume("B") + "</structure>";

@@ -86,8 +86,6 @@ TEST(GdmlRealFolder, EveryFileIsReadOrRefusedWithAReason) {
       EXPECT_EQ(message.find(entry.path().string()), 0u) << message;
       // Some of the files are of solids that cannot be: Geant4 complains of them as well.
       EXPECT_TRUE(message.find("unsupported") != std::string::npos ||
-                  message.find("not planar") != std::string::npos ||
-                  message.find("rmax < rtor") != std::string::npos ||
                   message.find("a twisted tube needs") != std::string::npos)
           << message;
     }

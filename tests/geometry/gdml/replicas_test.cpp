@@ -84,6 +84,8 @@ TEST_F(GdmlReplicas, RefusesWhatTheyCannotBe) {
   EXPECT_HAS(error_of(long_box("<divisionvol axis='kXAxis' number='2'/>")), "no <volumeref>");
   EXPECT_HAS(error_of(replicated("0", "<direction x='1'/><width value='1'/>")), "no copies");
   EXPECT_HAS(error_of(replicated("2", "<direction rho='1'/><width value='1'/>")),
+             "unsupported replicas along rho in a mother that is no tube");
+  EXPECT_HAS(error_of(replicated("2", "<direction r='1'/><width value='1'/>")),
              "unsupported direction");
   EXPECT_HAS(error_of(replicated("2", "<direction x='1'/>")), "no <width>");
   EXPECT_HAS(error_of(replicated("2", "<direction x='1'/><width value='1' unit='deg'/>")),

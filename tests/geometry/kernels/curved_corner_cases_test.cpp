@@ -39,6 +39,28 @@ TEST(TorusRays, CrossTheTubeUpToFourTimes) {
   EXPECT_DOUBLE_EQ(to_out(torus, {5, 0, -1}, 0, 0, 1), 2);
 }
 
+TEST(TorusRays, StartOnTheAxis) {
+  const Solid torus = make_torus("t", 0, 20, 100, 0, turn);
+  // (x - 100)^2 + (10 + x / 20)^2 = 20^2 along the ray.
+  const double x = (199 - std::sqrt(199.0 * 199 - 4 * 1.0025 * 9700)) / (2 * 1.0025);
+  EXPECT_NEAR(to_in(torus, {0, 0, 10}, 1, 0, 0.05), x * std::sqrt(1.0025), 1e-12);
+  EXPECT_NEAR(to_in(torus, {0, 0, -10}, 0, -1, -0.05), x * std::sqrt(1.0025), 1e-12);
+  EXPECT_EQ(to_in(torus, {0, 0, 10}, 1, 0, 1), inf);
+}
+
+TEST(TorusRays, ThatIsWiderThanItsCircle) {
+  // The axis is in it up to z = 4; above are dimples down to there.
+  const Solid torus = make_torus("t", 0, 5, 3, 0, turn);
+  EXPECT_EQ(to_out(torus, {0, 0, 0}, 0, 0, 1), 4);
+  EXPECT_EQ(to_in(torus, {0, 0, 9}, 0, 0, -1), 5);
+  EXPECT_DOUBLE_EQ(to_out(torus, {0, 0, 0}, 1, 0, 0), 8);
+  EXPECT_DOUBLE_EQ(to_out(torus, {-8, 0, 0}, 1, 0, 0), 16);
+  const double rim = 3 + std::sqrt(25 - 4.5 * 4.5), lip = 6 - rim;
+  EXPECT_NEAR(to_in(torus, {-20, 0, 4.5}, 1, 0, 0), 20 - rim, 1e-12);
+  EXPECT_NEAR(to_out(torus, {-3, 0, 4.5}, 1, 0, 0), 3 - lip, 1e-12);
+  EXPECT_NEAR(to_in(torus, {0, 0, 4.5}, 1, 0, 0), lip, 1e-12);
+}
+
 TEST(TorusRays, HollowTubesAreCrossedTwiceAsOften) {
   const Solid torus = make_torus("t", 0.5, 1, 5, 0, turn);
   double x = -10;

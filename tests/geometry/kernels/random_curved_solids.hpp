@@ -5,8 +5,8 @@
 
 namespace navjit::test {
 
-inline SolidCase random_torus(Random& random) {
-  const double s = random.scale(1e-3, 1e4), rmax = s * random.scale(0.02, 0.99);
+inline SolidCase any_torus(Random& random, bool spindle) {
+  const double s = random.scale(1e-3, 1e4), rmax = s * random.scale(0.02, spindle ? 3 : 0.99);
   const double rmin = random.chance(0.4) ? 0 : rmax * (1 - random.scale(0.01, 1));
   const Segment phi = random_segment(random);
   const SignedDistance f = [=](const WidePoint& p) {
@@ -16,6 +16,9 @@ inline SolidCase random_torus(Random& random) {
   };
   return {make_torus("torus", rmin, rmax, s, phi.start, phi.delta), f, 2 * (s + rmax)};
 }
+
+inline SolidCase random_torus(Random& random) { return any_torus(random, false); }
+inline SolidCase random_wide_torus(Random& random) { return any_torus(random, true); }
 
 inline SolidCase random_ellipsoid(Random& random) {
   const double s = random.scale(1e-3, 1e4);
@@ -109,15 +112,16 @@ inline SolidCase twisted_case(const Solid& solid, double twist, double hz, doubl
     const Wide w = y * std::cos(angle) - x * std::sin(angle);
     const auto at = [&](Wide low, Wide high) { return low + part * (high - low); };
     const Wide h = at(y1, y2), low = at(x1, x3), high = at(x2, x4);
-    const Wide lean = (Wide(x2) - x1) / (2 * Wide(y1)), middle = (low + high) / 2;
+    const Wide lean = (high - low) / (2 * h), middle = (low + high) / 2;
     const Wide right = (u - slant * w - middle - lean * w) / std::hypot(1.0L, slant + lean);
     const Wide left = (-u + slant * w - middle - lean * w) / std::hypot(1.0L, slant - lean);
     return std::max({std::abs(w) - h, right, left});
   };
   const Wide taper = (std::abs(x3 - x1) + std::abs(x4 - x2) + std::abs(y2 - y1)) / (2 * hz);
   const Wide shear = std::hypot(tx, ty);
-  const Wide steepest =
-      1 + std::abs(rate) * (std::hypot(hx, hy) + shear * hz) * 1.2L + shear + taper;
+  const Wide bent = std::abs((Wide(x2) - x1) / y1 - (Wide(x4) - x3) / y2) / (4 * hz);
+  const Wide steepest = 1 + (std::abs(rate) + bent) * (std::hypot(hx, hy) + shear * hz) * 1.2L +
+                        shear + taper + bent * 4 * std::max(y1, y2);
   return {solid, twisted_distance(hx, hy, hz, steepest, sides),
           2 * std::max({e.max.x - e.min.x, e.max.y - e.min.y, 2 * hz})};
 }
@@ -149,6 +153,16 @@ inline SolidCase random_twistedtrap(Random& random) {
                                        ratio * x1, ratio * x2, alpha),
                       twist, z, theta, phi, y1, x1, x2, ratio * y1, ratio * x1, ratio * x2, alpha);
 }
+inline SolidCase random_bent_twistedtrap(Random& random) {
+  const double s = random.scale(1e-3, 1e4), twist = random_twist(random);
+  const auto half = [&] { return s * random.scale(0.3, 1); };
+  const double x1 = half(), x2 = half(), x3 = half(), x4 = half();
+  const double y1 = half(), y2 = random.chance(0.5) ? y1 : half();
+  const double theta = random.uniform(0, 0.6), phi = random.uniform(-3, 3);
+  const double alpha = random.uniform(-0.6, 0.6), z = s * random.scale(0.3, 3);
+  return twisted_case(make_twistedtrap("t", twist, z, theta, phi, y1, x1, x2, y2, x3, x4, alpha),
+                      twist, z, theta, phi, y1, x1, x2, y2, x3, x4, alpha);
+}
 inline SolidCase random_twistedtubs(Random& random) {
   const double s = random.scale(1e-3, 1e4), rmin = s * random.uniform(0.1, 0.9);
   const double twist = random.uniform(-2, 2), phi = random.uniform(0.2, 3);
@@ -174,6 +188,7 @@ inline SolidCase random_twistedtubs(Random& random) {
 }
 
 constexpr Maker curved_makers[] = {{"torus", random_torus},
+                                   {"wide_torus", random_wide_torus},
                                    {"ellipsoid", random_ellipsoid},
                                    {"eltube", random_eltube},
                                    {"elcone", random_elcone},
@@ -182,6 +197,7 @@ constexpr Maker curved_makers[] = {{"torus", random_torus},
                                    {"twistedtubs", random_twistedtubs},
                                    {"twistedbox", random_twistedbox},
                                    {"twistedtrd", random_twistedtrd},
-                                   {"twistedtrap", random_twistedtrap}};
+                                   {"twistedtrap", random_twistedtrap},
+                                   {"bent_twistedtrap", random_bent_twistedtrap}};
 
 }  // namespace navjit::test

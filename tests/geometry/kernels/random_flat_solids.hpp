@@ -148,6 +148,31 @@ inline SignedDistance arb8_distance(const std::vector<Corner>& corners, Wide hz)
   };
 }
 
+/// A trap with sides that are not planar.
+inline SolidCase random_bent_trap(Random& random) {
+  const double s = random.scale(1e-3, 1e4), hz = s * random.scale(0.5, 2);
+  const double theta = random.uniform(-0.5, 0.5), phi = random.uniform(-3, 3);
+  double y[2], x[2][2], alpha[2];
+  std::vector<Corner> corners;
+  for (int end = 0; end < 2; ++end) {
+    y[end] = s * random.scale(0.3, 1);
+    alpha[end] = random.uniform(-0.3, 0.3);
+    for (double& half : x[end]) half = s * random.scale(0.4, 1);
+    const Wide shift = (end == 0 ? -hz : hz) * std::tan(Wide(theta));
+    for (const int corner : {0, 1, 3, 2}) {
+      const int high = corner / 2;
+      const Wide across = high ? y[end] : -y[end];
+      const Wide half = corner % 2 ? x[end][high] : -x[end][high];
+      corners.push_back({static_cast<double>(shift * std::cos(Wide(phi)) + half +
+                                             across * std::tan(Wide(alpha[end]))),
+                         static_cast<double>(shift * std::sin(Wide(phi)) + across)});
+    }
+  }
+  return {make_trap("bent", hz, theta, phi, y[0], x[0][0], x[0][1], alpha[0], y[1], x[1][0],
+                    x[1][1], alpha[1]),
+          arb8_distance(corners, hz), 4 * std::max(s, hz)};
+}
+
 inline SolidCase random_arb8(Random& random) {
   const double s = random.scale(1e-3, 1e4), hz = s * random.scale(0.3, 2);
   const double twist = random.chance(0.2) ? 0 : random.uniform(-0.8, 0.8);
@@ -249,6 +274,7 @@ constexpr Maker flat_makers[] = {{"extruded", random_extruded},
                                  {"para", random_para},
                                  {"tessellated", random_tessellated},
                                  {"arb8", random_arb8},
+                                 {"bent_trap", random_bent_trap},
                                  {"cut_tube", random_cut_tube},
                                  {"generic_polycone", random_generic_polycone},
                                  {"generic_polyhedra", random_generic_polyhedra},

@@ -83,6 +83,11 @@ TEST(Capacity, MatchesTextbookVolumes) {
 TEST(Capacity, MatchesTextbookVolumesOfCurvedSolids) {
   constexpr double pi = std::numbers::pi;
   EXPECT_DOUBLE_EQ(capacity(make_torus("s", 1, 2, 5, 0.3, pi)), 15 * pi * pi);
+  // Where the tube covers the axis; around a point it is a ball.
+  EXPECT_NEAR(capacity(make_torus("s", 0, 1, 1e-9, 0, 2 * pi)), 4 * pi / 3, 1e-7);
+  EXPECT_DOUBLE_EQ(capacity(make_torus("s", 0, 2, 2, 0, 2 * pi)), 16 * pi * pi);
+  EXPECT_NEAR(capacity(make_torus("s", 1, 5, 3, 0, pi)),
+              pi * (3 * (25 * (pi / 2 + std::asin(0.6)) + 12) + 128 / 3.0 - 3 * pi), 1e-11);
   EXPECT_DOUBLE_EQ(capacity(make_ellipsoid("s", 1, 2, 3, 0, 0)), 8 * pi);
   EXPECT_DOUBLE_EQ(capacity(make_ellipsoid("s", 1, 2, 3, 0, 5)), 4 * pi);
   EXPECT_DOUBLE_EQ(capacity(make_eltube("s", 1, 2, 3)), 12 * pi);
@@ -93,6 +98,8 @@ TEST(Capacity, MatchesTextbookVolumesOfCurvedSolids) {
   EXPECT_DOUBLE_EQ(capacity(make_twistedbox("s", 1, 1, 2, 3)), 48);
   EXPECT_DOUBLE_EQ(capacity(make_twistedtrd("s", 3, 1, 3, 1, 2, 1)),
                    capacity(make_trd("s", 3, 1, 3, 1, 2)));
+  // The mean width times the height times the length.
+  EXPECT_DOUBLE_EQ(capacity(make_twistedtrap("s", 1, 3, 0.3, 1, 2, 1, 2, 2, 4, 1, 0.2)), 96);
   EXPECT_NEAR(capacity(make_twistedtubs("s", 0, 1, 2, -1, 2, 1)), 4.5, 1e-13);
 }
 

@@ -59,9 +59,18 @@ TEST(Factories, RefuseDimensionsThatMakeNoSolid) {
   EXPECT_THROW(make_polyhedra("s", Planes{{0, 0, 1}, {1, 0, 2}}, 0, 0, 1), GeometryError);
 }
 
+TEST(Factories, JoinTheCornersOfTrapsThatAreNotPlanar) {
+  const Solid bent = make_trap("t", 1, 0, 0, 1, 1, 1, 0, 1, 1, 3, 0);
+  EXPECT_EQ(bent.kind, SolidKind::arb8);
+  // Half way up the edge at y = -1 is at x = 1, that at y = 1 at x = 2.
+  EXPECT_EQ(inside(bent.any(), Vec3{1.5, 0, 0}, 1e-9), Side::surface);
+  EXPECT_EQ(inside(bent.any(), Vec3{1.75, 0.5, 0}, 1e-9), Side::surface);
+  EXPECT_EQ(make_trap("t", 1, 0, 0, 1, 1, 1, 0, 1, 3, 3, 0).kind, SolidKind::trap);
+}
+
 TEST(Factories, SayWhatIsWrong) {
-  EXPECT_EQ(refusal([] { make_trap("t", 1, 0, 0, 1, 1, 1, 0, 1, 1, 3, 1.4); }),
-            "solid 't': a side of the trap is not planar");
+  EXPECT_EQ(refusal([] { make_trap("t", 1, 0, 0, 1, 1, 1, 0, 1, -1, 3, 1.4); }),
+            "solid 't': a trap needs positive lengths");
   EXPECT_EQ(refusal([] {
               make_polycone("p", Planes{{0, 0, 1}, {1, 0, 1}, {1, 2, 3}, {2, 2, 3}}, 0, turn);
             }),
