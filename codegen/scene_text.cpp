@@ -423,7 +423,9 @@ std::string SceneText::step(const std::string& symbol) const {
       shapes_.constant(scene_.solid) + ", p, d, tolerance);\n";
   const bool daughters = !scene_.daughters.empty();
   if (daughters) text += "  const int hit = " + ns_ + "::nearest(p, d, best, limit);\n";
+  // Steps of length zero are relocated with more care than pays here.
   text +=
+      "  if (best == 0) return -1.0;\n"
       "  if (best > limit) {\n    stack->boundary = 0;\n    return limit;\n  }\n"
       "  stack->boundary = 1;\n"
       "  x += best * u;\n  y += best * v;\n  z += best * w;\n";

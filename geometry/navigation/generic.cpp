@@ -64,14 +64,34 @@ double distance_local(const Daughter& d, const Vec3& p, const Direction& v, doub
   return distance_to_in(d.solid, q, v, tolerance);
 }
 
+/// Whether daughter `k` of the innermost level contains the global point in her own frame. It and
+/// the way through her mother's frame may differ in the last bit, and so in which side of a face a
+/// ray along it is on. Writes to the level above the innermost.
+struct InOwnFrame {
+  Stack& stack;
+  const Scene& scene;
+  const Vec3& point;
+  const Vec3& direction;
+  double tolerance;
+
+  bool operator()(unsigned k) const {
+    push(stack, scene.daughters[k], k);
+    const StackLevel& level = stack.levels[stack.depth--];
+    return contains_here(
+        scene.daughters[k].solid, kernels::to_local(level, point.x, point.y, point.z),
+        kernels::to_local_heading(level, direction.x, direction.y, direction.z), tolerance);
+  }
+};
+
 /// The daughter, other than `blocked`, with the local point. Where daughters overlap the last in
-/// file order wins, as in Geant4.
+/// file order wins, as in Geant4. Where `confirm(k)` fails there is none.
+template <class Confirm>
 unsigned find_daughter(const Scene& scene, const Vec3& p, const Direction& v, int blocked,
-                       double tolerance) {
+                       double tolerance, const Confirm& confirm) {
   unsigned found = no_daughter;
   const auto test = [&](unsigned k) {
     if ((found == no_daughter || k > found) && static_cast<int>(k) != blocked &&
-        contains_local(scene.daughters[k], p, v, tolerance)) {
+        contains_local(scene.daughters[k], p, v, tolerance) && confirm(k)) {
       found = k;
     }
     return true;
@@ -116,12 +136,15 @@ struct Hit {
 };
 
 /// The nearest daughter ahead, nearer than `distance`, the mother's exit; on ties the first in file
-/// order. Daughters beyond `limit` may be left out.
+/// order. Daughters beyond `limit` may be left out, and one at distance zero where `confirm(k)`
+/// fails.
+template <class Confirm>
 Hit nearest_daughter(const Scene& scene, const Vec3& p, const Direction& v, double distance,
-                     double limit, double tolerance) {
+                     double limit, double tolerance, const Confirm& confirm) {
   Hit hit{distance, no_daughter};
   const auto test = [&](unsigned k) {
     const double d = distance_local(scene.daughters[k], p, v, tolerance);
+    if (d == 0 && !confirm(k)) return hit.distance;
     if (d < hit.distance ||
         (d == hit.distance && hit.daughter != no_daughter && k < hit.daughter)) {
       hit = {d, k};
@@ -163,8 +186,13 @@ void locate(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec
   settle(geometry, stack, p, direction, -1);
 }
 
-void settle(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction,
-            int blocked) {
+namespace {
+
+/// `confirmed`: after a step of length zero. What has just been left at the same place must not be
+/// entered again for a bit of rounding: daughters have to contain the point in their own frames
+/// too.
+void relocate(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction,
+              int blocked, bool confirmed) {
   const double tolerance = geometry.tolerance();
   const StackLevel* level = &stack.levels[stack.depth];
   const Scene* scene = &geometry.scene(level->volume);
@@ -189,13 +217,24 @@ void settle(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec
   }
   const bool directed = direction.x != 0 || direction.y != 0 || direction.z != 0;
   while (!scene->daughters.empty()) {
-    const unsigned found = directed ? find_daughter(*scene, p, v, blocked, tolerance)
-                                    : find_daughter_undirected(*scene, p, tolerance);
+    const InOwnFrame in_own_frame{stack, *scene, point, direction, tolerance};
+    const unsigned found =
+        !directed ? find_daughter_undirected(*scene, p, tolerance)
+        : confirmed
+            ? find_daughter(*scene, p, v, blocked, tolerance, in_own_frame)
+            : find_daughter(*scene, p, v, blocked, tolerance, [](unsigned) { return true; });
     if (found == no_daughter) return;
     push(stack, scene->daughters[found], found);
     move_to(stack.levels[stack.depth]);
     blocked = -1;
   }
+}
+
+}  // namespace
+
+void settle(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction,
+            int blocked) {
+  relocate(geometry, stack, point, direction, blocked, false);
 }
 
 double step(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction,
@@ -208,7 +247,8 @@ double step(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec
           ? kernels::ray_direction(stack.ray, direction.x, direction.y, direction.z)
           : kernels::to_local_direction(level, direction.x, direction.y, direction.z);
   const double out = distance_out_here(scene.solid, p, v, geometry.tolerance());
-  const Hit hit = nearest_daughter(scene, p, v, out, limit, geometry.tolerance());
+  const InOwnFrame in_own_frame{stack, scene, point, direction, geometry.tolerance()};
+  const Hit hit = nearest_daughter(scene, p, v, out, limit, geometry.tolerance(), in_own_frame);
   if (hit.distance > limit) {
     stack.boundary = 0;
     return limit;
@@ -218,10 +258,12 @@ double step(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec
                  point.z + hit.distance * direction.z};
   if (hit.daughter != no_daughter) {
     push(stack, scene.daughters[hit.daughter], hit.daughter);
-    settle(geometry, stack, end, direction, -1);
+    relocate(geometry, stack, end, direction, -1, hit.distance == 0);
   } else {
     const int left = static_cast<int>(level.daughter);
-    if (--stack.depth >= 0) settle(geometry, stack, end, direction, left);
+    if (--stack.depth >= 0) {
+      relocate(geometry, stack, end, direction, left, hit.distance == 0);
+    }
   }
   return hit.distance;
 }
