@@ -26,12 +26,13 @@ Real cylinder_exit(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real a
 }
 
 /// On the surface, does a direction head in? A tangent leaves a round surface, and so does what
-/// would be out again within the tolerance: a step too short to move the point.
+/// comes no deeper than the tolerance: nearly along the axis it would leave and enter for ever.
 template <class Real>
 bool heads_into_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol, Real a,
-                         Real b, Real r2) {
+                         Real b) {
   if (is_along_axis(v)) return true;
-  return b < -tol * a || (b <= 0 && cylinder_exit(r, p, v, a, b, r2) > tol);
+  const Real cross = p.x * v.y - p.y * v.x, inner = larger(r - tol, Real(0));
+  return (b <= 0) & (cross * cross < inner * inner * a);
 }
 
 /// Directional containment in the infinite cylinder of radius r.
@@ -42,7 +43,7 @@ bool in_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol
   if (r2 > outer * outer) return false;
   if (r2 < inner * inner && inner > 0) return true;
   const Real a = v.x * v.x + v.y * v.y, b = p.x * v.x + p.y * v.y;
-  return heads_into_cylinder(r, p, v, tol, a, b, r2);
+  return heads_into_cylinder(r, p, v, tol, a, b);
 }
 
 /// Exit from the infinite cylinder of radius r, for points known to be in it.
@@ -52,7 +53,7 @@ Real leave_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real 
   const Real r2 = p.x * p.x + p.y * p.y, inner = r - tol, outer = r + tol;
   if (is_along_axis(v)) return r2 > outer * outer ? Real(0) : infinity<Real>();
   const bool deep = r2 < inner * inner && inner > 0;
-  if (!deep && !heads_into_cylinder(r, p, v, tol, a, b, r2)) return Real(0);
+  if (!deep && !heads_into_cylinder(r, p, v, tol, a, b)) return Real(0);
   return cylinder_exit(r, p, v, a, b, r2);
 }
 
