@@ -11,6 +11,8 @@ endif()
 if(NAVJIT_NATIVE)
   add_compile_options(-march=native)
 endif()
+# Packing neighbouring numbers into vectors made the navigator slower (docs/experiments.md).
+add_compile_options(-fno-tree-slp-vectorize)
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 if(NAVJIT_SANITIZE)
   # At -O3 GCC 12's address sanitizer sees uses after scope where temporaries were merged.
