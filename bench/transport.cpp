@@ -81,7 +81,7 @@ int main(int argc, char** argv) try {
   std::string detector, rays_file, json_file;
   std::uint64_t count = 2000, seed = 1;
   int repetitions = 9;
-  bool forward = false, without_peers = false;
+  bool forward = false, without_peers = false, without_jit = false;
   app.add_option("detector", detector, "GDML file")->required();
   app.add_option("--rays", rays_file, "CSV file of rays (default: random ones)");
   app.add_option("--count", count, "random rays");
@@ -90,6 +90,7 @@ int main(int argc, char** argv) try {
   app.add_option("--repetitions", repetitions, "of each engine, in turn");
   app.add_option("--json", json_file, "write the figures");
   app.add_flag("--without-peers", without_peers, "navjit alone");
+  app.add_flag("--without-jit", without_jit, "no specialised navigators");
   CLI11_PARSE(app, argc, argv);
 
   const auto world = std::make_shared<const World>(read_gdml(detector));
@@ -109,15 +110,17 @@ int main(int argc, char** argv) try {
   RuntimeOptions off;
   off.jit = JitMode::off;
   RuntimeOptions wait;
-  wait.jit = JitMode::wait;
+  wait.jit = without_jit ? JitMode::off : JitMode::wait;
   Runtime generic(world, off), specialised(world, wait);
   Navigator generic_navigator = generic.navigator();
   Navigator specialised_navigator = specialised.navigator();
   std::vector<Engine> engines;
   engines.push_back(
       {"navjit generic", [] {}, [&] { return transport_all(generic_navigator, *world, rays); }});
-  engines.push_back({"navjit specialised", [] {},
-                     [&] { return transport_all(specialised_navigator, *world, rays); }});
+  if (!without_jit) {
+    engines.push_back({"navjit specialised", [] {},
+                       [&] { return transport_all(specialised_navigator, *world, rays); }});
+  }
   std::shared_ptr<void> keep;
 #ifdef NAVJIT_VECGEOM
   if (!without_peers) add_vecgeom(detector, rays, engines, keep);
