@@ -1,5 +1,6 @@
 // Files that are nearly right: 20,000 of them, always the same, read and used or refused.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -18,7 +19,9 @@ class GdmlMutations : public ::testing::Test {
   }
   void TearDown() override { std::filesystem::remove(path_); }
 
-  std::filesystem::path path_ = std::filesystem::path(::testing::TempDir()) / "mutations.gdml";
+  // Tests run side by side.
+  std::filesystem::path path_ = std::filesystem::path(::testing::TempDir()) /
+                                ("mutations_" + std::to_string(getpid()) + ".gdml");
 };
 
 TEST_F(GdmlMutations, SeedsAreRead) {
