@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <limits>
 
 #include "bench/bvh_scenes.hpp"
+#include "bench/clock.hpp"
 #include "bench/statistics.hpp"
 #include "geometry/bvh/box_tree.hpp"
 #include "geometry/bvh/box_tree_traversal.hpp"
@@ -81,21 +81,13 @@ constexpr Kind kinds[] = {
 
 volatile double sink;
 
-/// Of this thread's own processor time: machines are shared, and a time slice is far longer than
-/// what is measured.
-double now_ns() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
-}
-
 /// ns a query.
 double time_queries(const Kind& kind, const BoxTree& tree, const std::vector<Query>& queries) {
-  const double start = now_ns();
+  const double start = thread_ns();
   double sum = 0;
   for (const Query& query : queries) sum += kind.ask(tree, query);
   sink = sum;
-  return (now_ns() - start) / static_cast<double>(queries.size());
+  return (thread_ns() - start) / static_cast<double>(queries.size());
 }
 
 struct Candidate {
@@ -134,9 +126,9 @@ void measure(const BoxScene& scene, const std::vector<Candidate>& list, int repe
   std::vector<BoxTree> trees;
   std::vector<double> build_ms;
   for (const Candidate& candidate : list) {
-    const double start = now_ns();
+    const double start = thread_ns();
     trees.emplace_back(scene.boxes, 1e-9, candidate.structure);
-    build_ms.push_back(1e-6 * (now_ns() - start));
+    build_ms.push_back(1e-6 * (thread_ns() - start));
   }
   for (const Kind& kind : kinds) {
     std::vector<std::vector<double>> times(list.size());

@@ -45,9 +45,10 @@ struct GeometryOptions {
   /// Forces one search for all scenes with daughters, for tests and measurements.
   enum class Force : std::uint8_t { automatic, all, linear_boxes, bvh } force = Force::automatic;
   /// The box structure of all scenes that have enough daughters for one, whatever their number;
-  /// nothing: bvh::default_method. Changes no step; safeties may differ, as valid bounds.
+  /// nothing: bvh::default_method. Changes no answer.
   std::optional<bvh::Structure> boxes{};
-  /// The same for single volumes by name, few daughters or many.
+  /// The same for single volumes by name, few daughters or many. Boxes where there were none may
+  /// make safeties larger, never too large.
   std::map<std::string, bvh::Structure> boxes_of{};
 };
 

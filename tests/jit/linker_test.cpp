@@ -242,7 +242,7 @@ TEST(Linker, LinksInAnotherProcess) {
 }
 
 TEST(Linker, ReturnsMemory) {
-  if (!freed_memory_is_returned) GTEST_SKIP();
+  if (!freed_memory_is_returned) GTEST_SKIP() << "a sanitizer keeps freed memory";
   Linker linker = made_linker();
   const Object object = compiled(
       "static double table[2000] = {1};\n"
@@ -265,7 +265,7 @@ TEST(Linker, ReturnsMemory) {
 }
 
 TEST(Linker, FailuresReturnMemory) {
-  if (!freed_memory_is_returned) GTEST_SKIP();
+  if (!freed_memory_is_returned) GTEST_SKIP() << "a sanitizer keeps freed memory";
   Linker linker = made_linker();
   const Object object = compiled("int g(); int table[5000] = {1}; int f() { return g(); }");
   for (int i = 0; i < 100; ++i) EXPECT_FALSE(linker.link(object));
@@ -275,7 +275,7 @@ TEST(Linker, FailuresReturnMemory) {
 }
 
 TEST(Compiler, ReturnsMemory) {
-  if (!freed_memory_is_returned) GTEST_SKIP();
+  if (!freed_memory_is_returned) GTEST_SKIP() << "a sanitizer keeps freed memory";
   auto compiler = Compiler::create(CompileOptions{});
   ASSERT_TRUE(compiler);
   const char* source = "extern \"C\" double f(double x) { return x * x; }";

@@ -219,7 +219,9 @@ INSTANTIATE_TEST_SUITE_P(Detectors, Geant4ReferenceOtherwise, ::testing::ValuesI
 /// Where Geant4 finds the way out of its twisted trap at all, it is ours, but for one ray of 73.
 TEST(Geant4ReferenceTwistedTrap, AgreesWhereGeant4Steps) {
   const Reference reference{"solids/oneTwistedGeneralTrapezoid.gdml"};
-  if (!fs::exists(data / reference.detector) || !fs::exists(reference.trace())) GTEST_SKIP();
+  if (!fs::exists(data / reference.detector) || !fs::exists(reference.trace())) {
+    GTEST_SKIP() << reference.detector << " or its reference is not there";
+  }
   const std::vector<Ray> rays = apps::read_rays(reference.rays());
   const Trace theirs = read_trace(reference.trace(), rays.size());
   const Trace ours = make_trace(std::make_shared<const World>(read_gdml(data / reference.detector)),

@@ -103,6 +103,17 @@ TEST(TorusRays, ThinRingsAndClosedHolesAreResolved) {
   EXPECT_NEAR(to_out(closed, {1.0, 0, 0}, -1, 0, 0), 1 - 1e-6, 1e-12);
 }
 
+TEST(CylinderRays, NearlyAlongTheAxisDoNotEnterByLessThanTheTolerance) {
+  // On the surface, and inwards by rounding alone: once entered, it left after 2e-5 mm, for ever.
+  const Solid tube = make_tube("t", 0, 2600, 3500, 0, turn);
+  const Vec3 p{-1838.4776310850234, 1838.4776310850236, -3345};
+  const double slope = 5.18e-9;
+  EXPECT_FALSE(in(tube, p, -slope, -slope, 1));
+  EXPECT_EQ(to_out(tube, p, -slope, -slope, 1), 0);
+  EXPECT_EQ(to_in(tube, p, -slope, -slope, 1), inf);
+  EXPECT_TRUE(in(tube, p, slope, -slope, 1));
+}
+
 TEST(QuadricRays, GoOnceThroughWhatIsCutAtATip) {
   const Solid cone = make_elcone("c", 1, 1, 1, 1);
   EXPECT_EQ(to_in(cone, {0, 0, 5}, 0, 0, -1), 4);
