@@ -53,6 +53,32 @@ struct Specialiser::Compiler {
   jit::Linker linker;
 };
 
+namespace {
+
+/// The processor's name for the compiler; empty for this machine's own.
+const char* processor(InstructionSet set) {
+#if defined(__x86_64__)
+  switch (set) {
+    case InstructionSet::native:
+      break;
+    case InstructionSet::sse42:
+      if (__builtin_cpu_supports("x86-64-v2")) return "x86-64-v2";
+      break;
+    case InstructionSet::avx2:
+      if (__builtin_cpu_supports("x86-64-v3")) return "x86-64-v3";
+      break;
+    case InstructionSet::avx512:
+      if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
+  }
+#endif
+  if (set != InstructionSet::native) {
+    spdlog::warn("this processor has not the instructions asked for: generated code uses its own");
+  }
+  return "";
+}
+
+}  // namespace
+
 Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
     : shared_(std::move(shared)),
       facts_(analyse_world(shared_->geometry)),
@@ -66,6 +92,7 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
   jit::CompileOptions compile_options;
   compile_options.optimisation = options.optimisation;
   compile_options.debug_info = options.debug_info;
+  compile_options.cpu = processor(options.instruction_set);
   auto compiler = jit::Compiler::create(compile_options);
   auto linker = jit::Linker::create({true, options.perf_map});
   if (!compiler || !linker) {
