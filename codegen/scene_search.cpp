@@ -102,8 +102,9 @@ std::string SceneText::search_plates() const {
   text += "  walk_plates(plates, p." + axis + ", d." + axis + ", d.inverse_" + axis +
           ", smaller(limit, best), [&](unsigned k) {\n"
           "    const double t = distance(k, p, d, smaller(limit, best));\n"
-          "    if (!(t < best)) return false;\n"
-          "    best = t;\n    hit = static_cast<int>(k);\n    return true;\n"
+          "    if (t < best || (t == best && hit >= 0 && static_cast<int>(k) < hit)) {\n"
+          "      best = t;\n      hit = static_cast<int>(k);\n      return true;\n    }\n"
+          "    return false;\n"
           "  });\n  return hit;\n}\n";
   return text;
 }

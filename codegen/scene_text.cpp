@@ -191,20 +191,62 @@ std::string SceneText::daughter_case(const DaughterClass& c, const char* call, c
   return text + "      return " + call + "(" + solid + ", q, e, tolerance);\n    }\n";
 }
 
+/// Pushes daughter `at` placed by translation alone, with what is the same for all daughters and
+/// all touchables as constants. Terms that are zero may be left out: no translation is negative
+/// zero, so that the sign of a sum that is zero does not matter.
+std::string SceneText::push_translation() const {
+  const FrameFacts& f = plan_.frame;
+  if (!f.never_rotated && !f.only_rotation) {
+    return "push_translated(stack, at.volume, k, at.offset, at.x, at.y, at.z);\n";
+  }
+  const char* const field[3] = {"at.x", "at.y", "at.z"};
+  std::string moved[3];  // empty: by nothing
+  bool one_volume = true;
+  for (int i = 0; i < 3; ++i) {
+    const double first = scene_.daughters[0].transformation.translation[i];
+    bool same = true;
+    for (const Daughter& d : scene_.daughters) {
+      same &= d.transformation.translation[i] == first;
+      one_volume &= d.volume == scene_.daughters[0].volume;
+    }
+    if (!same || first != 0) moved[i] = same ? number(first) : field[i];
+  }
+  std::string text =
+      "const StackLevel& mother = stack->levels[stack->depth];\n"
+      "  StackLevel& level = stack->levels[++stack->depth];\n";
+  for (int i = 0; i < 3; ++i) {
+    std::string by = moved[i];
+    if (f.only_rotation) {
+      double column[3];
+      for (int j = 0; j < 3; ++j) {
+        column[j] = moved[j].empty() ? 0 : (*f.only_rotation)[static_cast<std::size_t>(3 * j + i)];
+      }
+      by = row(column, moved[0].c_str(), moved[1].c_str(), moved[2].c_str());
+      if (by == "0.0") by.clear();
+    }
+    const std::string axis = std::to_string(i);
+    text += "  level.translation[" + axis + "] = mother.translation[" + axis + "]" +
+            (by.empty() ? "" : " + (" + by + ")") + ";\n";
+  }
+  return text + "  level.rotation = " + (f.never_rotated ? "nullptr" : "mother.rotation") +
+         ";\n  level.touchable = mother.touchable + at.offset;\n  level.volume = " +
+         (one_volume ? id(scene_.daughters[0].volume) : std::string("at.volume")) +
+         ";\n  level.daughter = k;\n";
+}
+
 std::string SceneText::push() const {
   bool any = false, every = true;
   for (const DaughterClass& c : plan_.classes) {
     any |= c.rotated;
     every &= c.rotated;
   }
-  const std::string translated =
-      "push_translated(stack, at.volume, k, at.offset, at.x, at.y, at.z);\n";
+  const std::string translated = push_translation();
   const std::string rotated =
       "push_rotated(stack, at.volume, k, at.offset, at.x, at.y, at.z, rotations[at.rotation]);\n";
   std::string text =
       "static inline void push(Stack* stack, unsigned k) {\n"
       "  const Daughter& at = daughters[k];\n";
-  if (plan_.frame.never_rotated) {
+  if (plan_.frame.never_rotated && any) {
     text += "  if (stack->levels[stack->depth].rotation != nullptr) __builtin_unreachable();\n";
   }
   if (!any) return text + "  " + translated + "}\n";

@@ -42,6 +42,7 @@ class SceneText {
   std::string search_plates() const;
   std::string search_buckets() const;
   std::string search_around() const;
+  std::string push_translation() const;
   std::string push() const;
   std::string descend() const;
   std::string leave_to_mother(const char* blocked) const;

@@ -35,12 +35,14 @@ constexpr double ascending<double>(double p, double v) {
                                         (__builtin_bit_cast(unsigned long long, v) & sign));
 }
 
+// Their arguments are numbers: structs would be kept in memory for them, all along the short way.
+
 template <class Real>
-[[gnu::noinline, gnu::cold]] bool contains_along_faces(Box<Real> s, Vec3<Real> p, Vec3<Real> v,
-                                                       Real tol) {
-  return !(beyond_face(absolute(p.x) - s.hx, p.x < 0 ? -v.x : v.x, tol) |
-           beyond_face(absolute(p.y) - s.hy, p.y < 0 ? -v.y : v.y, tol) |
-           beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol));
+[[gnu::noinline, gnu::cold]] bool contains_along_faces(Real hx, Real hy, Real hz, Real x, Real y,
+                                                       Real z, Real u, Real v, Real w, Real tol) {
+  return !(beyond_face(absolute(x) - hx, x < 0 ? -u : u, tol) |
+           beyond_face(absolute(y) - hy, y < 0 ? -v : v, tol) |
+           beyond_face(absolute(z) - hz, z < 0 ? -w : w, tol));
 }
 template <class Real>
 bool contains(const Box<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
@@ -50,26 +52,31 @@ bool contains(const Box<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
     const Real before = larger(-s.hx - x, larger(-s.hy - y, -s.hz - z));
     return (ahead > tol) & (before <= tol);
   }
-  return contains_along_faces(s, p, {v.x, v.y, v.z}, tol);
+  return contains_along_faces(s.hx, s.hy, s.hz, p.x, p.y, p.z, v.x, v.y, v.z, tol);
 }
 
 template <class Real>
-[[gnu::noinline, gnu::cold]] Real distance_from_within_box(Box<Real> s, Vec3<Real> p, Real tol) {
-  return distance_from_within(s, p, tol);
+[[gnu::noinline, gnu::cold]] Real distance_from_within_box(Real hx, Real hy, Real hz, Real x,
+                                                           Real y, Real z, Real tol) {
+  return distance_from_within(Box<Real>{hx, hy, hz}, Vec3<Real>{x, y, z}, tol);
 }
 template <class Real>
-[[gnu::noinline, gnu::cold]] Real distance_along_faces(Box<Real> s, Vec3<Real> p, Direction<Real> v,
-                                                       Real tol) {
+[[gnu::noinline, gnu::cold]] Real distance_along_faces(Real hx, Real hy, Real hz, Real x, Real y,
+                                                       Real z, Real u, Real v, Real w, Real tol) {
+  const Direction<Real> d = make_direction(u, v, w);
   Span<Real> span = whole_ray<Real>();
-  clip_slab(span, s.hx, p.x, v.x, v.inverse_x, tol);
-  clip_slab(span, s.hy, p.y, v.y, v.inverse_y, tol);
-  clip_slab(span, s.hz, p.z, v.z, v.inverse_z, tol);
+  clip_slab(span, hx, x, d.x, d.inverse_x, tol);
+  clip_slab(span, hy, y, d.y, d.inverse_y, tol);
+  clip_slab(span, hz, z, d.z, d.inverse_z, tol);
   if (!is_ahead(span)) return infinity<Real>();
-  return span.enter >= 0 ? span.enter : distance_from_within(s, p, tol);
+  if (span.enter >= 0) return span.enter;
+  return distance_from_within_box(hx, hy, hz, x, y, z, tol);
 }
 template <class Real>
 Real distance_to_in(const Box<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  if (__builtin_expect(!is_oblique(v), 0)) return distance_along_faces(s, p, v, tol);
+  if (__builtin_expect(!is_oblique(v), 0)) {
+    return distance_along_faces(s.hx, s.hy, s.hz, p.x, p.y, p.z, v.x, v.y, v.z, tol);
+  }
   const Real x = ascending(p.x, v.x), y = ascending(p.y, v.y), z = ascending(p.z, v.z);
   const Real rate_x = absolute(v.inverse_x), rate_y = absolute(v.inverse_y),
              rate_z = absolute(v.inverse_z);
@@ -81,21 +88,26 @@ Real distance_to_in(const Box<Real>& s, const Vec3<Real>& p, const Direction<Rea
   enter = before_y > tol ? larger(before_y * rate_y, enter) : enter;
   enter = before_z > tol ? larger(before_z * rate_z, enter) : enter;
   if (!((enter < until) & (until > 0))) return infinity<Real>();
-  if (__builtin_expect(enter < 0, 0)) return distance_from_within_box(s, p, tol);
+  if (__builtin_expect(enter < 0, 0)) {
+    return distance_from_within_box(s.hx, s.hy, s.hz, p.x, p.y, p.z, tol);
+  }
   return enter;
 }
 
 template <class Real>
-[[gnu::noinline, gnu::cold]] Real exit_along_faces(Box<Real> s, Vec3<Real> p, Direction<Real> v,
-                                                   Real tol) {
+[[gnu::noinline, gnu::cold]] Real exit_along_faces(Real hx, Real hy, Real hz, Real x, Real y,
+                                                   Real z, Real u, Real v, Real w, Real tol) {
+  const Direction<Real> d = make_direction(u, v, w);
   Real leave = infinity<Real>();
-  leave = leave_slab(s.hx, p.x, v.x, v.inverse_x, tol, leave);
-  leave = smaller(leave_slab(s.hy, p.y, v.y, v.inverse_y, tol, leave), leave);
-  return smaller(leave_slab(s.hz, p.z, v.z, v.inverse_z, tol, leave), leave);
+  leave = leave_slab(hx, x, d.x, d.inverse_x, tol, leave);
+  leave = smaller(leave_slab(hy, y, d.y, d.inverse_y, tol, leave), leave);
+  return smaller(leave_slab(hz, z, d.z, d.inverse_z, tol, leave), leave);
 }
 template <class Real>
 Real distance_to_out(const Box<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  if (__builtin_expect(!is_oblique(v), 0)) return exit_along_faces(s, p, v, tol);
+  if (__builtin_expect(!is_oblique(v), 0)) {
+    return exit_along_faces(s.hx, s.hy, s.hz, p.x, p.y, p.z, v.x, v.y, v.z, tol);
+  }
   const Real x = s.hx - ascending(p.x, v.x), y = s.hy - ascending(p.y, v.y),
              z = s.hz - ascending(p.z, v.z);
   const Real leave = smaller(x * absolute(v.inverse_x),

@@ -17,7 +17,8 @@ struct PlateStack {
 
 /// Calls visit(daughter), which says whether the ray meets it, for daughters along the ray until
 /// one is met or the next is beyond `reach`, a path length. `p`, `v` and `inverse` are the ray's
-/// along the axis. What the ray meets first is what is nearest: those behind begin where it ends.
+/// along the axis. What the ray meets first is what is nearest, as those behind begin where it
+/// ends; but a ray along the faces may be on one that two share, and then both are offered.
 template <class Index, class Visit>
 inline void walk_plates(const PlateStack<Index>& s, double p, double v, double inverse,
                         double reach, Visit visit) {
@@ -28,7 +29,7 @@ inline void walk_plates(const PlateStack<Index>& s, double p, double v, double i
   for (int i = static_cast<int>((down ? s.descending : s.ascending)[b]); i != last; i += next) {
     // Not a number where the ray runs along the very edge of the margin: then it is offered.
     if ((face[i] - p) * inverse > reach) return;
-    if (visit(static_cast<unsigned>(s.daughter[i]))) return;
+    if (visit(static_cast<unsigned>(s.daughter[i])) && !is_along(v)) return;
   }
 }
 
