@@ -102,6 +102,10 @@ ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId
     if (plates) {
       plan.candidates = Candidates::plates;
       plan.plates = std::move(*plates);
+      if (plan.classes.size() == 1 && plan.classes[0].solid.kind == SolidKind::box &&
+          !plan.classes[0].rotated) {
+        plan.plates.skin = margin + geometry.tolerance() / 2;
+      }
       plan.mean_candidates = 1;
     } else {
       plan.candidates = Candidates::buckets;

@@ -41,6 +41,9 @@ struct Plates {
   std::vector<std::uint32_t> members;  ///< daughter indices, by position
   std::vector<double> low, high;       ///< by position, with the margin, mm
   double origin = 0, width = 0;        ///< of the buckets, mm
+  /// From a face of the margin to where a track that left there meets the plate no more, mm; 0
+  /// where not all are boxes along the axes.
+  double skin = 0;
   /// By bucket: the first position that a ray ascending from there may meet, and for one that
   /// descends.
   std::vector<std::uint32_t> ascending, descending;

@@ -145,7 +145,9 @@ std::string SceneText::step(const std::string& symbol) const {
       "  double best = distance_to_out(" +
       shapes_.constant(scene_.solid) + ", p, d, tolerance);\n";
   const bool daughters = !scene_.daughters.empty();
-  if (daughters) text += "  const int hit = " + ns_ + "::nearest(p, d, best, limit);\n";
+  if (daughters)
+    text += "  const int hit = " + ns_ +
+            "::nearest(p, d, best, limit, stack->levels[stack->depth + 1].daughter);\n";
   // Steps of length zero are relocated with more care than pays here.
   text +=
       "  if (best == 0) return -1.0;\n"

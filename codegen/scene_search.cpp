@@ -30,7 +30,7 @@ const char* const find_head =
     "static inline int find(const Vec3<double>& p, const Direction<double>& d, int blocked) {\n";
 const char* const nearest_head =
     "static inline int nearest(const Vec3<double>& p, const Direction<double>& d, double& best, "
-    "double limit) {\n  int hit = -1;\n";
+    "double limit, [[maybe_unused]] unsigned left) {\n  int hit = -1;\n";
 
 }  // namespace
 
@@ -81,13 +81,16 @@ std::string SceneText::search_all() const {
 std::string SceneText::search_plates() const {
   const Plates& s = plan_.plates;
   const char* index = index_type(scene_.daughters.size());
-  std::string text = list(index, "by_position", s.members) + list("double", "low", s.low) +
-                     list("double", "high", s.high) + list(index, "ascending", s.ascending) +
+  std::vector<std::uint32_t> position(s.members.size());
+  for (std::uint32_t i = 0; i < s.members.size(); ++i) position[s.members[i]] = i;
+  std::string text = list(index, "by_position", s.members) + list(index, "position", position) +
+                     list("double", "low", s.low) + list("double", "high", s.high) +
+                     list(index, "ascending", s.ascending) +
                      list(index, "descending", s.descending);
   text += std::string("constexpr PlateStack<") + index + "> plates{" +
-          std::to_string(s.members.size()) + ", low, high, by_position, " + number(s.origin) +
-          ", " + number(1 / s.width) + ", " + std::to_string(s.ascending.size()) +
-          ", ascending, descending};\n";
+          std::to_string(s.members.size()) + ", low, high, by_position, position, " +
+          number(s.skin) + ", " + number(s.origin) + ", " + number(1 / s.width) + ", " +
+          std::to_string(s.ascending.size()) + ", ascending, descending};\n";
   const std::string axis(1, "xyz"[s.axis]);
   text += find_head;
   text +=
@@ -100,7 +103,7 @@ std::string SceneText::search_plates() const {
       "  });\n  return found;\n}\n";
   text += nearest_head;
   text += "  walk_plates(plates, p." + axis + ", d." + axis + ", d.inverse_" + axis +
-          ", smaller(limit, best), [&](unsigned k) {\n"
+          ", smaller(limit, best), left, [&](unsigned k) {\n"
           "    const double t = distance(k, p, d, smaller(limit, best));\n"
           "    if (t < best || (t == best && hit >= 0 && static_cast<int>(k) < hit)) {\n"
           "      best = t;\n      hit = static_cast<int>(k);\n      return true;\n    }\n"

@@ -45,12 +45,16 @@ std::vector<Extent> random_plates(std::mt19937_64& random, int axis, std::size_t
 
 struct Stack {
   Plates plates;
+  std::vector<std::uint32_t> position;
   kernels::PlateStack<std::uint32_t> stack;
-  explicit Stack(Plates from) : plates(std::move(from)) {
+  explicit Stack(Plates from) : plates(std::move(from)), position(plates.members.size()) {
+    for (std::uint32_t i = 0; i < position.size(); ++i) position[plates.members[i]] = i;
     stack = {static_cast<int>(plates.members.size()),
              plates.low.data(),
              plates.high.data(),
              plates.members.data(),
+             position.data(),
+             margin + tolerance / 2,
              plates.origin,
              1 / plates.width,
              static_cast<int>(plates.ascending.size()),
@@ -89,7 +93,11 @@ TEST(Plates, LeadToWhatTheRayMeetsFirst) {
       Vec3 p{uniform(random, -11, 11), uniform(random, -11, 11), uniform(random, -11, 11)};
       Vec3 d = random_direction(random);
       if (i % 5 == 0) along(d = {0, 0, 0}, static_cast<int>(random() % 3)) = i % 2 == 0 ? 1 : -1;
-      if (i % 7 == 0) p = boxes[random() % count].min;  // on faces and edges
+      unsigned last_left = 0;
+      if (i % 7 == 0) {  // on faces and edges, as after leaving that one
+        last_left = static_cast<unsigned>(random() % count);
+        p = i % 2 == 0 ? boxes[last_left].min : boxes[last_left].max;
+      }
       if (std::any_of(boxes.begin(), boxes.end(), [&](const Extent& e) {
             return holds(e, p) && distance(e, p, kernels::make_direction(d.x, d.y, d.z)) == inf;
           })) {
@@ -103,13 +111,19 @@ TEST(Plates, LeadToWhatTheRayMeetsFirst) {
       const double coordinate[3] = {p.x, p.y, p.z}, rate[3] = {v.x, v.y, v.z};
       const double inverse[3] = {v.inverse_x, v.inverse_y, v.inverse_z};
       const int a = stack.plates.axis;
-      kernels::walk_plates(stack.stack, coordinate[a], rate[a], inverse[a], 40, [&](unsigned k) {
-        ++asked;
-        const double t = distance(boxes[k], p, v);
-        hit = std::min(hit, t);
-        return t < inf;
-      });
-      EXPECT_EQ(hit, nearest) << "round " << round << ", ray " << i;
+      // Whatever is said to have been left last changes nothing.
+      const unsigned guesses[] = {~0U, static_cast<unsigned>(random() % count), last_left};
+      for (const unsigned left : guesses) {
+        hit = inf;
+        kernels::walk_plates(stack.stack, coordinate[a], rate[a], inverse[a], 40, left,
+                             [&](unsigned k) {
+                               asked += left == ~0U ? 1 : 0;
+                               const double t = distance(boxes[k], p, v);
+                               hit = std::min(hit, t);
+                               return t < inf;
+                             });
+        EXPECT_EQ(hit, nearest) << "round " << round << ", ray " << i << ", left " << left;
+      }
       met += hit < inf ? 1 : 0;
     }
   }
@@ -144,7 +158,7 @@ TEST(Plates, StopAtTheReach) {
   for (int k = 0; k < 100; ++k) boxes.push_back({{-1, -1, k + 0.1}, {1, 1, k + 0.9}});
   const Stack stack(*find_plates({{-1, -1, 0}, {1, 1, 100}}, boxes, tolerance, margin));
   int offered = 0;
-  kernels::walk_plates(stack.stack, 50.0, 1.0, 1.0, 3.0, [&](unsigned) {
+  kernels::walk_plates(stack.stack, 50.0, 1.0, 1.0, 3.0, ~0U, [&](unsigned) {
     ++offered;
     return false;
   });
