@@ -27,9 +27,11 @@ std::string list(const char* type, const char* name, const std::vector<Value>& v
 const char* index_type(std::size_t n) { return n < 0xffff ? "unsigned short" : "unsigned"; }
 
 const char* const find_head =
-    "static inline int find(const Vec3<double>& p, const Direction<double>& d, int blocked) {\n";
+    "[[gnu::always_inline]] static inline int find(const Vec3<double>& p, const Direction<double>& "
+    "d, int blocked) {\n";
 const char* const nearest_head =
-    "static inline int nearest(const Vec3<double>& p, const Direction<double>& d, double& best, "
+    "[[gnu::always_inline]] static inline int nearest(const Vec3<double>& p, const "
+    "Direction<double>& d, double& best, "
     "double limit, [[maybe_unused]] unsigned left) {\n  int hit = -1;\n";
 
 }  // namespace
@@ -40,11 +42,12 @@ std::string SceneText::daughter_tests() const {
   const bool one = plan_.classes.size() == 1;
   for (const char* call : {"contains", "distance_to_in"}) {
     const bool distance = std::string_view(call) == "distance_to_in";
-    text +=
-        std::string(distance ? "static inline double distance(unsigned k, const Vec3<double>& p, "
-                               "const Direction<double>& d, [[maybe_unused]] double reach) {\n"
-                             : "static inline bool holds(unsigned k, const Vec3<double>& p, const "
-                               "Direction<double>& d) {\n");
+    text += std::string(distance ? "[[gnu::always_inline]] static inline double distance(unsigned "
+                                   "k, const Vec3<double>& p, "
+                                   "const Direction<double>& d, [[maybe_unused]] double reach) {\n"
+                                 : "[[gnu::always_inline]] static inline bool holds(unsigned k, "
+                                   "const Vec3<double>& p, const "
+                                   "Direction<double>& d) {\n");
     text += "  const Daughter& at = daughters[k];\n";
     if (!one) text += "  switch (at.kind) {\n";
     for (std::size_t c = 0; c < plan_.classes.size(); ++c) {
@@ -160,11 +163,16 @@ std::string SceneText::search_around() const {
   if (!s.neighbours.empty()) {
     text += list(index_type(scene_.daughters.size()), "neighbours", s.neighbours);
   }
+  // Out of line, and by numbers: what is seldom needed shall keep nothing in memory.
   text +=
-      "static inline int find_around([[maybe_unused]] const Around& a, bool there, const "
+      "[[gnu::noinline, gnu::cold]] static int find_elsewhere(double x, double y, double z, double "
+      "u, double v, double w, int blocked) {\n"
+      "  return find({x, y, z}, make_heading<double>(u, v, w), blocked);\n}\n"
+      "[[gnu::always_inline]] static inline int find_around([[maybe_unused]] const Around& a, bool "
+      "there, const "
       "Vec3<double>& p, const Direction<double>& d, int blocked) {\n  if (__builtin_expect(!there";
   if (!all_listed) text += " || a.count == ~0U";
-  text += ", 0)) return find(p, d, blocked);\n";
+  text += ", 0)) return find_elsewhere(p.x, p.y, p.z, d.x, d.y, d.z, blocked);\n";
   if (!s.neighbours.empty()) {
     text +=
         "  for (unsigned m = a.first; m != a.first + a.count; ++m) {\n"

@@ -63,22 +63,19 @@ inline void walk_buckets(const BucketGrid<Index>& g, const Vec3<double>& p,
   const int i = bucket_along(p.x, g.origin[0], g.per_mm[0], g.count[0]);
   const int j = bucket_along(p.y, g.origin[1], g.per_mm[1], g.count[1]);
   const int k = bucket_along(p.z, g.origin[2], g.per_mm[2], g.count[2]);
-  // Many rays end where they begin.
-  if (const double far = reach(); far < 1e30) {
-    const int to_i = bucket_along(p.x + far * v.x, g.origin[0], g.per_mm[0], g.count[0]);
-    const int to_j = bucket_along(p.y + far * v.y, g.origin[1], g.per_mm[1], g.count[1]);
-    const int to_k = bucket_along(p.z + far * v.z, g.origin[2], g.per_mm[2], g.count[2]);
-    if ((i == to_i) & (j == to_j) & (k == to_k)) {
-      const unsigned b = bucket_of(g, i, j, k);
-      for (unsigned m = g.first[b]; m < g.first[b + 1]; ++m) {
-        visit(static_cast<unsigned>(g.members[m]));
-      }
-      return;
-    }
+  BucketAxis x{i, 0, 0, infinity<double>()}, y{j, 0, 0, infinity<double>()},
+      z{k, 0, 0, infinity<double>()};
+  // Many rays end in the bucket where they begin.
+  const double far = reach();
+  const bool ends_here =
+      (far < 1e30) && ((bucket_along(p.x + far * v.x, g.origin[0], g.per_mm[0], g.count[0]) == i) &
+                       (bucket_along(p.y + far * v.y, g.origin[1], g.per_mm[1], g.count[1]) == j) &
+                       (bucket_along(p.z + far * v.z, g.origin[2], g.per_mm[2], g.count[2]) == k));
+  if (!ends_here) {
+    x = bucket_axis(p.x, v.x, v.inverse_x, g.origin[0], g.width[0], g.count[0], i);
+    y = bucket_axis(p.y, v.y, v.inverse_y, g.origin[1], g.width[1], g.count[1], j);
+    z = bucket_axis(p.z, v.z, v.inverse_z, g.origin[2], g.width[2], g.count[2], k);
   }
-  BucketAxis x = bucket_axis(p.x, v.x, v.inverse_x, g.origin[0], g.width[0], g.count[0], i);
-  BucketAxis y = bucket_axis(p.y, v.y, v.inverse_y, g.origin[1], g.width[1], g.count[1], j);
-  BucketAxis z = bucket_axis(p.z, v.z, v.inverse_z, g.origin[2], g.width[2], g.count[2], k);
   for (;;) {
     const unsigned b = bucket_of(g, x.index, y.index, z.index);
     for (unsigned m = g.first[b]; m < g.first[b + 1]; ++m) {
