@@ -50,4 +50,12 @@ struct CheckOptions {
 /// Exit status 1 if anything overlaps.
 int check(const CheckOptions& options);
 
+enum class CacheAction : std::uint8_t { list, verify, clear, path };
+struct CacheOptions {
+  Cache cache;
+  CacheAction action = CacheAction::list;
+};
+/// Exit status 1 if `verify` rejects an entry.
+int cache(const CacheOptions& options);
+
 }  // namespace navjit::apps

@@ -37,7 +37,21 @@ void add_boxes(CLI::App* command, GeometryOptions& options) {
       ->option_text("[VOLUME=]SEARCH,...");
 }
 
+/// "off", or a directory; the environment variable serves those who cannot change a command line.
+void add_cache(CLI::App* command, Cache& cache, bool may_be_off) {
+  cache = Cache::user_default();
+  command
+      ->add_option_function<std::string>(
+          "--cache",
+          [&cache](const std::string& text) { cache = text == "off" ? Cache{} : Cache::in(text); },
+          may_be_off ? "of compiled code: a directory, or off (default: the user's)"
+                     : "directory (default: the user's)")
+      ->envname("NAVJIT_CACHE")
+      ->option_text(may_be_off ? "DIR|off" : "DIR");
+}
+
 void add_runtime_options(CLI::App* command, RuntimeOptions& options) {
+  add_cache(command, options.cache, true);
   command->add_option("--jit", options.jit, "off, on, wait (specialise first) or shadow (compare)")
       ->transform(CLI::CheckedTransformer(jit_modes).description(""))
       ->option_text("MODE");
@@ -135,6 +149,21 @@ int parse_and_run(int argc, char** argv) {
       ->check(CLI::NonNegativeNumber)
       ->option_text("MM");
 
+  apps::CacheOptions cache;
+  CLI::App* cache_command = app.add_subcommand("cache", "Look after compiled code");
+  cache_command->require_subcommand(1);
+  add_cache(cache_command, cache.cache, false);
+  const auto add_action = [&](const char* name, const char* what, apps::CacheAction action) {
+    cache_command->add_subcommand(name, what)->fallthrough()->callback([&cache, action] {
+      cache.action = action;
+    });
+  };
+  add_action("list", "what is in it, last used first", apps::CacheAction::list);
+  add_action("verify", "check every entry; exit status 1 if one is damaged",
+             apps::CacheAction::verify);
+  add_action("clear", "remove all entries", apps::CacheAction::clear);
+  add_action("path", "where it is", apps::CacheAction::path);
+
   try {
     app.parse(argc, argv);
     if (!origin.empty()) {
@@ -156,6 +185,7 @@ int parse_and_run(int argc, char** argv) {
   if (*inspect_command) return apps::inspect(inspect);
   if (*run_command) return apps::run(run);
   if (*check_command) return apps::check(check);
+  if (*cache_command) return apps::cache(cache);
   return apps::trace(trace);
 }
 

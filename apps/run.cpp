@@ -104,6 +104,7 @@ struct Watch {
 void compare_with_generic(Runtime& specialised, const RunOptions& options, RunReport& report) {
   RuntimeOptions off = options.runtime;
   off.jit = JitMode::off;
+  off.cache = {};
   Runtime generic(specialised.share_world(), off);
   Navigator with = specialised.navigator(), without = generic.navigator();
   const World& world = specialised.world();

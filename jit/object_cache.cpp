@@ -82,6 +82,22 @@ void remove_if_abandoned(const File& directory, const std::string& name) {
   unlinkat(directory.get(), name.c_str(), 0);
 }
 
+/// A file of a new name, locked: see remove_if_abandoned.
+Expected<File> make_unfinished(const File& directory, std::string& name) {
+  for (int attempt = 0;; ++attempt) {
+    Digest random{};
+    if (getrandom(random.data(), 8, 0) != 8) return system_failure("no random numbers");
+    name = std::string(unfinished) + hex(random).substr(0, 16);
+    File file(openat(directory.get(), name.c_str(),
+                     O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
+    if (!file) return system_failure("cannot write into the cache directory");
+    flock(file.get(), LOCK_EX);
+    // Before it was locked it may have been taken for abandoned.
+    struct stat status;
+    if (attempt == 9 || fstat(file.get(), &status) != 0 || status.st_nlink > 0) return file;
+  }
+}
+
 bool write_all(const File& file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t n = ::write(file.get(), bytes.data(), bytes.size());
@@ -209,13 +225,10 @@ std::optional<Failure> ObjectCache::write(const Digest& key, std::string_view la
     return Failure{"an entry of " + std::to_string(bytes) +
                    " bytes exceeds the limit of the size of files (ulimit -f)"};
   }
-  Digest random{};
-  if (getrandom(random.data(), 8, 0) != 8) return system_failure("no random numbers");
-  const std::string temporary = std::string(unfinished) + hex(random).substr(0, 16);
-  const File file(openat(directory_.get(), temporary.c_str(),
-                         O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
-  if (!file) return system_failure("cannot write into the cache directory");
-  flock(file.get(), LOCK_EX | LOCK_NB);  // see remove_if_abandoned
+  std::string temporary;
+  const Expected<File> unfinished_file = make_unfinished(directory_, temporary);
+  if (!unfinished_file) return unfinished_file.failure();
+  const File& file = *unfinished_file;
   if (!write_all(file, header) || !write_all(file, content)) {
     const Failure failure = system_failure("cannot write an entry of the cache");
     unlinkat(directory_.get(), temporary.c_str(), 0);

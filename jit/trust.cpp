@@ -46,18 +46,40 @@ Expected<std::string> resolved(const std::string& path) {
   return std::string(text.get());
 }
 
-/// Makes the missing directories of a path, for the user alone.
+/// Checks a resolved directory and all above it; gives the status of the directory itself. With
+/// `above` it is only on the way to where things are to be.
+std::optional<Failure> distrust_way(const std::string& path, bool above, struct stat& status) {
+  for (std::size_t at = 0; at <= path.size(); ++at) {
+    if (at != 0 && at != path.size() && path[at] != '/') continue;
+    if (at == path.size() && at == 1) break;  // the root was the first
+    const std::string part = at == 0 ? "/" : path.substr(0, at);
+    if (lstat(part.c_str(), &status) != 0) return system_failure(part);
+    if (!S_ISDIR(status.st_mode)) return Failure{part + " is not a directory"};
+    const bool last = part.size() == path.size();
+    if (std::optional<Failure> failure = distrust(part, status, above || !last)) return failure;
+  }
+  return std::nullopt;
+}
+
+/// Makes the missing directories of a path, for the user alone, where the first of them may be
+/// made: in a directory that is trusted.
 std::optional<Failure> make_directories(const std::string& path) {
+  std::string there = ".";
   for (std::size_t at = 1; at <= path.size(); ++at) {
     if (at < path.size() && path[at] != '/') continue;
     const std::string part = path.substr(0, at);
-    if (mkdir(part.c_str(), 0700) == 0 || errno == EEXIST) continue;
-    // What exists may say so by another error (a read-only file system, a directory above).
-    const int error = errno;
     struct stat status;
-    if (stat(part.c_str(), &status) == 0) continue;
-    errno = error;
-    return system_failure("cannot make the directory " + part);
+    if (stat(part.c_str(), &status) == 0) {
+      there = part;
+      continue;
+    }
+    const Expected<std::string> real = resolved(there);
+    if (!real) return real.failure();
+    if (std::optional<Failure> failure = distrust_way(*real, true, status)) return failure;
+    if (mkdir(part.c_str(), 0700) != 0 && errno != EEXIST) {
+      return system_failure("cannot make the directory " + part);
+    }
+    there = part;
   }
   return std::nullopt;
 }
@@ -78,15 +100,7 @@ Expected<File> open_trusted_directory(const std::string& path, bool create) {
   const Expected<std::string> real = resolved(path);
   if (!real) return real.failure();
   struct stat status;
-  for (std::size_t at = 0; at <= real->size(); ++at) {
-    if (at != 0 && at != real->size() && (*real)[at] != '/') continue;
-    if (at == real->size() && at == 1) break;  // the root was the first
-    const std::string part = at == 0 ? "/" : real->substr(0, at);
-    if (lstat(part.c_str(), &status) != 0) return system_failure(part);
-    if (!S_ISDIR(status.st_mode)) return Failure{part + " is not a directory"};
-    const bool above = part.size() < real->size();
-    if (std::optional<Failure> failure = distrust(part, status, above)) return *failure;
-  }
+  if (std::optional<Failure> failure = distrust_way(*real, false, status)) return *failure;
   File directory(open(real->c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (!directory) return system_failure(*real);
   struct stat opened;

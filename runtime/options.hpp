@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geometry/navigation/geometry.hpp"
+#include "runtime/cache.hpp"
 
 namespace navjit {
 
@@ -43,6 +44,7 @@ struct Faults {
 struct RuntimeOptions {
   Level level = Level::exact;
   JitMode jit = JitMode::on;
+  Cache cache{};  ///< of compiled code; none unless asked for
   SpecialiserOptions specialiser{};
   Faults faults{};
   GeometryOptions geometry{};

@@ -28,13 +28,15 @@ struct SceneReport {
   double compile_ms = 0;    ///< this scene's part of its module
   double swapped_at_s = 0;  ///< since the runtime was made
   SceneStatus status = SceneStatus::generic;
-  std::string note;  ///< why it failed or does not pay
+  bool cached = false;  ///< its code came from the cache
+  std::string note;     ///< why it failed or does not pay
 };
 
 struct RuntimeReport {
   std::uint64_t steps = 0;
   std::vector<SceneReport> scenes;  ///< by steps, most first; scenes without a step are left out
-  std::size_t modules = 0;          ///< compiled
+  std::size_t modules = 0;          ///< compiled, or taken from the cache
+  std::size_t cached_modules = 0;   ///< those that were taken from the cache
   double compile_ms = 0;            ///< all modules, link and verification
   std::size_t code_bytes = 0;
   std::size_t waiting_to_be_freed = 0;

@@ -7,10 +7,8 @@
 #include <cstdlib>
 
 #include "analysis/plan.hpp"
-#include "codegen/module.hpp"
 #include "geometry/navigation/generic.hpp"
-#include "jit/compiler.hpp"
-#include "jit/linker.hpp"
+#include "runtime/code_maker.hpp"
 #include "runtime/overrides.hpp"
 #include "runtime/verify.hpp"
 
@@ -19,16 +17,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t samples_kept = 512;    ///< per volume
-constexpr std::size_t states_made_up = 400;  ///< per volume, for verification
+constexpr std::size_t samples_kept = 512;  ///< per volume
 
 double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
-
-/// A module's code, and the records that point into it.
-struct Installed {
-  jit::Code code;
-  std::vector<kernels::Navigators> records;
-};
 
 }  // namespace
 
@@ -48,11 +39,6 @@ const char* status_name(SceneStatus status) {
   return "unknown";
 }
 
-struct Specialiser::Compiler {
-  jit::Compiler compiler;
-  jit::Linker linker;
-};
-
 Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
     : shared_(std::move(shared)),
       facts_(analyse_world(shared_->geometry)),
@@ -62,18 +48,7 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
       started_at_(now()) {
   if (shared_->options.jit == JitMode::off) return;
   apply_overrides();
-  const SpecialiserOptions& options = shared_->options.specialiser;
-  jit::CompileOptions compile_options;
-  compile_options.optimisation = options.optimisation;
-  compile_options.debug_info = options.debug_info;
-  auto compiler = jit::Compiler::create(compile_options);
-  auto linker = jit::Linker::create({true, options.perf_map});
-  if (!compiler || !linker) {
-    spdlog::warn("no specialisation in this run: {}",
-                 (!compiler ? compiler.failure() : linker.failure()).message);
-    return;
-  }
-  compiler_ = std::make_unique<Compiler>(Compiler{std::move(*compiler), std::move(*linker)});
+  maker_ = std::make_unique<CodeMaker>(shared_->options.specialiser, shared_->options.cache);
 }
 
 Specialiser::~Specialiser() { stop(); }
@@ -109,10 +84,11 @@ void Specialiser::stop() {
 double Specialiser::seconds() const { return now() - started_at_; }
 
 void Specialiser::start() {
-  if (compiler_) thread_ = std::thread([this] { run(); });
+  if (maker_) thread_ = std::thread([this] { run(); });
 }
 
 void Specialiser::run() {
+  install_remembered();
   std::unique_lock lock(mutex_);
   while (!stop_) {
     lock.unlock();
@@ -171,6 +147,7 @@ void Specialiser::gather() {
 /// Scenes whose use so far would have paid for compiling them: what was spent is the estimate of
 /// what is still to come. Relocation in a mother costs about as much as a step.
 std::vector<VolumeId> Specialiser::choose() {
+  if (hopeless_) return {};
   const SpecialiserOptions& options = shared_->options.specialiser;
   const double break_even = options.compile_ms_per_scene * 1e6 / options.gain_ns_per_step;
   // Volumes of equal structure are hot together.
@@ -212,7 +189,7 @@ void Specialiser::note_failure(VolumeId volume, const std::string& why) {
   scenes_[volume].note = why;
 }
 
-void Specialiser::specialise(const std::vector<VolumeId>& batch) {
+std::vector<VolumeId> Specialiser::worth_trying(const std::vector<VolumeId>& batch) {
   std::vector<VolumeId> worth;
   for (const VolumeId volume : batch) {
     std::string why;
@@ -224,86 +201,17 @@ void Specialiser::specialise(const std::vector<VolumeId>& batch) {
       note(volume, SceneStatus::unprofitable, why);
     }
   }
-  if (!worth.empty()) compile_module(worth);
+  return worth;
 }
 
-void Specialiser::compile_module(const std::vector<VolumeId>& batch) {
-  const double start = now();
-  const Geometry& geometry = shared_->geometry;
-  codegen::Module module = codegen::generate(geometry, facts_, batch);
-  if (shared_->options.faults.edit_source) shared_->options.faults.edit_source(module.source);
-  auto object = compiler_->compiler.compile(module.source, "navjit_module");
-  auto code = object ? compiler_->linker.link(*object) : jit::Expected<jit::Code>(object.failure());
-  if (!code) {
-    if (batch.size() > 1) {
-      // One scene may have spoilt the module for all.
-      for (const VolumeId volume : batch) compile_module({volume});
-      return;
-    }
-    spdlog::warn("scene {} stays generic: {}", geometry.world().volumes[batch[0]].name,
-                 code.failure().message);
-    note(batch[0], SceneStatus::failed, code.failure().message);
-    return;
-  }
-  const double compile_ms = (now() - start) * 1e3;
-  spdlog::debug(
-      "module of {} scenes: {} kB of source; front end {:.0f}, optimiser {:.0f}, code "
-      "generator {:.0f} ms; {} kB of code",
-      batch.size(), module.source.size() / 1024, object->report.frontend_ms,
-      object->report.optimise_ms, object->report.codegen_ms, object->report.code_bytes / 1024);
-  auto installed = std::make_shared<Installed>(Installed{std::move(*code), {}});
-  installed->records.reserve(module.entries.size());  // pointers to records are published
-  for (const codegen::Entry& entry : module.entries) {
-    const auto step =
-        installed->code.function<std::remove_pointer_t<kernels::StepFunction>>(entry.step);
-    const auto settle =
-        installed->code.function<std::remove_pointer_t<kernels::SettleFunction>>(entry.settle);
-    if (!step || !settle) {
-      note_failure(entry.volume, "the generated function is missing");
-      continue;
-    }
-    const kernels::Navigators& record =
-        installed->records.emplace_back(kernels::Navigators{*step, *settle});
-    std::vector<Sample> samples = samples_[entry.volume];
-    const std::vector<Sample> made_up =
-        sampler_.states(entry.volume, states_made_up, entry.volume + 1);
-    const std::size_t recorded = samples.size();
-    samples.insert(samples.end(), made_up.begin(), made_up.end());
-    const kernels::Context& context = shared_->table.context();
-    std::string problem = verify(geometry, context, record, entry.volume, samples);
-    if (shared_->options.faults.fail_verification) problem = "injected failure";
-    const std::string& name = geometry.world().volumes[entry.volume].name;
-    if (!problem.empty()) {
-      note_failure(entry.volume, problem);
-      continue;
-    }
-    const std::span<const Sample> timed =
-        recorded > 0 ? std::span(samples).first(recorded) : std::span<const Sample>(samples);
-    const double generic_ns = time_per_step(geometry, context, generic::navigators, timed);
-    const double specialised_ns = time_per_step(geometry, context, record, timed);
-    const bool forced = facts_.forced_candidates.contains(facts_.first_equal[entry.volume]) ||
-                        !shared_->options.specialiser.keep_only_faster;
-    const bool pays = forced || specialised_ns <= generic_ns || timed.size() < 16;
-    if (pays) shared_->table.install(entry.volume, &record, installed);
-    spdlog::debug("scene {}: {:.1f} ns generic, {:.1f} ns specialised{}", name, generic_ns,
-                  specialised_ns, pays ? "" : ": not installed");
-    const std::lock_guard lock(mutex_);
-    SceneReport& scene = scenes_[entry.volume];
-    scene.status = pays ? SceneStatus::specialised : SceneStatus::unprofitable;
-    scene.note = pays ? "" : "measured slower than the generic navigator";
-    scene.generic_ns_per_step = generic_ns;
-    scene.specialised_ns_per_step = specialised_ns;
-    scene.compile_ms = compile_ms / static_cast<double>(module.entries.size());
-    scene.swapped_at_s = pays ? seconds() : 0;
-  }
-  const std::lock_guard lock(mutex_);
-  ++totals_.modules;
-  totals_.compile_ms += (now() - start) * 1e3;
-  totals_.code_bytes += object->report.code_bytes;
+void Specialiser::specialise(const std::vector<VolumeId>& batch) {
+  const std::vector<VolumeId> worth = worth_trying(batch);
+  if (worth.empty()) return;
+  if (make_module(worth)) remember(worth);
 }
 
 void Specialiser::specialise_all() {
-  if (!compiler_) return;
+  if (!maker_) return;
   std::vector<VolumeId> batch;
   const auto flush = [&] {
     if (!batch.empty()) specialise(batch);

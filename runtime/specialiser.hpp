@@ -8,6 +8,9 @@
 #include <thread>
 
 #include "analysis/facts.hpp"
+#include "codegen/module.hpp"
+#include "runtime/code_maker.hpp"
+#include "runtime/hot_list.hpp"
 #include "runtime/report.hpp"
 #include "runtime/shared.hpp"
 #include "runtime/states.hpp"
@@ -31,14 +34,29 @@ class Specialiser {
   void time_generic();
 
  private:
-  struct Compiler;
-
   void run();
   void apply_overrides();
   void gather();
   std::vector<VolumeId> choose();
+  /// Those whose plan promises a gain; notes what becomes of each.
+  std::vector<VolumeId> worth_trying(const std::vector<VolumeId>& batch);
   void specialise(const std::vector<VolumeId>& batch);
-  void compile_module(const std::vector<VolumeId>& batch);
+
+  // In specialise_module.cpp:
+  /// From the cache, or compiled. False if the module could not be made; then its scenes were tried
+  /// alone.
+  bool make_module(const std::vector<VolumeId>& batch);
+  /// Verifies and installs what is good. False if something is not; where code came from the cache
+  /// it ends there, and notes no failure.
+  bool install(const codegen::Module& module, jit::Code code, bool cached, double start);
+  /// Verifies, times and installs one scene; `found` says what was wrong with it.
+  bool install_scene(VolumeId volume, const kernels::Navigators& record,
+                     const std::shared_ptr<const void>& owner, SceneReport& report,
+                     std::string& problem);
+  void no_module(const std::vector<VolumeId>& batch, const std::string& why);
+  /// Installs what earlier runs found hot, as far as the cache has the code.
+  void install_remembered();
+  void remember(const std::vector<VolumeId>& batch);
   /// Of a volume and all of equal structure.
   void note(VolumeId volume, SceneStatus status, const std::string& why);
   /// Of one volume; also in the log.
@@ -48,7 +66,10 @@ class Specialiser {
   std::shared_ptr<detail::Shared> shared_;
   WorldFacts facts_;
   StateSampler sampler_;
-  std::unique_ptr<Compiler> compiler_;
+  std::unique_ptr<CodeMaker> maker_;  ///< null: nothing is ever specialised
+  bool hopeless_ = false;             ///< nothing can be compiled in this process
+  HotList hot_list_;                  ///< modules of this run
+  std::string hot_list_name_;
   std::vector<std::uint64_t> steps_;  ///< by volume, at the last look
   /// By volume: steps made in its daughters, as sampled. Many of those end with a relocation in it.
   std::vector<std::uint64_t> steps_below_;

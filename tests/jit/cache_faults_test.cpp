@@ -98,7 +98,7 @@ TEST(CacheFaults, TwoHundredProcessesShareACache) {
         const int k = (n + i) % 8;
         const CacheHit hit = cache->load(key(k));
         wrong += !hit.rejected.empty() || (hit.content && !is_right(hit, k)) ? 1 : 0;
-        if (!hit.content) cache->store(key(k), "", content(k));
+        if (!hit.content) wrong += cache->store(key(k), "", content(k)) ? 1 : 0;
       }
       _exit(wrong == 0 ? 0 : 1);
     }

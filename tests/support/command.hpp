@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -20,6 +21,8 @@ struct Output {
 
 /// Runs "NAVJIT ARGUMENTS" through the shell; NAVJIT_COMMAND is set by the build.
 inline Output run_navjit(const std::string& arguments) {
+  // The user's cache is none of the tests' business.
+  setenv("NAVJIT_CACHE", "off", 0);
   const std::string command = std::string(NAVJIT_COMMAND) + " " + arguments + " 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("popen failed");
