@@ -109,6 +109,7 @@ void write_json(const RunReport& report, const std::string& path) {
         {"steps_per_second_without", report.compared_without}}},
       {"modules", report.runtime.modules},
       {"cached_modules", report.runtime.cached_modules},
+      {"plugin_scenes", report.runtime.plugin_scenes},
       {"compile_ms", report.runtime.compile_ms},
       {"code_bytes", report.runtime.code_bytes},
   };
@@ -121,7 +122,7 @@ void write_json(const RunReport& report, const std::string& path) {
                       {"specialised_ns_per_step", s.specialised_ns_per_step},
                       {"compile_ms", s.compile_ms},
                       {"swapped_at_s", s.swapped_at_s},
-                      {"cached", s.cached},
+                      {"code", origin_name(s.origin)},
                       {"status", status_name(s.status)},
                       {"note", s.note}});
   }

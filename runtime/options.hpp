@@ -45,6 +45,9 @@ struct RuntimeOptions {
   Level level = Level::exact;
   JitMode jit = JitMode::on;
   Cache cache{};  ///< of compiled code; none unless asked for
+  /// Installed before the first step, whatever `jit` says; what is wrong with it is a warning in
+  /// the log, and the run goes on without it.
+  std::string plugin{};
   SpecialiserOptions specialiser{};
   Faults faults{};
   GeometryOptions geometry{};

@@ -17,6 +17,11 @@ enum class SceneStatus : std::uint8_t {
 
 const char* status_name(SceneStatus status);
 
+/// Where a scene's code came from.
+enum class CodeOrigin : std::uint8_t { none, compiler, cache, plugin };
+
+const char* origin_name(CodeOrigin origin);
+
 /// One scene; times are 0 where not measured.
 struct SceneReport {
   std::uint32_t volume_id = 0;
@@ -28,8 +33,8 @@ struct SceneReport {
   double compile_ms = 0;    ///< this scene's part of its module
   double swapped_at_s = 0;  ///< since the runtime was made
   SceneStatus status = SceneStatus::generic;
-  bool cached = false;  ///< its code came from the cache
-  std::string note;     ///< why it failed or does not pay
+  CodeOrigin origin = CodeOrigin::none;
+  std::string note;  ///< why it failed or does not pay
 };
 
 struct RuntimeReport {
@@ -40,6 +45,7 @@ struct RuntimeReport {
   double compile_ms = 0;            ///< all modules, link and verification
   std::size_t code_bytes = 0;
   std::size_t waiting_to_be_freed = 0;
+  std::size_t plugin_scenes = 0;  ///< installed from the plugin
 };
 
 }  // namespace navjit

@@ -6,6 +6,7 @@
 
 #include "geometry/navigation/generic.hpp"
 #include "runtime/fingerprint.hpp"
+#include "runtime/plugin.hpp"
 #include "runtime/specialiser.hpp"
 #include "runtime/verify.hpp"
 
@@ -93,12 +94,12 @@ bool Specialiser::install(const codegen::Module& module, jit::Code code, bool ca
   for (const codegen::Entry& entry : module.entries) {
     SceneReport report;
     report.compile_ms = compile_ms / static_cast<double>(module.entries.size());
-    report.cached = cached;
+    report.origin = cached ? CodeOrigin::cache : CodeOrigin::compiler;
     std::string problem = "the generated function is missing";
     const kernels::Navigators record = find_entry(installed->code, entry);
     if (record.step == nullptr || record.settle == nullptr ||
-        !install_scene(entry.volume, installed->records.emplace_back(record), installed, report,
-                       problem)) {
+        !install_scene(entry.volume, installed->records.emplace_back(record), installed,
+                       shared_->options.specialiser.keep_only_faster, report, problem)) {
       if (cached) return false;
       note_failure(entry.volume, problem);
       all_good = false;
@@ -121,8 +122,8 @@ bool Specialiser::install(const codegen::Module& module, jit::Code code, bool ca
 }
 
 bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& record,
-                                const std::shared_ptr<const void>& owner, SceneReport& report,
-                                std::string& problem) {
+                                const std::shared_ptr<const void>& owner, bool only_if_faster,
+                                SceneReport& report, std::string& problem) {
   const Geometry& geometry = shared_->geometry;
   const kernels::Context& context = shared_->table.context();
   std::vector<Sample> samples = samples_[volume];
@@ -137,8 +138,8 @@ bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& reco
       recorded > 0 ? std::span(samples).first(recorded) : std::span<const Sample>(samples);
   const double generic_ns = time_per_step(geometry, context, generic::navigators, timed);
   const double specialised_ns = time_per_step(geometry, context, record, timed);
-  const bool forced = facts_.forced_candidates.contains(facts_.first_equal[volume]) ||
-                      !shared_->options.specialiser.keep_only_faster;
+  const bool forced =
+      facts_.forced_candidates.contains(facts_.first_equal[volume]) || !only_if_faster;
   const bool pays = forced || specialised_ns <= generic_ns || timed.size() < 16;
   if (pays) shared_->table.install(volume, &record, owner);
   spdlog::debug("scene {}: {:.1f} ns generic, {:.1f} ns specialised{}",
@@ -150,6 +151,28 @@ bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& reco
   report.specialised_ns_per_step = specialised_ns;
   report.swapped_at_s = pays ? seconds() : 0;
   return true;
+}
+
+void Specialiser::install_plugin(const std::string& path) {
+  const auto plugin = Plugin::load(path, shared_->geometry);
+  if (!plugin) {
+    spdlog::warn("plugin not used: {}", plugin.failure().message);
+    return;
+  }
+  for (const Plugin::Entry& entry : (*plugin)->entries()) {
+    SceneReport report;
+    report.origin = CodeOrigin::plugin;
+    std::string problem;
+    // Whoever made the plugin chose its scenes: production shall not depend on a timing.
+    if (install_scene(entry.volume, entry.navigators, *plugin, false, report, problem)) {
+      const std::lock_guard lock(mutex_);
+      scenes_[entry.volume] = std::move(report);
+      ++totals_.plugin_scenes;
+    } else {
+      spdlog::warn("plugin {}: scene {} not used: {}", path,
+                   shared_->geometry.world().volumes[entry.volume].name, problem);
+    }
+  }
 }
 
 void Specialiser::install_remembered() {

@@ -9,6 +9,7 @@
 #include "analysis/plan.hpp"
 #include "geometry/navigation/generic.hpp"
 #include "runtime/code_maker.hpp"
+#include "runtime/fingerprint.hpp"
 #include "runtime/overrides.hpp"
 #include "runtime/verify.hpp"
 
@@ -39,6 +40,20 @@ const char* status_name(SceneStatus status) {
   return "unknown";
 }
 
+const char* origin_name(CodeOrigin origin) {
+  switch (origin) {
+    case CodeOrigin::none:
+      return "";
+    case CodeOrigin::compiler:
+      return "compiled";
+    case CodeOrigin::cache:
+      return "cache";
+    case CodeOrigin::plugin:
+      return "plugin";
+  }
+  return "unknown";
+}
+
 Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
     : shared_(std::move(shared)),
       facts_(analyse_world(shared_->geometry)),
@@ -48,6 +63,12 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
       started_at_(now()) {
   if (shared_->options.jit == JitMode::off) return;
   apply_overrides();
+  if (!jit::has_compiler()) {
+    if (shared_->options.plugin.empty()) {
+      spdlog::warn("no specialisation in this run: this program was built without a compiler");
+    }
+    return;
+  }
   maker_ = std::make_unique<CodeMaker>(shared_->options.specialiser, shared_->options.cache);
 }
 
@@ -240,6 +261,30 @@ void Specialiser::time_generic() {
     const std::lock_guard lock(mutex_);
     scenes_[volume].generic_ns_per_step = ns;
   }
+}
+
+StepProfile Specialiser::step_profile() {
+  gather();
+  StepProfile profile;
+  profile.geometry = geometry_fingerprint(shared_->geometry);
+  profile.runs = 1;
+  // Samples are a part of the steps, and dropped where nobody takes them: scaled to all steps.
+  const World& world = shared_->geometry.world();
+  std::uint64_t steps = 0, sampled = 0;
+  for (std::size_t v = 0; v < steps_.size(); ++v) {
+    steps += v == world.top ? 0 : steps_[v];
+    sampled += steps_below_[v];
+  }
+  const double scale =
+      sampled > 0 ? static_cast<double>(steps) / static_cast<double>(sampled) : 0.0;
+  for (std::size_t v = 0; v < steps_.size(); ++v) {
+    const auto relocations =
+        static_cast<std::uint64_t>(scale * static_cast<double>(steps_below_[v]));
+    if (steps_[v] + relocations == 0) continue;
+    profile.volumes.push_back(
+        {static_cast<VolumeId>(v), world.volumes[v].name, steps_[v], relocations});
+  }
+  return profile;
 }
 
 RuntimeReport Specialiser::report() const {

@@ -14,6 +14,7 @@
 #include "runtime/report.hpp"
 #include "runtime/shared.hpp"
 #include "runtime/states.hpp"
+#include "runtime/step_profile.hpp"
 
 namespace navjit {
 
@@ -24,6 +25,8 @@ class Specialiser {
 
   /// Specialises all volumes of the tree, in the calling thread. Before start() only.
   void specialise_all();
+  /// Verifies and installs the scenes of a plugin, in the calling thread. Before start() only.
+  void install_plugin(const std::string& path);
   void start();
   void wait_until_idle();
   /// Ends the thread, after the compilation under way.
@@ -32,6 +35,8 @@ class Specialiser {
   RuntimeReport report() const;
   /// Times scenes that have samples and no timing yet. After stop().
   void time_generic();
+  /// What was counted so far, for a file. After stop().
+  StepProfile step_profile();
 
  private:
   void run();
@@ -51,8 +56,8 @@ class Specialiser {
   bool install(const codegen::Module& module, jit::Code code, bool cached, double start);
   /// Verifies, times and installs one scene; `found` says what was wrong with it.
   bool install_scene(VolumeId volume, const kernels::Navigators& record,
-                     const std::shared_ptr<const void>& owner, SceneReport& report,
-                     std::string& problem);
+                     const std::shared_ptr<const void>& owner, bool only_if_faster,
+                     SceneReport& report, std::string& problem);
   void no_module(const std::vector<VolumeId>& batch, const std::string& why);
   /// Installs what earlier runs found hot, as far as the cache has the code.
   void install_remembered();

@@ -45,7 +45,7 @@ Counts count(const Runtime& runtime) {
   Counts counts;
   for (const SceneReport& scene : runtime.report().scenes) {
     counts.specialised += scene.status == SceneStatus::specialised ? 1 : 0;
-    counts.cached += scene.cached ? 1 : 0;
+    counts.cached += scene.origin == CodeOrigin::cache ? 1 : 0;
     counts.failed += scene.status == SceneStatus::failed ? 1 : 0;
   }
   return counts;
