@@ -110,6 +110,7 @@ void write_json(const RunReport& report, const std::string& path) {
       {"modules", report.runtime.modules},
       {"cached_modules", report.runtime.cached_modules},
       {"plugin_scenes", report.runtime.plugin_scenes},
+      {"withdrawn", report.runtime.withdrawn},
       {"compile_ms", report.runtime.compile_ms},
       {"code_bytes", report.runtime.code_bytes},
   };

@@ -46,6 +46,7 @@ struct RuntimeReport {
   std::size_t code_bytes = 0;
   std::size_t waiting_to_be_freed = 0;
   std::size_t plugin_scenes = 0;  ///< installed from the plugin
+  std::size_t withdrawn = 0;      ///< scenes that were specialised and are generic again
 };
 
 }  // namespace navjit

@@ -19,6 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t samples_kept = 512;  ///< per volume
+constexpr std::size_t fresh_kept = 64;     ///< per volume and look
 
 double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
 
@@ -105,17 +106,19 @@ void Specialiser::stop() {
 double Specialiser::seconds() const { return now() - started_at_; }
 
 void Specialiser::start() {
-  if (maker_) thread_ = std::thread([this] { run(); });
+  hopeless_ = !maker_;
+  if (maker_ || totals_.plugin_scenes > 0) thread_ = std::thread([this] { run(); });
 }
 
 void Specialiser::run() {
-  install_remembered();
+  if (maker_) install_remembered();
   std::unique_lock lock(mutex_);
   while (!stop_) {
     lock.unlock();
     gather();
     const std::vector<VolumeId> batch = choose();
     if (!batch.empty()) specialise(batch);
+    reconsider();
     shared_->table.sweep();
     lock.lock();
     ++looks_;
@@ -154,6 +157,8 @@ void Specialiser::gather() {
     }
     for (Sample sample; profile->take(sample);) {
       if (sample.mother != Sample::no_volume) steps_below_[sample.mother] += Profile::period;
+      auto& fresh = fresh_[sample.volume];
+      if (fresh.size() < fresh_kept) fresh.push_back(sample);
       auto& kept = samples_[sample.volume];
       if (kept.size() < samples_kept) {
         kept.push_back(sample);

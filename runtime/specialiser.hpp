@@ -62,6 +62,11 @@ class Specialiser {
   /// Installs what earlier runs found hot, as far as the cache has the code.
   void install_remembered();
   void remember(const std::vector<VolumeId>& batch);
+  // In withdraw.cpp:
+  /// Looks at what is installed: states declined, and answers on states recorded since.
+  void reconsider();
+  /// Back to the generic navigator.
+  void withdraw(VolumeId volume, SceneStatus status, const std::string& why);
   /// Of a volume and all of equal structure.
   void note(VolumeId volume, SceneStatus status, const std::string& why);
   /// Of one volume; also in the log.
@@ -79,6 +84,12 @@ class Specialiser {
   /// By volume: steps made in its daughters, as sampled. Many of those end with a relocation in it.
   std::vector<std::uint64_t> steps_below_;
   std::map<VolumeId, std::vector<Sample>> samples_;
+  std::map<VolumeId, std::vector<Sample>> fresh_;  ///< a few recorded since the last look
+  struct Seen {
+    std::uint64_t steps = 0, declined = 0;
+  };
+  std::map<VolumeId, Seen> seen_;  ///< of installed scenes, at the last look
+  double reconsidered_at_ = 0;
   double started_at_;
 
   mutable std::mutex mutex_;  ///< guards what follows
