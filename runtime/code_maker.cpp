@@ -2,6 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <exception>
+
 namespace navjit {
 namespace {
 
@@ -20,7 +22,15 @@ CodeMaker::CodeMaker(const SpecialiserOptions& options, const Cache& cache)
     : compile_options_(compile_options(options)),
       linker_options_{true, options.perf_map},
       cache_place_(cache),
-      target_(jit::target_description(compile_options_)) {}
+      target_(jit::target_description(compile_options_)) {
+  if (!cache_place_) return;
+  try {
+    jit::sha256({});
+  } catch (const std::exception& error) {
+    complain(complained_of_cache_, std::string(error.what()) + "; this run has no cache");
+    cache_place_ = {};
+  }
+}
 
 void CodeMaker::complain(bool& complained, const std::string& what) const {
   // Trouble comes in swarms: told once, the rest is for who asks.

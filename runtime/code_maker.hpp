@@ -34,6 +34,7 @@ class CodeMaker {
   /// Code from the cache was no good: it shall not be found again.
   void reject(std::string_view source);
 
+  bool has_cache() const { return static_cast<bool>(cache_place_); }
   /// Text kept in the cache for code of this target, by a name.
   std::optional<std::string> recall(std::string_view name);
   void remember(std::string_view name, std::string_view label, std::string_view text);

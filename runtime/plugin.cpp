@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <exception>
 #include <set>
 #include <string_view>
 
@@ -92,8 +93,8 @@ Plugin::~Plugin() {
   if (library_ != nullptr) dlclose(library_);
 }
 
-jit::Expected<std::shared_ptr<const Plugin>> Plugin::load(const std::string& path,
-                                                          const Geometry& geometry) {
+jit::Expected<std::shared_ptr<const Plugin>> Plugin::load_checked(const std::string& path,
+                                                                  const Geometry& geometry) {
   const auto fail = [&](const std::string& why) { return jit::Failure{path + ": " + why}; };
   jit::Expected<jit::File> file = jit::open_trusted_file(path);
   if (!file) return file.failure();
@@ -130,6 +131,15 @@ jit::Expected<std::shared_ptr<const Plugin>> Plugin::load(const std::string& pat
     plugin->entries_.push_back({volumes[i], {steps[i], settles[i]}});
   }
   return std::shared_ptr<const Plugin>(std::move(plugin));
+}
+
+jit::Expected<std::shared_ptr<const Plugin>> Plugin::load(const std::string& path,
+                                                          const Geometry& geometry) {
+  try {
+    return load_checked(path, geometry);
+  } catch (const std::exception& error) {  // no memory, no SHA-256
+    return jit::Failure{path + ": " + error.what()};
+  }
 }
 
 }  // namespace navjit

@@ -32,6 +32,8 @@ class Plugin {
   const std::vector<Entry>& entries() const { return entries_; }
 
  private:
+  static jit::Expected<std::shared_ptr<const Plugin>> load_checked(const std::string& path,
+                                                                   const Geometry& geometry);
   Plugin(jit::File file, void* library) : file_(std::move(file)), library_(library) {}
 
   jit::File file_;  ///< stays open: the system's loader knows the library by this descriptor

@@ -176,7 +176,7 @@ void Specialiser::install_plugin(const std::string& path) {
 }
 
 void Specialiser::install_remembered() {
-  if (!shared_->options.cache) return;
+  if (!maker_->has_cache()) return;
   const Geometry& geometry = shared_->geometry;
   hot_list_name_ = "hot scenes of " + geometry_fingerprint(geometry);
   const std::optional<std::string> text = maker_->recall(hot_list_name_);
@@ -206,7 +206,7 @@ void Specialiser::install_remembered() {
 }
 
 void Specialiser::remember(const std::vector<VolumeId>& batch) {
-  if (!shared_->options.cache || shared_->options.jit == JitMode::wait) return;
+  if (!maker_->has_cache() || shared_->options.jit == JitMode::wait) return;
   hot_list_.push_back(batch);
   // Other runs of the same detector may have found other scenes meanwhile.
   const std::optional<std::string> text = maker_->recall(hot_list_name_);
