@@ -6,6 +6,7 @@
 
 #include "apps/rays.hpp"
 #include "geometry/navigation/geometry.hpp"
+#include "runtime/make_plugin.hpp"
 #include "runtime/options.hpp"
 
 namespace navjit::apps {
@@ -26,7 +27,8 @@ struct RunOptions {
   RaySource source;
   unsigned threads = 1;
   RuntimeOptions runtime;
-  std::string report;  ///< JSON file; empty: none
+  std::string report;        ///< JSON file; empty: none
+  std::string save_profile;  ///< file for `navjit specialise`; empty: none
 };
 int run(const RunOptions& options);
 
@@ -49,5 +51,34 @@ struct CheckOptions {
 };
 /// Exit status 1 if anything overlaps.
 int check(const CheckOptions& options);
+
+enum class CacheAction : std::uint8_t { list, verify, clear, path };
+struct CacheOptions {
+  Cache cache;
+  CacheAction action = CacheAction::list;
+};
+/// Exit status 1 if `verify` rejects an entry.
+int cache(const CacheOptions& options);
+
+struct SpecialiseOptions {
+  std::string detector;
+  std::string setup;
+  std::vector<std::string> scenes;  ///< logical volumes by name
+  std::string profile;              ///< file; empty: the named scenes only
+  PluginChoice choice;
+  bool source_only = false;
+  int optimisation = 2;
+  std::string out;
+};
+int specialise(const SpecialiseOptions& options);
+
+struct MergeOptions {
+  std::vector<std::string> profiles;
+  std::string out;
+};
+int merge_profiles(const MergeOptions& options);
+
+/// Makes a plugin of a shared library that was compiled from `navjit specialise --emit cpp`.
+int seal_plugin(const std::string& path);
 
 }  // namespace navjit::apps

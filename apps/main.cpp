@@ -41,10 +41,26 @@ void add_boxes(CLI::App* command, GeometryOptions& options) {
       ->option_text("[VOLUME=]SEARCH,...");
 }
 
+/// "off", or a directory; the environment variable serves those who cannot change a command line.
+void add_cache(CLI::App* command, Cache& cache, bool may_be_off) {
+  cache = Cache::user_default();
+  command
+      ->add_option_function<std::string>(
+          "--cache",
+          [&cache](const std::string& text) { cache = text == "off" ? Cache{} : Cache::in(text); },
+          may_be_off ? "of compiled code: a directory, or off (default: the user's)"
+                     : "directory (default: the user's)")
+      ->envname("NAVJIT_CACHE")
+      ->option_text(may_be_off ? "DIR|off" : "DIR");
+}
+
 void add_runtime_options(CLI::App* command, RuntimeOptions& options) {
+  add_cache(command, options.cache, true);
   command->add_option("--jit", options.jit, "off, on, wait (specialise first) or shadow (compare)")
       ->transform(CLI::CheckedTransformer(jit_modes).description(""))
       ->option_text("MODE");
+  command->add_option("--plugin", options.plugin, "made by navjit specialise; used from the start")
+      ->option_text("FILE");
   command->add_option("--level", options.level, "accuracy: exact")
       ->transform(CLI::CheckedTransformer(levels).description(""))
       ->option_text("LEVEL");
@@ -119,6 +135,8 @@ int parse_and_run(int argc, char** argv) {
   run_command->add_option("--eta", eta, "pseudorapidity about +z (default: isotropic)")
       ->option_text("LO,HI");
   run_command->add_option("--report", run.report, "write a JSON report")->option_text("FILE");
+  run_command->add_option("--save-profile", run.save_profile, "write what navjit specialise needs")
+      ->option_text("FILE");
   add_threads(run_command, run.threads);
   add_runtime_options(run_command, run.runtime);
 
@@ -144,8 +162,72 @@ int parse_and_run(int argc, char** argv) {
       ->check(CLI::NonNegativeNumber)
       ->option_text("MM");
 
+  apps::CacheOptions cache;
+  CLI::App* cache_command = app.add_subcommand("cache", "Look after compiled code");
+  cache_command->require_subcommand(1);
+  add_cache(cache_command, cache.cache, false);
+  const auto add_action = [&](const char* name, const char* what, apps::CacheAction action) {
+    cache_command->add_subcommand(name, what)->fallthrough()->callback([&cache, action] {
+      cache.action = action;
+    });
+  };
+  add_action("list", "what is in it, last used first", apps::CacheAction::list);
+  add_action("verify", "check every entry; exit status 1 if one is damaged",
+             apps::CacheAction::verify);
+  add_action("clear", "remove all entries", apps::CacheAction::clear);
+  add_action("path", "where it is", apps::CacheAction::path);
+
+  apps::SpecialiseOptions specialise;
+  CLI::App* specialise_command =
+      app.add_subcommand("specialise", "Make a plugin of navigators ahead of time");
+  add_detector(specialise_command, specialise.detector, specialise.setup);
+  CLI::Option* scenes =
+      specialise_command->add_option("--scene", specialise.scenes, "logical volumes")
+          ->option_text("NAME...");
+  CLI::Option* profile =
+      specialise_command
+          ->add_option("--profile", specialise.profile, "of navjit run --save-profile")
+          ->option_text("FILE");
+  scenes->excludes(profile);
+  specialise_command
+      ->add_option("--least-share", specialise.choice.least_share,
+                   "of a profile's steps, for a scene to be taken")
+      ->check(CLI::Range(0.0, 1.0))
+      ->option_text("SHARE");
+  std::string emit;
+  specialise_command->add_option("--emit", emit, "so (a plugin) or cpp (its source)")
+      ->required()
+      ->check(CLI::IsMember({"so", "cpp"}).description(""))
+      ->option_text("cpp|so");
+  specialise_command->add_option("--opt", specialise.optimisation, "of the compiler, 0 to 3")
+      ->check(CLI::Range(0, 3))
+      ->option_text("N");
+  specialise_command->add_option("-o,--out", specialise.out, "file to write")
+      ->required()
+      ->option_text("FILE");
+
+  apps::MergeOptions merge;
+  CLI::App* profile_command = app.add_subcommand("profile", "Profiles of several runs");
+  profile_command->require_subcommand(1);
+  CLI::App* merge_command = profile_command->add_subcommand("merge", "add profiles up");
+  merge_command->add_option("profiles", merge.profiles, "files")->required();
+  merge_command->add_option("-o,--out", merge.out, "file to write")
+      ->required()
+      ->option_text("FILE");
+
+  std::string library;
+  CLI::App* plugin_command = app.add_subcommand("plugin", "Plugins that were compiled elsewhere");
+  plugin_command->require_subcommand(1);
+  plugin_command->add_subcommand("seal", "make a plugin of a shared library")
+      ->add_option("library", library, "file, changed in place")
+      ->required();
+
   try {
     app.parse(argc, argv);
+    if (*specialise_command && specialise.scenes.empty() && specialise.profile.empty()) {
+      throw CLI::ValidationError("specialise", "--scene or --profile is needed");
+    }
+    specialise.source_only = emit == "cpp";
     if (!origin.empty()) {
       const auto v = numbers("--origin", origin, 3);
       run.source.origin = Vec3{v[0], v[1], v[2]};
@@ -165,6 +247,10 @@ int parse_and_run(int argc, char** argv) {
   if (*inspect_command) return apps::inspect(inspect);
   if (*run_command) return apps::run(run);
   if (*check_command) return apps::check(check);
+  if (*cache_command) return apps::cache(cache);
+  if (*specialise_command) return apps::specialise(specialise);
+  if (*profile_command) return apps::merge_profiles(merge);
+  if (*plugin_command) return apps::seal_plugin(library);
   return apps::trace(trace);
 }
 

@@ -104,6 +104,8 @@ struct Watch {
 void compare_with_generic(Runtime& specialised, const RunOptions& options, RunReport& report) {
   RuntimeOptions off = options.runtime;
   off.jit = JitMode::off;
+  off.cache = {};
+  off.plugin = {};
   Runtime generic(specialised.share_world(), off);
   Navigator with = specialised.navigator(), without = generic.navigator();
   const World& world = specialised.world();
@@ -197,6 +199,7 @@ int run(const RunOptions& options) {
     compare_with_generic(runtime, options, report);
   }
   print_table(report);
+  if (!options.save_profile.empty()) write_profile(runtime.step_profile(), options.save_profile);
   if (!options.report.empty()) write_json(report, options.report);
   if (differences > 0) {
     throw std::runtime_error(std::to_string(differences.load()) +

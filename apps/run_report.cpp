@@ -80,9 +80,11 @@ void print_table(const RunReport& report) {
           static_cast<unsigned long long>(report.compared_rays), report.compared_with / 1e6,
           report.compared_without / 1e6, report.compared_with / report.compared_without);
     }
-    std::printf("%zu modules, %.0f ms of compilation, %zu kB of code, %llu states declined\n",
-                report.runtime.modules, report.runtime.compile_ms, report.runtime.code_bytes / 1024,
-                static_cast<unsigned long long>(report.declined));
+    std::printf(
+        "%zu modules (%zu from the cache), %.0f ms of compilation, %zu kB of code, %llu states "
+        "declined\n",
+        report.runtime.modules, report.runtime.cached_modules, report.runtime.compile_ms,
+        report.runtime.code_bytes / 1024, static_cast<unsigned long long>(report.declined));
   }
 }
 
@@ -106,6 +108,9 @@ void write_json(const RunReport& report, const std::string& path) {
         {"steps_per_second_with", report.compared_with},
         {"steps_per_second_without", report.compared_without}}},
       {"modules", report.runtime.modules},
+      {"cached_modules", report.runtime.cached_modules},
+      {"plugin_scenes", report.runtime.plugin_scenes},
+      {"withdrawn", report.runtime.withdrawn},
       {"compile_ms", report.runtime.compile_ms},
       {"code_bytes", report.runtime.code_bytes},
   };
@@ -118,6 +123,7 @@ void write_json(const RunReport& report, const std::string& path) {
                       {"specialised_ns_per_step", s.specialised_ns_per_step},
                       {"compile_ms", s.compile_ms},
                       {"swapped_at_s", s.swapped_at_s},
+                      {"code", origin_name(s.origin)},
                       {"status", status_name(s.status)},
                       {"note", s.note}});
   }

@@ -91,4 +91,12 @@ Expected<Object> compile(std::string_view source, std::string_view unit_name,
 /// be part of a cache key. Does not check that processor and features exist. Thread-safe.
 std::string target_description(const CompileOptions& options);
 
+/// False in a program that was linked without Clang and LLVM: every `Compiler` and `Linker` fails
+/// to be made then.
+bool has_compiler();
+
+/// What the host's processor can do beside its architecture's baseline: LLVM's names of features,
+/// sorted. Thread-safe.
+std::vector<std::string> host_features();
+
 }  // namespace navjit::jit

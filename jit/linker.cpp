@@ -41,7 +41,7 @@ constexpr const char* math_functions[] = {
 struct Placement {
   std::map<std::string, std::uint64_t> section_addresses;
   std::vector<detail::FunctionRange> functions;
-  std::size_t mapped_bytes = 0;
+  std::size_t code_bytes = 0, mapped_bytes = 0;
 };
 
 /// Takes notes of each finished link.
@@ -85,6 +85,9 @@ class PlacementRecorder : public orc::ObjectLinkingLayer::Plugin {
       if (range.empty()) continue;
       placement.section_addresses[section.getName().str()] = range.getStart().getValue();
       placement.mapped_bytes += range.getSize();
+      const bool executable = (static_cast<unsigned>(section.getMemProt()) &
+                               static_cast<unsigned>(orc::MemProt::Exec)) != 0;
+      placement.code_bytes += executable ? range.getSize() : 0;
     }
     for (const jitlink::Symbol* symbol : graph.defined_symbols()) {
       if (!symbol->hasName() || !symbol->isCallable()) continue;
@@ -271,6 +274,7 @@ Expected<Code> Linker::link(const Object& object) {
         std::make_unique<detail::DebuggerRegistration>(object.bytes, placement.section_addresses);
   }
   if (impl_->options.perf_map) detail::append_to_perf_map(placement.functions);
+  code->report.code_bytes = placement.code_bytes;
   code->report.mapped_bytes = placement.mapped_bytes;
   code->report.link_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

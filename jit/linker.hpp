@@ -25,6 +25,7 @@ struct LinkerOptions {
 /// What one link cost and made.
 struct LinkReport {
   double link_ms = 0;            ///< Wall time, milliseconds.
+  std::size_t code_bytes = 0;    ///< Machine code, without constants.
   std::size_t mapped_bytes = 0;  ///< Code and data in memory, before rounding up to pages.
 };
 

@@ -11,6 +11,7 @@
 #include <llvm/TargetParser/Triple.h>
 
 #include <algorithm>
+#include <array>
 #include <mutex>
 #include <optional>
 
@@ -128,6 +129,21 @@ std::string target_description(const CompileOptions& options) {
   return "llvm " LLVM_VERSION_STRING "; " + clang::getClangFullVersion() + "; " + target.triple +
          "; cpu=" + target.cpu + "; features=" + detail::joined(target.features) +
          "; flags=" + detail::joined(detail::frontend_flags(options));
+}
+
+bool has_compiler() { return true; }
+
+std::vector<std::string> host_features() {
+  // Without these there is no code for 64 bits.
+  constexpr std::array baseline{"64bit", "cmov", "cx8", "fxsr", "mmx", "sse", "sse2", "x87"};
+  std::vector<std::string> features;
+  for (const std::string& feature : detail::resolve_target({}).features) {
+    std::string name = feature.substr(1);
+    if (feature[0] == '+' && std::find(baseline.begin(), baseline.end(), name) == baseline.end()) {
+      features.push_back(std::move(name));
+    }
+  }
+  return features;
 }
 
 }  // namespace navjit::jit

@@ -65,6 +65,7 @@ void Navigator::record(const Vec3& point, const Vec3& direction, double limit) {
 
 double Navigator::decline(const Vec3& point, const Vec3& direction, double limit) {
   ++own_->counts.declined;
+  own_->profile.count_declined(own_->stack.levels[own_->stack.depth].volume);
   return generic::step(shared_->geometry, own_->stack, point, direction, limit);
 }
 

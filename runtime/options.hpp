@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geometry/navigation/geometry.hpp"
+#include "runtime/cache.hpp"
 
 namespace navjit {
 
@@ -38,6 +39,7 @@ struct SpecialiserOptions {
   std::size_t batch = 12;           ///< scenes in one module at the most
   int optimisation = 2;             ///< of the compiler
   InstructionSet instruction_set = InstructionSet::native;
+  double recheck_ms = 1000;         ///< between looks at what is installed, on fresh states
   bool keep_only_faster = true;     ///< install only what is measured to be no slower
   bool perf_map = false;            ///< name generated functions for perf
   bool debug_info = false;          ///< line tables of generated code for gdb
@@ -52,6 +54,10 @@ struct Faults {
 struct RuntimeOptions {
   Level level = Level::exact;
   JitMode jit = JitMode::on;
+  Cache cache{};  ///< of compiled code; none unless asked for
+  /// Installed before the first step, whatever `jit` says; what is wrong with it is a warning in
+  /// the log, and the run goes on without it.
+  std::string plugin{};
   SpecialiserOptions specialiser{};
   Faults faults{};
   GeometryOptions geometry{};

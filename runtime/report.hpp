@@ -17,6 +17,11 @@ enum class SceneStatus : std::uint8_t {
 
 const char* status_name(SceneStatus status);
 
+/// Where a scene's code came from.
+enum class CodeOrigin : std::uint8_t { none, compiler, cache, plugin };
+
+const char* origin_name(CodeOrigin origin);
+
 /// One scene; times are 0 where not measured.
 struct SceneReport {
   std::uint32_t volume_id = 0;
@@ -28,16 +33,20 @@ struct SceneReport {
   double compile_ms = 0;    ///< this scene's part of its module
   double swapped_at_s = 0;  ///< since the runtime was made
   SceneStatus status = SceneStatus::generic;
+  CodeOrigin origin = CodeOrigin::none;
   std::string note;  ///< why it failed or does not pay
 };
 
 struct RuntimeReport {
   std::uint64_t steps = 0;
   std::vector<SceneReport> scenes;  ///< by steps, most first; scenes without a step are left out
-  std::size_t modules = 0;          ///< compiled
+  std::size_t modules = 0;          ///< compiled, or taken from the cache
+  std::size_t cached_modules = 0;   ///< those that were taken from the cache
   double compile_ms = 0;            ///< all modules, link and verification
   std::size_t code_bytes = 0;
   std::size_t waiting_to_be_freed = 0;
+  std::size_t plugin_scenes = 0;  ///< installed from the plugin
+  std::size_t withdrawn = 0;      ///< scenes that were specialised and are generic again
 };
 
 }  // namespace navjit

@@ -11,6 +11,7 @@ Runtime::Runtime(World world, RuntimeOptions options)
 Runtime::Runtime(std::shared_ptr<const World> world, RuntimeOptions options)
     : shared_(std::make_shared<detail::Shared>(std::move(world), std::move(options))),
       specialiser_(std::make_unique<Specialiser>(shared_)) {
+  if (!shared_->options.plugin.empty()) specialiser_->install_plugin(shared_->options.plugin);
   if (shared_->options.jit == JitMode::wait) {
     specialiser_->specialise_all();
   } else if (shared_->options.jit != JitMode::off) {
@@ -35,6 +36,8 @@ RuntimeReport Runtime::final_report() {
   specialiser_->time_generic();
   return specialiser_->report();
 }
+
+StepProfile Runtime::step_profile() { return specialiser_->step_profile(); }
 
 void Runtime::wait_until_idle() { specialiser_->wait_until_idle(); }
 

@@ -6,6 +6,7 @@
 #include "runtime/navigator.hpp"
 #include "runtime/options.hpp"
 #include "runtime/report.hpp"
+#include "runtime/step_profile.hpp"
 
 namespace navjit {
 
@@ -31,6 +32,8 @@ class Runtime {
   /// As report(), and times the generic navigator on recorded states of scenes that were not
   /// specialised. Takes some milliseconds a scene. No scene is specialised after it.
   RuntimeReport final_report();
+  /// How often each volume was used, to be kept for `navjit specialise`. After final_report().
+  StepProfile step_profile();
   /// Returns when no specialisation is under way or due on what was counted until now.
   void wait_until_idle();
 

@@ -7,10 +7,9 @@
 #include <cstdlib>
 
 #include "analysis/plan.hpp"
-#include "codegen/module.hpp"
 #include "geometry/navigation/generic.hpp"
-#include "jit/compiler.hpp"
-#include "jit/linker.hpp"
+#include "runtime/code_maker.hpp"
+#include "runtime/fingerprint.hpp"
 #include "runtime/overrides.hpp"
 #include "runtime/verify.hpp"
 
@@ -19,16 +18,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t samples_kept = 512;    ///< per volume
-constexpr std::size_t states_made_up = 400;  ///< per volume, for verification
+constexpr std::size_t samples_kept = 512;  ///< per volume
+constexpr std::size_t fresh_kept = 64;     ///< per volume and look
 
 double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
-
-/// A module's code, and the records that point into it.
-struct Installed {
-  jit::Code code;
-  std::vector<kernels::Navigators> records;
-};
 
 }  // namespace
 
@@ -48,36 +41,19 @@ const char* status_name(SceneStatus status) {
   return "unknown";
 }
 
-struct Specialiser::Compiler {
-  jit::Compiler compiler;
-  jit::Linker linker;
-};
-
-namespace {
-
-/// The processor's name for the compiler; empty for this machine's own.
-const char* processor(InstructionSet set) {
-#if defined(__x86_64__)
-  switch (set) {
-    case InstructionSet::native:
-      break;
-    case InstructionSet::sse42:
-      if (__builtin_cpu_supports("x86-64-v2")) return "x86-64-v2";
-      break;
-    case InstructionSet::avx2:
-      if (__builtin_cpu_supports("x86-64-v3")) return "x86-64-v3";
-      break;
-    case InstructionSet::avx512:
-      if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
+const char* origin_name(CodeOrigin origin) {
+  switch (origin) {
+    case CodeOrigin::none:
+      return "";
+    case CodeOrigin::compiler:
+      return "compiled";
+    case CodeOrigin::cache:
+      return "cache";
+    case CodeOrigin::plugin:
+      return "plugin";
   }
-#endif
-  if (set != InstructionSet::native) {
-    spdlog::warn("this processor has not the instructions asked for: generated code uses its own");
-  }
-  return "";
+  return "unknown";
 }
-
-}  // namespace
 
 Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
     : shared_(std::move(shared)),
@@ -88,19 +64,13 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
       started_at_(now()) {
   if (shared_->options.jit == JitMode::off) return;
   apply_overrides();
-  const SpecialiserOptions& options = shared_->options.specialiser;
-  jit::CompileOptions compile_options;
-  compile_options.optimisation = options.optimisation;
-  compile_options.debug_info = options.debug_info;
-  compile_options.cpu = processor(options.instruction_set);
-  auto compiler = jit::Compiler::create(compile_options);
-  auto linker = jit::Linker::create({true, options.perf_map});
-  if (!compiler || !linker) {
-    spdlog::warn("no specialisation in this run: {}",
-                 (!compiler ? compiler.failure() : linker.failure()).message);
+  if (!jit::has_compiler()) {
+    if (shared_->options.plugin.empty()) {
+      spdlog::warn("no specialisation in this run: this program was built without a compiler");
+    }
     return;
   }
-  compiler_ = std::make_unique<Compiler>(Compiler{std::move(*compiler), std::move(*linker)});
+  maker_ = std::make_unique<CodeMaker>(shared_->options.specialiser, shared_->options.cache);
 }
 
 Specialiser::~Specialiser() { stop(); }
@@ -136,16 +106,19 @@ void Specialiser::stop() {
 double Specialiser::seconds() const { return now() - started_at_; }
 
 void Specialiser::start() {
-  if (compiler_) thread_ = std::thread([this] { run(); });
+  hopeless_ = !maker_;
+  if (maker_ || totals_.plugin_scenes > 0) thread_ = std::thread([this] { run(); });
 }
 
 void Specialiser::run() {
+  if (maker_) install_remembered();
   std::unique_lock lock(mutex_);
   while (!stop_) {
     lock.unlock();
     gather();
     const std::vector<VolumeId> batch = choose();
     if (!batch.empty()) specialise(batch);
+    reconsider();
     shared_->table.sweep();
     lock.lock();
     ++looks_;
@@ -184,6 +157,8 @@ void Specialiser::gather() {
     }
     for (Sample sample; profile->take(sample);) {
       if (sample.mother != Sample::no_volume) steps_below_[sample.mother] += Profile::period;
+      auto& fresh = fresh_[sample.volume];
+      if (fresh.size() < fresh_kept) fresh.push_back(sample);
       auto& kept = samples_[sample.volume];
       if (kept.size() < samples_kept) {
         kept.push_back(sample);
@@ -198,6 +173,7 @@ void Specialiser::gather() {
 /// Scenes whose use so far would have paid for compiling them: what was spent is the estimate of
 /// what is still to come. Relocation in a mother costs about as much as a step.
 std::vector<VolumeId> Specialiser::choose() {
+  if (hopeless_) return {};
   const SpecialiserOptions& options = shared_->options.specialiser;
   const double break_even = options.compile_ms_per_scene * 1e6 / options.gain_ns_per_step;
   // Volumes of equal structure are hot together.
@@ -239,7 +215,7 @@ void Specialiser::note_failure(VolumeId volume, const std::string& why) {
   scenes_[volume].note = why;
 }
 
-void Specialiser::specialise(const std::vector<VolumeId>& batch) {
+std::vector<VolumeId> Specialiser::worth_trying(const std::vector<VolumeId>& batch) {
   std::vector<VolumeId> worth;
   for (const VolumeId volume : batch) {
     std::string why;
@@ -251,86 +227,17 @@ void Specialiser::specialise(const std::vector<VolumeId>& batch) {
       note(volume, SceneStatus::unprofitable, why);
     }
   }
-  if (!worth.empty()) compile_module(worth);
+  return worth;
 }
 
-void Specialiser::compile_module(const std::vector<VolumeId>& batch) {
-  const double start = now();
-  const Geometry& geometry = shared_->geometry;
-  codegen::Module module = codegen::generate(geometry, facts_, batch);
-  if (shared_->options.faults.edit_source) shared_->options.faults.edit_source(module.source);
-  auto object = compiler_->compiler.compile(module.source, "navjit_module");
-  auto code = object ? compiler_->linker.link(*object) : jit::Expected<jit::Code>(object.failure());
-  if (!code) {
-    if (batch.size() > 1) {
-      // One scene may have spoilt the module for all.
-      for (const VolumeId volume : batch) compile_module({volume});
-      return;
-    }
-    spdlog::warn("scene {} stays generic: {}", geometry.world().volumes[batch[0]].name,
-                 code.failure().message);
-    note(batch[0], SceneStatus::failed, code.failure().message);
-    return;
-  }
-  const double compile_ms = (now() - start) * 1e3;
-  spdlog::debug(
-      "module of {} scenes: {} kB of source; front end {:.0f}, optimiser {:.0f}, code "
-      "generator {:.0f} ms; {} kB of code",
-      batch.size(), module.source.size() / 1024, object->report.frontend_ms,
-      object->report.optimise_ms, object->report.codegen_ms, object->report.code_bytes / 1024);
-  auto installed = std::make_shared<Installed>(Installed{std::move(*code), {}});
-  installed->records.reserve(module.entries.size());  // pointers to records are published
-  for (const codegen::Entry& entry : module.entries) {
-    const auto step =
-        installed->code.function<std::remove_pointer_t<kernels::StepFunction>>(entry.step);
-    const auto settle =
-        installed->code.function<std::remove_pointer_t<kernels::SettleFunction>>(entry.settle);
-    if (!step || !settle) {
-      note_failure(entry.volume, "the generated function is missing");
-      continue;
-    }
-    const kernels::Navigators& record =
-        installed->records.emplace_back(kernels::Navigators{*step, *settle});
-    std::vector<Sample> samples = samples_[entry.volume];
-    const std::vector<Sample> made_up =
-        sampler_.states(entry.volume, states_made_up, entry.volume + 1);
-    const std::size_t recorded = samples.size();
-    samples.insert(samples.end(), made_up.begin(), made_up.end());
-    const kernels::Context& context = shared_->table.context();
-    std::string problem = verify(geometry, context, record, entry.volume, samples);
-    if (shared_->options.faults.fail_verification) problem = "injected failure";
-    const std::string& name = geometry.world().volumes[entry.volume].name;
-    if (!problem.empty()) {
-      note_failure(entry.volume, problem);
-      continue;
-    }
-    const std::span<const Sample> timed =
-        recorded > 0 ? std::span(samples).first(recorded) : std::span<const Sample>(samples);
-    const double generic_ns = time_per_step(geometry, context, generic::navigators, timed);
-    const double specialised_ns = time_per_step(geometry, context, record, timed);
-    const bool forced = facts_.forced_candidates.contains(facts_.first_equal[entry.volume]) ||
-                        !shared_->options.specialiser.keep_only_faster;
-    const bool pays = forced || specialised_ns <= generic_ns || timed.size() < 16;
-    if (pays) shared_->table.install(entry.volume, &record, installed);
-    spdlog::debug("scene {}: {:.1f} ns generic, {:.1f} ns specialised{}", name, generic_ns,
-                  specialised_ns, pays ? "" : ": not installed");
-    const std::lock_guard lock(mutex_);
-    SceneReport& scene = scenes_[entry.volume];
-    scene.status = pays ? SceneStatus::specialised : SceneStatus::unprofitable;
-    scene.note = pays ? "" : "measured slower than the generic navigator";
-    scene.generic_ns_per_step = generic_ns;
-    scene.specialised_ns_per_step = specialised_ns;
-    scene.compile_ms = compile_ms / static_cast<double>(module.entries.size());
-    scene.swapped_at_s = pays ? seconds() : 0;
-  }
-  const std::lock_guard lock(mutex_);
-  ++totals_.modules;
-  totals_.compile_ms += (now() - start) * 1e3;
-  totals_.code_bytes += object->report.code_bytes;
+void Specialiser::specialise(const std::vector<VolumeId>& batch) {
+  const std::vector<VolumeId> worth = worth_trying(batch);
+  if (worth.empty()) return;
+  if (make_module(worth)) remember(worth);
 }
 
 void Specialiser::specialise_all() {
-  if (!compiler_) return;
+  if (!maker_) return;
   std::vector<VolumeId> batch;
   const auto flush = [&] {
     if (!batch.empty()) specialise(batch);
@@ -359,6 +266,30 @@ void Specialiser::time_generic() {
     const std::lock_guard lock(mutex_);
     scenes_[volume].generic_ns_per_step = ns;
   }
+}
+
+StepProfile Specialiser::step_profile() {
+  gather();
+  StepProfile profile;
+  profile.geometry = geometry_fingerprint(shared_->geometry);
+  profile.runs = 1;
+  // Samples are a part of the steps, and dropped where nobody takes them: scaled to all steps.
+  const World& world = shared_->geometry.world();
+  std::uint64_t steps = 0, sampled = 0;
+  for (std::size_t v = 0; v < steps_.size(); ++v) {
+    steps += v == world.top ? 0 : steps_[v];
+    sampled += steps_below_[v];
+  }
+  const double scale =
+      sampled > 0 ? static_cast<double>(steps) / static_cast<double>(sampled) : 0.0;
+  for (std::size_t v = 0; v < steps_.size(); ++v) {
+    const auto relocations =
+        static_cast<std::uint64_t>(scale * static_cast<double>(steps_below_[v]));
+    if (steps_[v] + relocations == 0) continue;
+    profile.volumes.push_back(
+        {static_cast<VolumeId>(v), world.volumes[v].name, steps_[v], relocations});
+  }
+  return profile;
 }
 
 RuntimeReport Specialiser::report() const {

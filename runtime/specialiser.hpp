@@ -8,9 +8,13 @@
 #include <thread>
 
 #include "analysis/facts.hpp"
+#include "codegen/module.hpp"
+#include "runtime/code_maker.hpp"
+#include "runtime/hot_list.hpp"
 #include "runtime/report.hpp"
 #include "runtime/shared.hpp"
 #include "runtime/states.hpp"
+#include "runtime/step_profile.hpp"
 
 namespace navjit {
 
@@ -21,6 +25,8 @@ class Specialiser {
 
   /// Specialises all volumes of the tree, in the calling thread. Before start() only.
   void specialise_all();
+  /// Verifies and installs the scenes of a plugin, in the calling thread. Before start() only.
+  void install_plugin(const std::string& path);
   void start();
   void wait_until_idle();
   /// Ends the thread, after the compilation under way.
@@ -29,16 +35,38 @@ class Specialiser {
   RuntimeReport report() const;
   /// Times scenes that have samples and no timing yet. After stop().
   void time_generic();
+  /// What was counted so far, for a file. After stop().
+  StepProfile step_profile();
 
  private:
-  struct Compiler;
-
   void run();
   void apply_overrides();
   void gather();
   std::vector<VolumeId> choose();
+  /// Those whose plan promises a gain; notes what becomes of each.
+  std::vector<VolumeId> worth_trying(const std::vector<VolumeId>& batch);
   void specialise(const std::vector<VolumeId>& batch);
-  void compile_module(const std::vector<VolumeId>& batch);
+
+  // In specialise_module.cpp:
+  /// From the cache, or compiled. False if the module could not be made; then its scenes were tried
+  /// alone.
+  bool make_module(const std::vector<VolumeId>& batch);
+  /// Verifies and installs what is good. False if something is not; where code came from the cache
+  /// it ends there, and notes no failure.
+  bool install(const codegen::Module& module, jit::Code code, bool cached, double start);
+  /// Verifies, times and installs one scene; `found` says what was wrong with it.
+  bool install_scene(VolumeId volume, const kernels::Navigators& record,
+                     const std::shared_ptr<const void>& owner, bool only_if_faster,
+                     SceneReport& report, std::string& problem);
+  void no_module(const std::vector<VolumeId>& batch, const std::string& why);
+  /// Installs what earlier runs found hot, as far as the cache has the code.
+  void install_remembered();
+  void remember(const std::vector<VolumeId>& batch);
+  // In withdraw.cpp:
+  /// Looks at what is installed: states declined, and answers on states recorded since.
+  void reconsider();
+  /// Back to the generic navigator.
+  void withdraw(VolumeId volume, SceneStatus status, const std::string& why);
   /// Of a volume and all of equal structure.
   void note(VolumeId volume, SceneStatus status, const std::string& why);
   /// Of one volume; also in the log.
@@ -48,11 +76,20 @@ class Specialiser {
   std::shared_ptr<detail::Shared> shared_;
   WorldFacts facts_;
   StateSampler sampler_;
-  std::unique_ptr<Compiler> compiler_;
+  std::unique_ptr<CodeMaker> maker_;  ///< null: nothing is ever specialised
+  bool hopeless_ = false;             ///< nothing can be compiled in this process
+  HotList hot_list_;                  ///< modules of this run
+  std::string hot_list_name_;
   std::vector<std::uint64_t> steps_;  ///< by volume, at the last look
   /// By volume: steps made in its daughters, as sampled. Many of those end with a relocation in it.
   std::vector<std::uint64_t> steps_below_;
   std::map<VolumeId, std::vector<Sample>> samples_;
+  std::map<VolumeId, std::vector<Sample>> fresh_;  ///< a few recorded since the last look
+  struct Seen {
+    std::uint64_t steps = 0, declined = 0;
+  };
+  std::map<VolumeId, Seen> seen_;  ///< of installed scenes, at the last look
+  double reconsidered_at_ = 0;
   double started_at_;
 
   mutable std::mutex mutex_;  ///< guards what follows

@@ -1,73 +1,23 @@
 // Specialised navigators against generic ones, bit for bit.
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <thread>
 
 #include "runtime/runtime.hpp"
-#include "runtime/transport.hpp"
+#include "tests/support/traces.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace navjit {
 namespace {
 
 using tests::random_direction;
+using tests::rays_through;
+using tests::Row;
+using tests::same_bits;
+using tests::trace;
 using tests::uniform;
 
-struct Row {
-  TouchableId touchable;
-  double length;
-};
-
-bool same_bits(const std::vector<Row>& a, const std::vector<Row>& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].touchable != b[i].touchable ||
-        std::memcmp(&a[i].length, &b[i].length, sizeof(double)) != 0) {
-      return false;
-    }
-  }
-  return true;
-}
-
-std::vector<Row> trace(Navigator& navigator, const Ray& ray, double tolerance) {
-  std::vector<Row> rows;
-  const RayTotals totals = transport(navigator, ray, tolerance, [&](const State& s, double length) {
-    rows.push_back({s.touchable(), length});
-  });
-  EXPECT_FALSE(totals.stuck);
-  return rows;
-}
-
-std::vector<Ray> rays_through(const World& world, std::uint64_t seed, int count) {
-  std::mt19937_64 random(seed);
-  const Extent& e = world.volumes[world.top].solid.extent;
-  std::vector<Ray> rays;
-  for (int i = 0; i < count; ++i) {
-    Ray ray{{uniform(random, e.min.x, e.max.x), uniform(random, e.min.y, e.max.y),
-             uniform(random, e.min.z, e.max.z)},
-            random_direction(random)};
-    // Some along the axes, through rounded coordinates: faces and edges are hit exactly.
-    if (i % 4 == 0) {
-      ray.direction = i % 8 == 0 ? Vec3{0, 0, 1} : Vec3{-1, 0, 0};
-      ray.position = {std::round(ray.position.x), std::round(ray.position.y),
-                      std::round(ray.position.z)};
-    }
-    rays.push_back(ray);
-  }
-  return rays;
-}
-
-RuntimeOptions options(JitMode jit) {
-  RuntimeOptions o;
-  o.jit = jit;
-  // Small worlds and runs: everything is to be specialised early.
-  o.specialiser.compile_ms_per_scene = 1e-3;
-  o.specialiser.min_steps = 200;
-  o.specialiser.optimisation = 1;
-  o.specialiser.keep_only_faster = false;
-  return o;
-}
+RuntimeOptions options(JitMode jit) { return tests::eager_options(jit); }
 
 void expect_same_traces(const std::shared_ptr<const World>& world, std::uint64_t seed, int rays) {
   Runtime generic(world, options(JitMode::off)), specialised(world, options(JitMode::wait));

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -18,9 +19,11 @@ struct Output {
   std::string text;  ///< standard output and error together
 };
 
-/// Runs "NAVJIT ARGUMENTS" through the shell; NAVJIT_COMMAND is set by the build.
-inline Output run_navjit(const std::string& arguments) {
-  const std::string command = std::string(NAVJIT_COMMAND) + " " + arguments + " 2>&1";
+/// Runs "PROGRAM ARGUMENTS" through the shell.
+inline Output run_command(const std::string& program, const std::string& arguments) {
+  // The user's cache is none of the tests' business.
+  setenv("NAVJIT_CACHE", "off", 0);
+  const std::string command = program + " " + arguments + " 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("popen failed");
   Output output{0, {}};
@@ -31,6 +34,11 @@ inline Output run_navjit(const std::string& arguments) {
   const int status = pclose(pipe);
   output.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return output;
+}
+
+/// The navjit command; NAVJIT_COMMAND is set by the build.
+inline Output run_navjit(const std::string& arguments) {
+  return run_command(NAVJIT_COMMAND, arguments);
 }
 
 inline std::string read_file(const std::filesystem::path& path) {

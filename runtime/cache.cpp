@@ -1,0 +1,20 @@
+#include "runtime/cache.hpp"
+
+#include <cstdlib>
+
+namespace navjit {
+
+Cache Cache::user_default() {
+  // Relative paths are to be ignored, by the XDG base directory specification.
+  const auto absolute = [](const char* name) -> std::string {
+    const char* value = std::getenv(name);
+    return value != nullptr && value[0] == '/' ? value : "";
+  };
+  if (const std::string base = absolute("XDG_CACHE_HOME"); !base.empty()) {
+    return in(base + "/navjit");
+  }
+  if (const std::string home = absolute("HOME"); !home.empty()) return in(home + "/.cache/navjit");
+  return {};
+}
+
+}  // namespace navjit

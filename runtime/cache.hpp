@@ -1,0 +1,24 @@
+// Where compiled navigators are kept between runs; docs/cache.md.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace navjit {
+
+/// A directory for compiled code, or none, which is the default: a library does not write to disks
+/// unasked. The directory is made and checked when a Runtime first needs it; if it cannot be used,
+/// everything is compiled, with one line in the log.
+struct Cache {
+  std::string directory{};  ///< empty: no cache
+  std::uint64_t max_bytes = std::uint64_t{256} << 20;
+
+  /// The user's own: $XDG_CACHE_HOME/navjit, or $HOME/.cache/navjit. None where neither is set to
+  /// an absolute path.
+  static Cache user_default();
+  static Cache in(std::string directory) { return {std::move(directory)}; }
+
+  explicit operator bool() const { return !directory.empty(); }
+};
+
+}  // namespace navjit

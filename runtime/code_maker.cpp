@@ -1,0 +1,170 @@
+#include "runtime/code_maker.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <exception>
+
+namespace navjit {
+namespace {
+
+std::string_view view(const std::vector<char>& bytes) { return {bytes.data(), bytes.size()}; }
+
+/// The processor's name for the compiler; empty for this machine's own.
+const char* processor(InstructionSet set) {
+#if defined(__x86_64__)
+  switch (set) {
+    case InstructionSet::native:
+      break;
+    case InstructionSet::sse42:
+      if (__builtin_cpu_supports("x86-64-v2")) return "x86-64-v2";
+      break;
+    case InstructionSet::avx2:
+      if (__builtin_cpu_supports("x86-64-v3")) return "x86-64-v3";
+      break;
+    case InstructionSet::avx512:
+      if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
+  }
+#endif
+  if (set != InstructionSet::native) {
+    spdlog::warn("this processor has not the instructions asked for: generated code uses its own");
+  }
+  return "";
+}
+
+jit::CompileOptions compile_options(const SpecialiserOptions& options) {
+  jit::CompileOptions result;
+  result.optimisation = options.optimisation;
+  result.debug_info = options.debug_info;
+  result.cpu = processor(options.instruction_set);
+  return result;
+}
+
+}  // namespace
+
+CodeMaker::CodeMaker(const SpecialiserOptions& options, const Cache& cache)
+    : compile_options_(compile_options(options)),
+      linker_options_{true, options.perf_map},
+      cache_place_(cache),
+      target_(jit::target_description(compile_options_)) {
+  if (!cache_place_) return;
+  try {
+    jit::sha256({});
+  } catch (const std::exception& error) {
+    complain(complained_of_cache_, std::string(error.what()) + "; this run has no cache");
+    cache_place_ = {};
+  }
+}
+
+void CodeMaker::complain(bool& complained, const std::string& what) const {
+  // Trouble comes in swarms: told once, the rest is for who asks.
+  if (complained) {
+    spdlog::debug("cache {}: {}", cache_place_.directory, what);
+  } else {
+    spdlog::warn("cache {}: {}", cache_place_.directory, what);
+  }
+  complained = true;
+}
+
+jit::ObjectCache* CodeMaker::cache() {
+  if (!cache_place_) return nullptr;
+  if (!cache_) {
+    jit::CacheLimits limits;
+    limits.max_bytes = cache_place_.max_bytes;
+    auto opened = jit::ObjectCache::open(cache_place_.directory, limits);
+    if (!opened) {
+      complain(complained_of_cache_, opened.failure().message + "; this run has no cache");
+      cache_place_ = {};
+      return nullptr;
+    }
+    cache_ = *std::move(opened);
+  }
+  return &*cache_;
+}
+
+jit::Linker* CodeMaker::linker() {
+  if (!linker_ && no_linker_.empty()) {
+    auto made = jit::Linker::create(linker_options_);
+    if (made) {
+      linker_ = *std::move(made);
+    } else {
+      no_linker_ = made.failure().message;
+    }
+  }
+  return linker_ ? &*linker_ : nullptr;
+}
+
+jit::Compiler* CodeMaker::compiler() {
+  if (!compiler_ && no_compiler_.empty()) {
+    auto made = jit::Compiler::create(compile_options_);
+    if (made) {
+      compiler_ = *std::move(made);
+    } else {
+      no_compiler_ = made.failure().message;
+    }
+  }
+  return compiler_ ? &*compiler_ : nullptr;
+}
+
+jit::Digest CodeMaker::key(std::string_view kind, std::string_view text) const {
+  return jit::sha256_of_parts({"navjit cache 1", kind, target_, text});
+}
+
+std::optional<CodeMaker::Made> CodeMaker::find(std::string_view source) {
+  jit::ObjectCache* entries = cache();
+  if (entries == nullptr || linker() == nullptr) return std::nullopt;
+  jit::CacheHit hit = entries->load(key("object", source));
+  if (!hit.rejected.empty()) complain(complained_of_entry_, "entry not used: " + hit.rejected);
+  if (!hit.content) return std::nullopt;
+  jit::Object object;
+  object.bytes = *std::move(hit.content);
+  auto code = linker()->link(object);
+  if (!code) {
+    complain(complained_of_entry_, "entry not used: " + code.failure().message);
+    return std::nullopt;
+  }
+  return Made{*std::move(code), std::move(object)};
+}
+
+jit::Expected<CodeMaker::Made> CodeMaker::compile(std::string_view source) {
+  if (linker() == nullptr) return jit::Failure{no_linker_};
+  if (compiler() == nullptr) return jit::Failure{no_compiler_};
+  auto object = compiler()->compile(source, "navjit_module");
+  if (!object) return object.failure();
+  auto code = linker()->link(*object);
+  if (!code) return code.failure();
+  return Made{*std::move(code), *std::move(object)};
+}
+
+void CodeMaker::store(const jit::Digest& entry, std::string_view label, std::string_view content) {
+  jit::ObjectCache* entries = can_store_ ? cache() : nullptr;
+  if (entries == nullptr) return;
+  if (const auto failure = entries->store(entry, label, content)) {
+    complain(complained_of_cache_, failure->message + "; nothing more is stored in this run");
+    can_store_ = false;
+  }
+}
+
+void CodeMaker::keep(std::string_view source, std::string_view label, const jit::Object& object) {
+  if (!cache_place_) return;
+  store(key("object", source), label, view(object.bytes));
+}
+
+void CodeMaker::reject(std::string_view source) {
+  complain(complained_of_entry_, "an entry holds code that gives wrong answers: compiled again");
+  if (jit::ObjectCache* entries = cache()) entries->discard(key("object", source));
+}
+
+std::optional<std::string> CodeMaker::recall(std::string_view name) {
+  jit::ObjectCache* entries = cache();
+  if (entries == nullptr) return std::nullopt;
+  const jit::CacheHit hit = entries->load(key("text", name));
+  if (!hit.rejected.empty()) complain(complained_of_entry_, "entry not used: " + hit.rejected);
+  if (!hit.content) return std::nullopt;
+  return std::string(view(*hit.content));
+}
+
+void CodeMaker::remember(std::string_view name, std::string_view label, std::string_view text) {
+  if (cache_place_) store(key("text", name), label, text);
+}
+
+}  // namespace navjit

@@ -1,0 +1,66 @@
+// Source in, linked code out: from the cache where it is there, else compiled. Private to runtime/.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "jit/compiler.hpp"
+#include "jit/linker.hpp"
+#include "jit/object_cache.hpp"
+#include "runtime/cache.hpp"
+#include "runtime/options.hpp"
+
+namespace navjit {
+
+/// For one thread at a time. The compiler is made when it is first needed: a run that finds
+/// everything in the cache never makes one. The cache is never a reason to fail; what goes wrong
+/// with it is one line in the log for each kind of trouble.
+class CodeMaker {
+ public:
+  CodeMaker(const SpecialiserOptions& options, const Cache& cache);
+
+  struct Made {
+    jit::Code code;
+    jit::Object object;
+  };
+
+  /// Code for this source from the cache; nothing if it is not there.
+  std::optional<Made> find(std::string_view source);
+  jit::Expected<Made> compile(std::string_view source);
+  /// Puts what was compiled from this source into the cache.
+  void keep(std::string_view source, std::string_view label, const jit::Object& object);
+  /// Code from the cache was no good: it shall not be found again.
+  void reject(std::string_view source);
+
+  bool has_cache() const { return static_cast<bool>(cache_place_); }
+  /// Text kept in the cache for code of this target, by a name.
+  std::optional<std::string> recall(std::string_view name);
+  void remember(std::string_view name, std::string_view label, std::string_view text);
+
+  /// Why nothing can be compiled, or nothing linked, in this process; empty as long as it can.
+  const std::string& no_compiler() const { return no_compiler_; }
+  const std::string& no_linker() const { return no_linker_; }
+
+ private:
+  jit::ObjectCache* cache();
+  jit::Linker* linker();
+  jit::Compiler* compiler();
+  jit::Digest key(std::string_view kind, std::string_view text) const;
+  void store(const jit::Digest& key, std::string_view label, std::string_view content);
+  void complain(bool& complained, const std::string& what) const;
+
+  jit::CompileOptions compile_options_;
+  jit::LinkerOptions linker_options_;
+  Cache cache_place_;
+  std::string target_;  ///< what determines code beside the source
+  std::optional<jit::ObjectCache> cache_;
+  std::optional<jit::Linker> linker_;
+  std::optional<jit::Compiler> compiler_;
+  std::string no_compiler_, no_linker_;
+  bool can_store_ = true;
+  bool complained_of_entry_ = false, complained_of_cache_ = false;
+};
+
+}  // namespace navjit

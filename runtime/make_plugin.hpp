@@ -1,0 +1,34 @@
+// From a choice of scenes to a plugin's source, and to its file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/facts.hpp"
+#include "jit/expected.hpp"
+#include "runtime/step_profile.hpp"
+
+namespace navjit {
+
+struct PluginChoice {
+  /// Scenes with a smaller share of all steps and relocations are left out.
+  double least_share = 0.001;
+  std::size_t most_scenes = 64;
+};
+
+/// The scenes of a profile that are hot enough and worth compiling, hottest first. Volumes of equal
+/// structure count together, and are given once. Throws std::runtime_error if the profile is not of
+/// this detector.
+std::vector<VolumeId> hot_scenes(const StepProfile& profile, const Geometry& geometry,
+                                 const WorldFacts& facts, const PluginChoice& choice = {});
+
+/// Compiles a plugin's source for this machine's processor and links it with the system's linker:
+/// `ld`, or what NAVJIT_LD names. The file is moved into place when it is complete. Returns why it
+/// could not be made; empty if it was.
+std::string make_plugin(const std::string& source, int optimisation, const std::string& path);
+
+/// Seals a library that was compiled by other means: appends what a plugin ends with. Returns why
+/// it could not be done; empty if it was.
+std::string seal_plugin(const std::string& path);
+
+}  // namespace navjit

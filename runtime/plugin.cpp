@@ -1,0 +1,145 @@
+#include "runtime/plugin.hpp"
+
+#include <dlfcn.h>
+
+#include <exception>
+#include <set>
+#include <string_view>
+
+#include "jit/sha256.hpp"
+#include "jit/trust.hpp"
+#include "runtime/fingerprint.hpp"
+#include "runtime/plugin_features.hpp"
+#include "runtime/plugin_text.hpp"
+
+namespace navjit {
+namespace {
+
+constexpr std::size_t max_plugin_bytes = std::size_t{512} << 20;
+constexpr std::string_view seal_magic = "NAVJITP1";
+constexpr std::size_t seal_bytes = 8 + 8 + 32;
+
+template <class Value>
+const Value* symbol(void* library, const char* name) {
+  return static_cast<const Value*>(dlsym(library, name));
+}
+
+/// The first feature of a list, with blanks between, that this processor lacks; empty if none.
+std::string missing_feature(std::string_view needed) {
+  while (!needed.empty()) {
+    const std::size_t blank = needed.find(' ');
+    const std::string_view feature = needed.substr(0, blank);
+    if (!feature.empty() && !processor_has(feature)) return std::string(feature);
+    needed = blank == std::string_view::npos ? std::string_view{} : needed.substr(blank + 1);
+  }
+  return "";
+}
+
+/// Why the library is none for this detector and program; empty if it is.
+std::string unsuitable(void* library, const Geometry& geometry) {
+  const auto* format = symbol<unsigned>(library, "navjit_plugin_format");
+  if (format == nullptr) return "it is no plugin of navjit";
+  if (*format != plugin_format) return "its format is that of another version: specialise again";
+  const auto* abi = symbol<unsigned>(library, "navjit_plugin_abi");
+  const auto* made_for = symbol<char>(library, "navjit_plugin_geometry");
+  const auto* made_from = symbol<char>(library, "navjit_plugin_kernels");
+  const auto* features = symbol<char>(library, "navjit_plugin_features");
+  if (abi == nullptr || made_for == nullptr || made_from == nullptr || features == nullptr) {
+    return "it is no complete plugin";
+  }
+  if (*abi != kernels::abi_version || made_from != kernels_fingerprint()) {
+    return "it was made by another version of navjit: specialise again";
+  }
+  if (made_for != geometry_fingerprint(geometry)) {
+    return "it was made for another detector, or another version of this one: specialise again";
+  }
+  const std::string missing = missing_feature(features);
+  return missing.empty() ? "" : "it needs a processor with " + missing;
+}
+
+}  // namespace
+
+std::string plugin_seal(std::string_view library) {
+  std::string seal(seal_magic);
+  for (int i = 0; i < 8; ++i) seal += static_cast<char>(library.size() >> (8 * i) & 0xff);
+  const jit::Digest digest = jit::sha256({library, seal});
+  seal.append(reinterpret_cast<const char*>(digest.data()), digest.size());
+  return seal;
+}
+
+std::string check_plugin_seal(std::string_view file) {
+  if (file.size() < seal_bytes) return "it is too short for a plugin";
+  const std::string_view library = file.substr(0, file.size() - seal_bytes);
+  const std::string_view seal = file.substr(library.size());
+  if (seal.substr(0, seal_magic.size()) != seal_magic) {
+    return "it is truncated, or no plugin: `navjit plugin seal` seals one that you compiled "
+           "yourself";
+  }
+  return seal == plugin_seal(library) ? "" : "it is damaged: its checksum does not match";
+}
+
+bool processor_has(std::string_view feature) {
+#if defined(__x86_64__)
+#define NAVJIT_FEATURE(name, macro) \
+  if (feature == name) return __builtin_cpu_supports(name) != 0;
+  NAVJIT_PLUGIN_FEATURES(NAVJIT_FEATURE)
+#undef NAVJIT_FEATURE
+#endif
+  (void)feature;
+  return false;
+}
+
+Plugin::~Plugin() {
+  if (library_ != nullptr) dlclose(library_);
+}
+
+jit::Expected<std::shared_ptr<const Plugin>> Plugin::load_checked(const std::string& path,
+                                                                  const Geometry& geometry) {
+  const auto fail = [&](const std::string& why) { return jit::Failure{path + ": " + why}; };
+  jit::Expected<jit::File> file = jit::open_trusted_file(path);
+  if (!file) return file.failure();
+  {
+    const jit::Expected<std::vector<char>> bytes = jit::read_all(*file, max_plugin_bytes);
+    if (!bytes) return fail(bytes.failure().message);
+    const std::string problem = check_plugin_seal({bytes->data(), bytes->size()});
+    if (!problem.empty()) return fail(problem);
+  }
+  // The file that was checked, whatever its name stands for by now.
+  const std::string checked = "/proc/self/fd/" + std::to_string(file->get());
+  void* library = dlopen(checked.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) {
+    const char* why = dlerror();
+    return fail(why != nullptr ? why : "it cannot be loaded");
+  }
+  std::shared_ptr<Plugin> plugin(new Plugin(*std::move(file), library));
+  const std::string problem = unsuitable(library, geometry);
+  if (!problem.empty()) return fail(problem);
+  const auto* count = symbol<unsigned>(library, "navjit_plugin_count");
+  const auto* volumes = symbol<unsigned>(library, "navjit_plugin_volumes");
+  const auto* steps = symbol<kernels::StepFunction>(library, "navjit_plugin_steps");
+  const auto* settles = symbol<kernels::SettleFunction>(library, "navjit_plugin_settles");
+  if (count == nullptr || volumes == nullptr || steps == nullptr || settles == nullptr ||
+      *count > geometry.size()) {
+    return fail("it is no complete plugin");
+  }
+  std::set<VolumeId> seen;
+  for (unsigned i = 0; i < *count; ++i) {
+    if (volumes[i] >= geometry.size() || !seen.insert(volumes[i]).second || steps[i] == nullptr ||
+        settles[i] == nullptr) {
+      return fail("it is no complete plugin");
+    }
+    plugin->entries_.push_back({volumes[i], {steps[i], settles[i]}});
+  }
+  return std::shared_ptr<const Plugin>(std::move(plugin));
+}
+
+jit::Expected<std::shared_ptr<const Plugin>> Plugin::load(const std::string& path,
+                                                          const Geometry& geometry) {
+  try {
+    return load_checked(path, geometry);
+  } catch (const std::exception& error) {  // no memory, no SHA-256
+    return jit::Failure{path + ": " + error.what()};
+  }
+}
+
+}  // namespace navjit

@@ -1,0 +1,54 @@
+// Compiled navigators from a shared library, made by `navjit specialise`; docs/cache.md.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/navigation/geometry.hpp"
+#include "jit/expected.hpp"
+#include "jit/trust.hpp"
+
+namespace navjit {
+
+/// A loaded library. Its code is in memory as long as it lives.
+class Plugin {
+ public:
+  struct Entry {
+    VolumeId volume;
+    kernels::Navigators navigators;
+  };
+
+  /// Fails, saying what to do, if the file is not the user's or root's alone to write
+  /// (jit/trust.hpp), is damaged (its seal), or was made for another detector, other kernels,
+  /// another binary interface, or a processor that can do more than this one. Nothing in it was
+  /// proven yet.
+  static jit::Expected<std::shared_ptr<const Plugin>> load(const std::string& path,
+                                                           const Geometry& geometry);
+  Plugin(const Plugin&) = delete;
+  Plugin& operator=(const Plugin&) = delete;
+  ~Plugin();
+
+  const std::vector<Entry>& entries() const { return entries_; }
+
+ private:
+  static jit::Expected<std::shared_ptr<const Plugin>> load_checked(const std::string& path,
+                                                                   const Geometry& geometry);
+  Plugin(jit::File file, void* library) : file_(std::move(file)), library_(library) {}
+
+  jit::File file_;  ///< stays open: the system's loader knows the library by this descriptor
+  void* library_;
+  std::vector<Entry> entries_;
+};
+
+/// What follows the library in a plugin's file: its length and SHA-256, by which damage is found
+/// before the system's loader sees it. Loaders pass over it.
+std::string plugin_seal(std::string_view library);
+
+/// Why a file is no plugin as it was written; empty if it is.
+std::string check_plugin_seal(std::string_view file);
+
+/// Whether this processor (and the system) supports a feature of runtime/plugin_features.hpp.
+bool processor_has(std::string_view feature);
+
+}  // namespace navjit

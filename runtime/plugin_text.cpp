@@ -1,0 +1,81 @@
+#include "runtime/plugin_text.hpp"
+
+#include <algorithm>
+
+#include "codegen/kernel_names.hpp"
+#include "codegen/kernel_texts.hpp"
+#include "codegen/module.hpp"
+#include "jit/sha256.hpp"
+#include "runtime/fingerprint.hpp"
+#include "runtime/plugin_features.hpp"
+
+namespace navjit {
+namespace {
+
+std::string constant(const std::string& type, const std::string& name, const std::string& value) {
+  return "extern __attribute__((visibility(\"default\"))) " + type + " navjit_plugin_" + name +
+         ";\n" + type + " navjit_plugin_" + name + " = " + value + ";\n";
+}
+
+}  // namespace
+
+std::string kernels_fingerprint() {
+  std::string text;
+  const auto add = [&](std::string_view name) {
+    text += "// " + std::string(name) + '\n';
+    text += codegen::kernel_text(name);
+  };
+  add("prelude");
+  for (const char* kernel : codegen::kernel_order()) add(kernel);
+  add("buckets");
+  add("navigation");
+  return jit::hex(jit::sha256({text}));
+}
+
+std::string plugin_source(const Geometry& geometry, const WorldFacts& facts,
+                          std::span<const VolumeId> volumes) {
+  const codegen::Module module = codegen::generate(geometry, facts, volumes);
+  std::string numbers, steps, settles;
+  for (const codegen::Entry& entry : module.entries) {
+    numbers += std::to_string(entry.volume) + ", ";
+    steps += entry.step + ", ";
+    settles += entry.settle + ", ";
+  }
+  // The preprocessor says what the compiler was allowed to use, whoever calls it.
+  std::string features = "\"\"";
+#define NAVJIT_FEATURE(name, macro) features += "\n#ifdef " macro "\n\"" name " \"\n#endif";
+  NAVJIT_PLUGIN_FEATURES(NAVJIT_FEATURE)
+#undef NAVJIT_FEATURE
+  std::string text = module.source;
+  text += "\nextern \"C\" {\n";
+  text += constant("const unsigned", "format", std::to_string(plugin_format));
+  text += constant("const unsigned", "abi", "navjit::kernels::abi_version");
+  text += constant("const unsigned", "count", std::to_string(module.entries.size()));
+  const auto array = [&](const std::string& type, const std::string& name,
+                         const std::string& value) {
+    text += "extern __attribute__((visibility(\"default\"))) " + type + " navjit_plugin_" + name +
+            "[];\n" + type + " navjit_plugin_" + name + "[] = " + value + ";\n";
+  };
+  array("const char", "geometry", "\"" + geometry_fingerprint(geometry) + "\"");
+  array("const char", "kernels", "\"" + kernels_fingerprint() + "\"");
+  array("const char", "features", features + "\n");
+  array("const unsigned", "volumes", "{" + numbers + "}");
+  text += "using namespace navjit::kernels;\n";
+  array("const navjit::kernels::StepFunction", "steps", "{" + steps + "}");
+  array("const navjit::kernels::SettleFunction", "settles", "{" + settles + "}");
+  return text + "}\n";
+}
+
+std::vector<std::string> features_to_avoid(std::span<const std::string> host) {
+  std::vector<std::string> avoid;
+  for (const std::string& feature : host) {
+    bool known = feature == "evex512";  // comes with avx512f
+#define NAVJIT_FEATURE(name, macro) known = known || feature == name;
+    NAVJIT_PLUGIN_FEATURES(NAVJIT_FEATURE)
+#undef NAVJIT_FEATURE
+    if (!known) avoid.push_back("-" + feature);
+  }
+  return avoid;
+}
+
+}  // namespace navjit

@@ -1,0 +1,220 @@
+// The part of the specialiser that makes modules and installs what they hold.
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "geometry/navigation/generic.hpp"
+#include "runtime/fingerprint.hpp"
+#include "runtime/plugin.hpp"
+#include "runtime/specialiser.hpp"
+#include "runtime/verify.hpp"
+
+namespace navjit {
+namespace {
+
+constexpr std::size_t states_made_up = 400;  ///< per volume, for verification
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// A module's code, and the records that point into it.
+struct Installed {
+  jit::Code code;
+  std::vector<kernels::Navigators> records;
+};
+
+/// Both functions of an entry; null where the code has them not.
+kernels::Navigators find_entry(const jit::Code& code, const codegen::Entry& entry) {
+  const auto step = code.function<std::remove_pointer_t<kernels::StepFunction>>(entry.step);
+  const auto settle = code.function<std::remove_pointer_t<kernels::SettleFunction>>(entry.settle);
+  return {step ? *step : nullptr, settle ? *settle : nullptr};
+}
+
+/// What people see of a module in the cache: how many scenes, and the first of them.
+std::string label_of(const World& world, const std::vector<VolumeId>& batch) {
+  std::string label = std::to_string(batch.size()) + (batch.size() == 1 ? " scene: " : " scenes: ");
+  for (std::size_t i = 0; i < batch.size() && label.size() < 160; ++i) {
+    label += (i == 0 ? "" : ", ") + world.volumes[batch[i]].name;
+  }
+  return label;
+}
+
+}  // namespace
+
+bool Specialiser::make_module(const std::vector<VolumeId>& batch) {
+  const double start = now();
+  codegen::Module module = codegen::generate(shared_->geometry, facts_, batch);
+  if (shared_->options.faults.edit_source) shared_->options.faults.edit_source(module.source);
+  if (auto found = maker_->find(module.source)) {
+    if (install(module, std::move(found->code), true, start)) return true;
+    maker_->reject(module.source);
+  }
+  auto made = maker_->compile(module.source);
+  if (!made) {
+    no_module(batch, made.failure().message);
+    return false;
+  }
+  const jit::CompileReport& report = made->object.report;
+  spdlog::debug(
+      "module of {} scenes: {} kB of source; front end {:.0f}, optimiser {:.0f}, code "
+      "generator {:.0f} ms; {} kB of code",
+      batch.size(), module.source.size() / 1024, report.frontend_ms, report.optimise_ms,
+      report.codegen_ms, report.code_bytes / 1024);
+  if (install(module, std::move(made->code), false, start)) {
+    maker_->keep(module.source, label_of(shared_->geometry.world(), batch), made->object);
+  }
+  return true;
+}
+
+void Specialiser::no_module(const std::vector<VolumeId>& batch, const std::string& why) {
+  if (!maker_->no_compiler().empty() || !maker_->no_linker().empty()) {
+    spdlog::warn("nothing more is specialised in this run: {}", why);
+    hopeless_ = true;
+    for (const VolumeId volume : batch) note(volume, SceneStatus::generic, why);
+    return;
+  }
+  if (batch.size() > 1) {
+    // One scene may have spoilt the module for all.
+    for (const VolumeId volume : batch) make_module({volume});
+    return;
+  }
+  spdlog::warn("scene {} stays generic: {}", shared_->geometry.world().volumes[batch[0]].name, why);
+  note(batch[0], SceneStatus::failed, why);
+}
+
+bool Specialiser::install(const codegen::Module& module, jit::Code code, bool cached,
+                          double start) {
+  const double compile_ms = (now() - start) * 1e3;
+  const std::size_t code_bytes = code.report().code_bytes;
+  auto installed = std::make_shared<Installed>(Installed{std::move(code), {}});
+  bool all_good = true;
+  installed->records.reserve(module.entries.size());  // pointers to records are published
+  for (const codegen::Entry& entry : module.entries) {
+    SceneReport report;
+    report.compile_ms = compile_ms / static_cast<double>(module.entries.size());
+    report.origin = cached ? CodeOrigin::cache : CodeOrigin::compiler;
+    std::string problem = "the generated function is missing";
+    const kernels::Navigators record = find_entry(installed->code, entry);
+    if (record.step == nullptr || record.settle == nullptr ||
+        !install_scene(entry.volume, installed->records.emplace_back(record), installed,
+                       shared_->options.specialiser.keep_only_faster, report, problem)) {
+      if (cached) return false;
+      note_failure(entry.volume, problem);
+      all_good = false;
+      continue;
+    }
+    const std::lock_guard lock(mutex_);
+    scenes_[entry.volume] = std::move(report);
+  }
+  const std::lock_guard lock(mutex_);
+  ++totals_.modules;
+  totals_.cached_modules += cached ? 1 : 0;
+  totals_.compile_ms += (now() - start) * 1e3;
+  totals_.code_bytes += code_bytes;
+  if (cached) {
+    spdlog::debug(
+        "module of {} scenes from the cache: {:.1f} ms to generate and link, {:.1f} ms in all",
+        module.entries.size(), compile_ms, (now() - start) * 1e3);
+  }
+  return all_good;
+}
+
+bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& record,
+                                const std::shared_ptr<const void>& owner, bool only_if_faster,
+                                SceneReport& report, std::string& problem) {
+  const Geometry& geometry = shared_->geometry;
+  const kernels::Context& context = shared_->table.context();
+  std::vector<Sample> samples = samples_[volume];
+  const std::size_t recorded = samples.size();
+  const std::vector<Sample> made_up = sampler_.states(volume, states_made_up, volume + 1);
+  samples.insert(samples.end(), made_up.begin(), made_up.end());
+  problem = verify(geometry, context, record, volume, samples);
+  if (shared_->options.faults.fail_verification) problem = "injected failure";
+  if (!problem.empty()) return false;
+
+  const std::span<const Sample> timed =
+      recorded > 0 ? std::span(samples).first(recorded) : std::span<const Sample>(samples);
+  const double generic_ns = time_per_step(geometry, context, generic::navigators, timed);
+  const double specialised_ns = time_per_step(geometry, context, record, timed);
+  const bool forced =
+      facts_.forced_candidates.contains(facts_.first_equal[volume]) || !only_if_faster;
+  const bool pays = forced || specialised_ns <= generic_ns || timed.size() < 16;
+  if (pays) shared_->table.install(volume, &record, owner);
+  spdlog::debug("scene {}: {:.1f} ns generic, {:.1f} ns specialised{}",
+                geometry.world().volumes[volume].name, generic_ns, specialised_ns,
+                pays ? "" : ": not installed");
+  report.status = pays ? SceneStatus::specialised : SceneStatus::unprofitable;
+  report.note = pays ? "" : "measured slower than the generic navigator";
+  report.generic_ns_per_step = generic_ns;
+  report.specialised_ns_per_step = specialised_ns;
+  report.swapped_at_s = pays ? seconds() : 0;
+  return true;
+}
+
+void Specialiser::install_plugin(const std::string& path) {
+  const auto plugin = Plugin::load(path, shared_->geometry);
+  if (!plugin) {
+    spdlog::warn("plugin not used: {}", plugin.failure().message);
+    return;
+  }
+  for (const Plugin::Entry& entry : (*plugin)->entries()) {
+    SceneReport report;
+    report.origin = CodeOrigin::plugin;
+    std::string problem;
+    // Whoever made the plugin chose its scenes: production shall not depend on a timing.
+    if (install_scene(entry.volume, entry.navigators, *plugin, false, report, problem)) {
+      const std::lock_guard lock(mutex_);
+      scenes_[entry.volume] = std::move(report);
+      ++totals_.plugin_scenes;
+    } else {
+      spdlog::warn("plugin {}: scene {} not used: {}", path,
+                   shared_->geometry.world().volumes[entry.volume].name, problem);
+    }
+  }
+}
+
+void Specialiser::install_remembered() {
+  if (!maker_->has_cache()) return;
+  const Geometry& geometry = shared_->geometry;
+  hot_list_name_ = "hot scenes of " + geometry_fingerprint(geometry);
+  const std::optional<std::string> text = maker_->recall(hot_list_name_);
+  const std::optional<HotList> list =
+      text ? read_hot_list(*text, geometry.size()) : std::optional<HotList>();
+  if (!list) return;
+  for (const std::vector<VolumeId>& batch : *list) {
+    {
+      const std::lock_guard lock(mutex_);
+      const bool fresh = std::all_of(batch.begin(), batch.end(), [&](VolumeId v) {
+        return facts_.reachable[v] && facts_.first_equal[v] == v && !scenes_.contains(v);
+      });
+      if (stop_) return;
+      if (!fresh) continue;
+    }
+    const double start = now();
+    const codegen::Module module = codegen::generate(geometry, facts_, batch);
+    // What the cache has no more is left to the profile of this run.
+    auto found = maker_->find(module.source);
+    if (!found) continue;
+    if (install(module, std::move(found->code), true, start)) {
+      hot_list_.push_back(batch);
+    } else {
+      maker_->reject(module.source);
+    }
+  }
+}
+
+void Specialiser::remember(const std::vector<VolumeId>& batch) {
+  if (!maker_->has_cache() || shared_->options.jit == JitMode::wait) return;
+  hot_list_.push_back(batch);
+  // Other runs of the same detector may have found other scenes meanwhile.
+  const std::optional<std::string> text = maker_->recall(hot_list_name_);
+  const std::optional<HotList> others =
+      text ? read_hot_list(*text, shared_->geometry.size()) : std::optional<HotList>();
+  const HotList merged = others ? merge(hot_list_, *others) : hot_list_;
+  if (others && *others == merged) return;
+  maker_->remember(hot_list_name_, "which scenes are hot in a detector", write_hot_list(merged));
+}
+
+}  // namespace navjit

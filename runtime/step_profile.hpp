@@ -1,0 +1,34 @@
+// How often the volumes of a detector were used, kept in a file between runs.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/model/world.hpp"
+
+namespace navjit {
+
+struct StepProfile {
+  struct Volume {
+    VolumeId volume = 0;
+    std::string name;
+    std::uint64_t steps = 0;
+    std::uint64_t relocations = 0;  ///< steps that ended with a relocation in it, about
+  };
+  std::string geometry;  ///< geometry_fingerprint of the detector
+  std::uint64_t runs = 0;
+  std::vector<Volume> volumes;  ///< by number; those that were used
+};
+
+/// JSON (docs/cache.md). Written beside and moved into place. Throws std::runtime_error.
+void write_profile(const StepProfile& profile, const std::string& path);
+
+/// Throws std::runtime_error, naming the file, for what is no profile: every value is checked. The
+/// file may be hostile: at most 64 MB are read.
+StepProfile read_profile(const std::string& path);
+
+/// The sums of both. Throws std::runtime_error if they are of different detectors.
+StepProfile merge(const StepProfile& a, const StepProfile& b);
+
+}  // namespace navjit

@@ -1,0 +1,68 @@
+// The part of the specialiser that takes navigators out again.
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+
+#include "runtime/specialiser.hpp"
+#include "runtime/verify.hpp"
+
+namespace navjit {
+namespace {
+
+/// Fewer steps between two looks tell nothing about how often states are declined.
+constexpr std::uint64_t steps_to_judge = 1000;
+
+}  // namespace
+
+void Specialiser::reconsider() {
+  if (seconds() - reconsidered_at_ < shared_->options.specialiser.recheck_ms * 1e-3) return;
+  reconsidered_at_ = seconds();
+  std::vector<VolumeId> installed;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [volume, scene] : scenes_) {
+      if (scene.status == SceneStatus::specialised) installed.push_back(volume);
+    }
+  }
+  std::vector<std::shared_ptr<Profile>> profiles;
+  {
+    const std::lock_guard lock(shared_->profiles_mutex);
+    profiles = shared_->profiles;
+  }
+  for (const VolumeId volume : installed) {
+    Seen now{steps_[volume], 0};
+    for (const auto& profile : profiles) now.declined += profile->declined(volume);
+    // At the first look only what is counted from then on is known to be the installed one's.
+    const auto [last, is_new] = seen_.try_emplace(volume, now);
+    const std::uint64_t steps = now.steps - last->second.steps;
+    const std::uint64_t declined = now.declined - last->second.declined;
+    if (!is_new && steps >= steps_to_judge) {
+      last->second = now;
+      if (declined > steps / 2) {
+        withdraw(
+            volume, SceneStatus::unprofitable,
+            "it declined " + std::to_string(declined) + " of " + std::to_string(steps) + " states");
+        continue;
+      }
+    }
+    const auto fresh = fresh_.find(volume);
+    if (fresh == fresh_.end()) continue;
+    const std::string problem = verify(shared_->geometry, shared_->table.context(),
+                                       *shared_->table.at(volume), volume, fresh->second);
+    if (!problem.empty()) withdraw(volume, SceneStatus::failed, problem);
+  }
+  fresh_.clear();
+}
+
+void Specialiser::withdraw(VolumeId volume, SceneStatus status, const std::string& why) {
+  shared_->table.reset(volume);
+  seen_.erase(volume);
+  spdlog::warn("scene {} is generic again: {}", shared_->geometry.world().volumes[volume].name,
+               why);
+  const std::lock_guard lock(mutex_);
+  scenes_[volume].status = status;
+  scenes_[volume].note = why;
+  ++totals_.withdrawn;
+}
+
+}  // namespace navjit

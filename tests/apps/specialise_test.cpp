@@ -1,0 +1,130 @@
+// From a profile to production: a program without a compiler runs what another one compiled.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/command.hpp"
+#include "tests/support/folder.hpp"
+
+namespace navjit {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::run_navjit;
+using tests::TemporaryFolder;
+
+const std::string shashlik = NAVJIT_DETECTORS_DIR "/shashlik.gdml";
+
+/// Runs the command that has no compiler in it.
+tests::Output run_production(const std::string& arguments) {
+  return tests::run_command(NAVJIT_PRODUCTION, arguments);
+}
+
+TEST(Production, HasNoCompilerInIt) {
+  const tests::Output libraries = tests::run_command("ldd", NAVJIT_PRODUCTION);
+  ASSERT_EQ(libraries.status, 0) << libraries.text;
+  EXPECT_NE(libraries.text.find("libc.so"), std::string::npos);
+  EXPECT_EQ(libraries.text.find("LLVM"), std::string::npos) << libraries.text;
+  EXPECT_EQ(libraries.text.find("clang"), std::string::npos) << libraries.text;
+  const tests::Output output = run_production("run " + shashlik + " --rays 20");
+  EXPECT_EQ(output.status, 0) << output.text;
+  EXPECT_NE(output.text.find("built without a compiler"), std::string::npos) << output.text;
+}
+
+TEST(Production, RunsAPluginFromAProfile) {
+  const TemporaryFolder folder;
+  const std::string source = " --origin 0,0,0 --eta 2,5";
+  for (const std::string seed : {"1", "2"}) {
+    const tests::Output output =
+        run_navjit("run " + shashlik + source + " --rays 200 --jit off --seed " + seed +
+                   " --save-profile " + folder.file("p" + seed + ".json"));
+    ASSERT_EQ(output.status, 0) << output.text;
+  }
+  ASSERT_EQ(run_navjit("profile merge " + folder.file("p1.json") + " " + folder.file("p2.json") +
+                       " -o " + folder.file("p.json"))
+                .status,
+            0);
+  EXPECT_EQ(nlohmann::json::parse(tests::read_file(folder.file("p.json"))).at("runs"), 2);
+  const tests::Output made =
+      run_navjit("specialise " + shashlik + " --profile " + folder.file("p.json") +
+                 " --least-share 0.05 --opt 1 --emit so -o " + folder.file("det.so"));
+  ASSERT_EQ(made.status, 0) << made.text;
+
+  const std::string right = folder.file("right.csv"), got = folder.file("got.csv");
+  const std::string rays = "trace " + shashlik + " --rays 300 --out ";
+  ASSERT_EQ(run_navjit(rays + right + " --jit off").status, 0);
+  for (const char* jit : {"on", "off", "wait", "shadow"}) {
+    const tests::Output output =
+        run_production(rays + got + " --plugin " + folder.file("det.so") + " --jit " + jit);
+    ASSERT_EQ(output.status, 0) << output.text;
+    EXPECT_EQ(output.text, "") << "nothing to complain about";
+    EXPECT_TRUE(tests::read_file(right) == tests::read_file(got)) << jit;
+  }
+  const tests::Output run =
+      run_production("run " + shashlik + source + " --rays 300 --plugin " + folder.file("det.so") +
+                     " --report " + folder.file("report.json"));
+  ASSERT_EQ(run.status, 0) << run.text;
+  const auto report = nlohmann::json::parse(tests::read_file(folder.file("report.json")));
+  EXPECT_GT(report.at("plugin_scenes"), 1);
+  EXPECT_EQ(report.at("modules"), 0);
+  EXPECT_EQ(report.at("scenes")[0].at("code"), "plugin");
+  // A plugin that is refused is a line in the log.
+  fs::resize_file(folder.file("det.so"), 1000);
+  const tests::Output refused =
+      run_production(rays + got + " --jit off --plugin " + folder.file("det.so"));
+  EXPECT_EQ(refused.status, 0);
+  EXPECT_EQ(std::count(refused.text.begin(), refused.text.end(), '\n'), 1) << refused.text;
+  EXPECT_NE(refused.text.find("plugin not used"), std::string::npos) << refused.text;
+  EXPECT_TRUE(tests::read_file(right) == tests::read_file(got));
+}
+
+TEST(Specialise, NamesFromTheFileAreNoCode) {
+  const TemporaryFolder folder;
+  std::string text = tests::read_file(shashlik);
+  const std::string hostile =
+      "&quot;; } __attribute__((constructor)) void f() { __builtin_trap(); } /*";
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = text.find("\"InnerLead\"", at)) != std::string::npos; ++count) {
+    text.replace(at + 1, 9, hostile);
+    at += hostile.size();
+  }
+  ASSERT_GE(count, 2U);
+  tests::write_file(folder.file("hostile.gdml"), text);
+  const std::string name = "'\"; } __attribute__((constructor)) void f() { __builtin_trap(); } /*'";
+  const tests::Output output =
+      run_navjit("specialise " + folder.file("hostile.gdml") + " --scene " + name +
+                 " --emit cpp -o " + folder.file("det.cpp"));
+  ASSERT_EQ(output.status, 0) << output.text;
+  const std::string source = tests::read_file(folder.file("det.cpp"));
+  EXPECT_EQ(source.find("constructor))"), std::string::npos);
+  EXPECT_NE(source.find("navjit_plugin_volumes"), std::string::npos);
+}
+
+TEST(Specialise, SaysWhatIsWrong) {
+  const TemporaryFolder folder;
+  const std::string so = " --emit so -o " + folder.file("det.so");
+  for (const std::string& wrong :
+       {std::string("specialise ") + shashlik, "specialise " + shashlik + so,
+        "specialise " + shashlik + " --scene A --emit exe -o x",
+        "specialise " + shashlik + " --scene A --profile p" + so, std::string("profile"),
+        std::string("profile merge -o x"), std::string("plugin seal")}) {
+    EXPECT_EQ(run_navjit(wrong).status, 2) << wrong;
+  }
+  tests::write_file(folder.file("p.json"), "{}");
+  tests::write_file(folder.file("text"), "no library");
+  for (const std::string& wrong :
+       {"specialise " + shashlik + " --scene nobody" + so,
+        "specialise " + shashlik + " --profile " + folder.file("p.json") + so,
+        "specialise " + shashlik + " --profile /nowhere" + so,
+        "specialise " + shashlik + " --scene InnerLead --emit cpp -o /nowhere/x",
+        "profile merge /nowhere -o " + folder.file("x"), "plugin seal " + folder.file("text"),
+        std::string("plugin seal /nowhere")}) {
+    const tests::Output output = run_navjit(wrong);
+    EXPECT_EQ(output.status, 1) << wrong;
+    EXPECT_EQ(std::count(output.text.begin(), output.text.end(), '\n'), 1) << output.text;
+  }
+}
+
+}  // namespace
+}  // namespace navjit

@@ -1,0 +1,55 @@
+// A folder of a test's own, gone with it; usable as a cache: nobody else can write it.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace navjit::tests {
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : path_((std::filesystem::path(testing::TempDir()) / "navjitXXXXXX").string()) {
+    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
+    umask(022);  // what tests make shall be trusted unless they say otherwise
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+
+  const std::string& path() const { return path_; }
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+
+ private:
+  std::string path_;
+};
+
+/// Runs `work` in a process of its own and gives its exit status as waitpid does. `work` gives the
+/// exit code; nothing of the test framework may be used in it.
+template <class Work>
+int in_child(Work&& work) {
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("fork failed");
+  if (child == 0) {
+    int code = 99;
+    try {
+      code = work();
+    } catch (...) {
+    }
+    _exit(code);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status;
+}
+
+}  // namespace navjit::tests
