@@ -42,12 +42,12 @@ std::string unsuitable(void* library, const Geometry& geometry) {
   if (*format != plugin_format) return "its format is that of another version: specialise again";
   const auto* abi = symbol<unsigned>(library, "navjit_plugin_abi");
   const auto* made_for = symbol<char>(library, "navjit_plugin_geometry");
-  const auto* made_from = symbol<char>(library, "navjit_plugin_kernels");
+  const auto* made_from = symbol<char>(library, "navjit_plugin_generator");
   const auto* features = symbol<char>(library, "navjit_plugin_features");
   if (abi == nullptr || made_for == nullptr || made_from == nullptr || features == nullptr) {
     return "it is no complete plugin";
   }
-  if (*abi != kernels::abi_version || made_from != kernels_fingerprint()) {
+  if (*abi != kernels::abi_version || std::string_view(made_from) != generator_fingerprint()) {
     return "it was made by another version of navjit: specialise again";
   }
   if (made_for != geometry_fingerprint(geometry)) {

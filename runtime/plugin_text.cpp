@@ -2,10 +2,7 @@
 
 #include <algorithm>
 
-#include "codegen/kernel_names.hpp"
-#include "codegen/kernel_texts.hpp"
 #include "codegen/module.hpp"
-#include "jit/sha256.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/plugin_features.hpp"
 
@@ -18,19 +15,6 @@ std::string constant(const std::string& type, const std::string& name, const std
 }
 
 }  // namespace
-
-std::string kernels_fingerprint() {
-  std::string text;
-  const auto add = [&](std::string_view name) {
-    text += "// " + std::string(name) + '\n';
-    text += codegen::kernel_text(name);
-  };
-  add("prelude");
-  for (const char* kernel : codegen::kernel_order()) add(kernel);
-  add("buckets");
-  add("navigation");
-  return jit::hex(jit::sha256({text}));
-}
 
 std::string plugin_source(const Geometry& geometry, const WorldFacts& facts,
                           std::span<const VolumeId> volumes) {
@@ -57,7 +41,7 @@ std::string plugin_source(const Geometry& geometry, const WorldFacts& facts,
             "[];\n" + type + " navjit_plugin_" + name + "[] = " + value + ";\n";
   };
   array("const char", "geometry", "\"" + geometry_fingerprint(geometry) + "\"");
-  array("const char", "kernels", "\"" + kernels_fingerprint() + "\"");
+  array("const char", "generator", "\"" + std::string(generator_fingerprint()) + "\"");
   array("const char", "features", features + "\n");
   array("const unsigned", "volumes", "{" + numbers + "}");
   text += "using namespace navjit::kernels;\n";

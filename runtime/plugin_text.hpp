@@ -12,13 +12,14 @@ namespace navjit {
 /// Of the symbols below; a plugin of another version is refused.
 constexpr unsigned plugin_format = 1;
 
-/// SHA-256 of all kernels, in hexadecimal: navigators made from other kernels may round otherwise.
-std::string kernels_fingerprint();
+/// SHA-256, in hexadecimal, of the sources of kernels, analysis and code generation: navigators
+/// made by others may round otherwise, or have faults that were mended since.
+const char* generator_fingerprint();
 
 /// Header-free C++ for Clang, to be compiled without contraction of floating point. No name from
 /// the detector is in it but as letters, digits and underscores. Exports, beside the functions:
 ///   unsigned navjit_plugin_format, navjit_plugin_abi, navjit_plugin_count;
-///   char navjit_plugin_geometry[], navjit_plugin_kernels[], navjit_plugin_features[];
+///   char navjit_plugin_geometry[], navjit_plugin_generator[], navjit_plugin_features[];
 ///   unsigned navjit_plugin_volumes[]; and of functions navjit_plugin_steps[], _settles[].
 std::string plugin_source(const Geometry& geometry, const WorldFacts& facts,
                           std::span<const VolumeId> volumes);

@@ -268,5 +268,33 @@ TEST(RuntimeCache, ManyRuntimesShareOne) {
   }
 }
 
+TEST(RuntimeCache, TwoHundredProcessesTakeTheirCodeFromOne) {
+  const TemporaryFolder folder;
+  run(folder.path());
+  const auto world = mixed();
+  std::vector<pid_t> children;
+  for (int n = 0; n < 200; ++n) {
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      Runtime runtime(world, with_cache(folder.path())),
+          generic(world, RuntimeOptions{.jit = JitMode::off});
+      Navigator a = generic.navigator(), b = runtime.navigator();
+      bool same = true;
+      for (const Ray& ray : tests::rays_through(*world, 7, 20)) {
+        same &= tests::same_bits(tests::trace(a, ray, world->tolerance),
+                                 tests::trace(b, ray, world->tolerance));
+      }
+      _exit(same && count(runtime).cached >= 3 ? 0 : 1);
+    }
+    children.push_back(child);
+  }
+  for (const pid_t child : children) {
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_EQ(status, 0);
+  }
+}
+
 }  // namespace
 }  // namespace navjit

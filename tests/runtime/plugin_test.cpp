@@ -113,9 +113,9 @@ TEST_F(PluginTest, DamageIsFoundBeforeItIsLoaded) {
 }
 
 TEST_F(PluginTest, WhatWasMadeForSomethingElseIsRefused) {
-  const std::string other_kernels =
-      replaced(source_, kernels_fingerprint().substr(0, 8), "01234567");
-  EXPECT_NE(refusal(make(other_kernels)).find("another version of navjit"), std::string::npos);
+  const std::string other_generator =
+      replaced(source_, std::string(generator_fingerprint()).substr(0, 8), "01234567");
+  EXPECT_NE(refusal(make(other_generator)).find("another version of navjit"), std::string::npos);
   const std::string other_abi = replaced(source_, "= navjit::kernels::abi_version", "= 4000000000");
   EXPECT_NE(refusal(make(other_abi)).find("another version of navjit"), std::string::npos);
   const std::string other_format =
