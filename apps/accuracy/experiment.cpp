@@ -16,9 +16,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// VecGeom moves points on by 1e-6 mm; nearer than twice that to a surface it claims nothing.
-constexpr double vecgeom_push = 1e-6;
-
 std::vector<Ray> make_rays(const ExperimentOptions& options, const World& world) {
   std::vector<Ray> rays;
   for (std::uint64_t i = 0; i < options.rays; ++i) {
@@ -156,8 +153,7 @@ void add_vecgeom(const reference::WideGeometry& reference, const std::vector<Ray
   std::vector<MadeRay> made;
   engine.failure = vecgeom.trace(rays, [&](MadeRay& ray) { made.push_back(std::move(ray)); });
   if (engine.failure.empty()) {
-    const double surface = std::max(own_tolerances(world).surface, 2.2 * vecgeom_push);
-    const Tolerances tolerances{surface, 10 * vecgeom_push};
+    const Tolerances tolerances = vecgeom_tolerances(world);
     in_parallel<EngineFigures>(
         made.size(), options.threads, [] { return EngineFigures{}; },
         [&](EngineFigures& figures, std::size_t i) {

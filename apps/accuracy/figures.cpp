@@ -80,6 +80,15 @@ void EngineFigures::add(const World& world, const Ray& ray, const MadeRay& ray_m
   lost += judged.lost ? 1 : 0;
   skipped += judged.skipped;
   arguable += judged.arguable;
+  if ((judged.stuck || judged.lost) && given_up.size() < worst_kept) {
+    WorstStep w{{}, ray, ray_made.index, ray_made.end, 0, judged.stuck ? "stuck" : "lost"};
+    if (!ray_made.steps.empty()) {
+      const MadeStep& last = ray_made.steps.back();
+      w.judged.step = ray_made.steps.size() - 1;
+      w.claim += " in " + (last.touchable ? path_of(world, *last.touchable) : last.volume);
+    }
+    given_up.push_back(std::move(w));
+  }
   for (const JudgedStep& step : judged.steps) {
     all.add(step);
     scenes[step.volume].add(step);
@@ -118,9 +127,11 @@ void EngineFigures::append(const EngineFigures& o) {
   append_to(worst_across, o.worst_across);
   append_to(worst_along, o.worst_along);
   append_to(wrong, o.wrong);
+  append_to(given_up, o.given_up);
   keep_worst(worst_across, across_ulp);
   keep_worst(worst_along, along_ulp);
   keep_worst(wrong, along_ulp);
+  keep_worst(given_up, [](const WorstStep&) { return 0.0; });
 }
 
 }  // namespace navjit::accuracy

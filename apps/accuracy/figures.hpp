@@ -61,6 +61,8 @@ struct EngineFigures {
   std::map<VolumeId, StepFigures> scenes;              ///< by the volume they were made in
   std::map<kernels::SolidKind, StepFigures> surfaces;  ///< by the solid whose surface ended them
   std::vector<WorstStep> worst_across, worst_along, wrong;  ///< the first few, worst first
+  std::vector<WorstStep>
+      given_up;  ///< the last steps of rays that are stuck or lost, the first few
 
   void add(const World& world, const Ray& ray, const MadeRay& made, const JudgedRay& judged);
   /// Adds what another thread found.

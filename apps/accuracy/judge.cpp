@@ -94,13 +94,17 @@ class RayJudge {
           reference_.side_of_world(moved(made.point, ray_.direction, Quad(made.length)),
                                    tolerances_.surface) == Side::inside;
     }
-    // Between the two ends one of both claims must fail, if they are not equally right.
+    // Between the two ends what the engine claims must fail, if they are not equally right: that
+    // the ray is still in this volume, or already in the next, as long as that is claimed.
     if (judged.error > tolerances_.surface) {
-      const bool beyond = Quad(made.length) > right.length;
+      const Quad end = made.length;
+      const bool beyond = end > right.length;
       const bool checkable = beyond || known;
+      const Quad claimed =
+          !beyond && known ? kernels::smaller(Quad(made_.steps[i + 1].length), right.length - end)
+                           : right.length - end;
       for (const double part : {0.03125, 0.5, 0.96875}) {
-        const WidePoint p = moved(made.point, ray_.direction,
-                                  right.length + Quad(part) * (Quad(made.length) - right.length));
+        const WidePoint p = moved(made.point, ray_.direction, end + Quad(part) * claimed);
         judged.wrong_end =
             judged.wrong_end || (checkable && refuted(beyond ? chain : next, p)) ||
             (!checkable && reference_.side_of_world(p, tolerances_.surface) == Side::inside);
@@ -197,6 +201,11 @@ class RayJudge {
 }  // namespace
 
 Tolerances own_tolerances(const World& world) { return {4 * world.tolerance}; }
+
+Tolerances vecgeom_tolerances(const World& world) {
+  constexpr double push = 1e-6;
+  return {std::max(own_tolerances(world).surface, 2.2 * push), 10 * push};
+}
 
 JudgedRay judge_ray(const WideGeometry& reference, const Ray& ray, const MadeRay& made,
                     const Tolerances& tolerances) {

@@ -41,6 +41,9 @@ struct Tolerances {
 /// Of our own engines: four times the world's tolerance, for the rounding of the point, of the
 /// frames, of the surface, and of the tolerance's own edge.
 Tolerances own_tolerances(const World& world);
+/// Of VecGeom, which moves points on by 1e-6 mm: nearer than twice that to a surface it claims
+/// nothing.
+Tolerances vecgeom_tolerances(const World& world);
 
 /// Judges all steps of a ray whose engine tells touchables: each against the reference's step from
 /// the very same point, direction and touchable.

@@ -108,6 +108,15 @@ void print_scenes(const World& world, const ExperimentReport& report, std::size_
   }
 }
 
+void print_given_up(const WorstStep& w) {
+  const Vec3 &p = w.ray.position, &v = w.ray.direction;
+  std::printf(
+      "- ray %zu from (%.17g, %.17g, %.17g) along (%.17g, %.17g, %.17g): %s, after %zu steps, at "
+      "(%.17g, %.17g, %.17g)\n",
+      w.ray_index, p.x, p.y, p.z, v.x, v.y, v.z, w.claim.c_str(), w.judged.step + 1, w.point.x,
+      w.point.y, w.point.z);
+}
+
 void print_step(const char* what, const WorstStep& w) {
   const Vec3 &p = w.point, &v = w.ray.direction;
   std::printf(
@@ -161,9 +170,14 @@ void print_tables(const World& world, const ExperimentReport& report, std::size_
   print_scenes(world, report, most_scenes);
   for (const EngineReport& engine : report.engines) {
     const EngineFigures& f = engine.figures;
-    if (f.worst_across.empty() && f.worst_along.empty() && f.wrong.empty()) continue;
+    if (f.worst_across.empty() && f.worst_along.empty() && f.wrong.empty() && f.given_up.empty()) {
+      continue;
+    }
     if (&engine != report.engines.data() && f.equal == f.made) continue;  // it would be said twice
     std::printf("\n%s, worst steps:\n", engine.name.c_str());
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, f.given_up.size()); ++i) {
+      print_given_up(f.given_up[i]);
+    }
     for (std::size_t i = 0; i < std::min<std::size_t>(3, f.wrong.size()); ++i) {
       print_step("wrong", f.wrong[i]);
     }
@@ -212,6 +226,15 @@ Json to_json(const World& world, const std::string& detector, const ExperimentRe
       entry["worst_from_surface"] = to_json(f.worst_across);
       entry["worst_length"] = to_json(f.worst_along);
       entry["wrong"] = to_json(f.wrong);
+      entry["given_up"] = Json::array();
+      for (const WorstStep& w : f.given_up) {
+        const Vec3 &p = w.ray.position, &v = w.ray.direction;
+        entry["given_up"].push_back({{"ray", w.ray_index},
+                                     {"ray_start", {p.x, p.y, p.z}},
+                                     {"direction", {v.x, v.y, v.z}},
+                                     {"point", {w.point.x, w.point.y, w.point.z}},
+                                     {"claim", w.claim}});
+      }
     }
     json["engines"].push_back(std::move(entry));
   }
