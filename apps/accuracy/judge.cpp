@@ -155,8 +155,12 @@ class RayJudge {
     double across = error;
     // Most steps are right to the last bits: what is more is worth another look.
     if (error > ulp) {
-      const WidePoint end = moved(start, ray_.direction, Quad(length));
-      across = std::min(error, static_cast<double>(reference_.nearest_surface(chain, end)));
+      // The reference's end need not be 0 from all surfaces: along a face it is as far as the ray.
+      const auto away = [&](Quad t) {
+        return reference_.nearest_surface(chain, moved(start, ray_.direction, t));
+      };
+      across = std::min(
+          error, static_cast<double>(kernels::absolute(away(Quad(length)) - away(right))));
     }
     return {i,      volume_of(world_, chain),   answer.surface, true, error, ulp,
             across, static_cast<double>(right), false,          false};

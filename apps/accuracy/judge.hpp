@@ -16,8 +16,8 @@ struct JudgedStep {
   bool measured;     ///< whether the errors below are known
   double error;      ///< |length - the reference's from the same point|, mm
   double ulp;        ///< last bit of the coordinates' magnitude (WideAnswer), mm
-  double across;     ///< how far from a surface the step ended, at least; mm. Where the ray grazes,
-                     ///< this is what rounding can be blamed for, and not `error`
+  double across;     ///< how much farther from a surface it ended than the reference's, mm. Where
+                     ///< the ray grazes, this is what rounding can be blamed for, not `error`
   double reference;  ///< the reference's length, mm
   bool wrong_volume;  ///< the engine claims a volume that is not there, beyond the tolerance
   bool wrong_end;     ///< it ended where no surface is, or passed one, beyond the tolerance

@@ -182,7 +182,7 @@ void print_tables(const World& world, const ExperimentReport& report, std::size_
       print_step("wrong", f.wrong[i]);
     }
     for (std::size_t i = 0; i < std::min<std::size_t>(3, f.worst_across.size()); ++i) {
-      print_step("farthest from a surface", f.worst_across[i]);
+      print_step("off the surface", f.worst_across[i]);
     }
     for (std::size_t i = 0; i < std::min<std::size_t>(3, f.worst_along.size()); ++i) {
       print_step("length", f.worst_along[i]);

@@ -1,6 +1,8 @@
 // The table of docs/extremes.md: every extreme, and what each engine makes of it.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 
 #include "tests/extremes/outcome.hpp"
 
@@ -53,7 +55,7 @@ void show_given_up(const std::string& name, const char* engine, const EngineFigu
     const accuracy::WorstStep& w = f.worst_across[i];
     const Vec3 &p = w.point, &v = w.ray.direction;
     std::fprintf(stderr,
-                 "%s, %s: farthest from a surface, %.3g ulp of %.3g mm: ray %zu in %s from (%a, "
+                 "%s, %s: off the surface, %.3g ulp of %.3g mm: ray %zu in %s from (%a, "
                  "%a, %a) along (%a, %a, "
                  "%a): %.17g mm, the reference's %.17g\n",
                  name.c_str(), engine, w.judged.across / w.judged.ulp, w.judged.ulp, w.ray_index,
@@ -75,10 +77,11 @@ bool right(const extremes::Case& extreme, const extremes::Outcomes& outcomes) {
 
 int main(int argc, char** argv) try {
   CLI::App app("Extremes: what navjit makes of them, and VecGeom.");
-  std::string only, vecgeom;
+  std::string only, vecgeom, keep;
   bool quick = false, show = false;
   double seconds = 60;
   app.add_option("--only", only, "Cases whose name has this");
+  app.add_option("--keep", keep, "Folder for the detectors, as GDML");
   app.add_option("--vecgeom", vecgeom, "The program vecgeom_trace");
   app.add_option("--vecgeom-seconds", seconds, "For each of its runs");
   app.add_flag("--quick", quick, "As few rays as the tests have");
@@ -93,6 +96,10 @@ int main(int argc, char** argv) try {
       vecgeom.empty() ? "" : "---|--:|");
   for (const extremes::Case& extreme : extremes::all_cases(!quick)) {
     if (extreme.name.find(only) == std::string::npos) continue;
+    if (!keep.empty()) {
+      std::filesystem::create_directories(keep);
+      std::ofstream(std::filesystem::path(keep) / (extreme.name + ".gdml")) << extreme.gdml;
+    }
     const extremes::Outcomes outcomes = run_case(extreme);
     const extremes::Outcome& generic = outcomes.generic;
     const EngineFigures& f = generic.figures;
