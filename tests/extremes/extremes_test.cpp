@@ -44,7 +44,8 @@ TEST_P(Extremes, AreNavigatedOrRefused) {
     return;
   }
   EXPECT_EQ(outcomes.generic.refused, 0u);
-  EXPECT_EQ(outcomes.specialised.differing, 0u);
+  EXPECT_EQ(outcomes.specialised.differing, 0u)
+      << ::testing::PrintToString(outcomes.specialised.differences);
   EXPECT_GT(outcomes.generic.figures.made, 100u);
   EXPECT_GT(outcomes.specialised_scenes, 0u) << "nothing was specialised: nothing was shown";
   expect_right(outcomes.generic);

@@ -51,6 +51,27 @@ std::optional<MadeRay> try_ray(Navigator& navigator, const World& world, const R
   }
 }
 
+/// Where the second engine left the first, in words.
+std::string difference(const Ray& ray, std::size_t index, const MadeRay& a, const MadeRay& b) {
+  std::size_t i = 0;
+  const auto row = [&](const MadeRay& made) {
+    if (i >= made.steps.size()) return std::string(made.stuck ? "stuck" : "has left the world");
+    char text[80];
+    std::snprintf(text, sizeof text, "%a mm in ", made.steps[i].length);
+    return text + made.steps[i].volume;
+  };
+  while (i < std::min(a.steps.size(), b.steps.size()) && row(a) == row(b) &&
+         a.steps[i].touchable == b.steps[i].touchable) {
+    ++i;
+  }
+  char text[400];
+  const Vec3 &p = ray.position, &v = ray.direction;
+  std::snprintf(text, sizeof text,
+                "ray %zu from (%a, %a, %a) along (%a, %a, %a), step %zu: ", index, p.x, p.y, p.z,
+                v.x, v.y, v.z, i);
+  return text + row(b) + " instead of " + row(a);
+}
+
 }  // namespace
 
 Outcomes run_case(const Case& extreme) {
@@ -88,6 +109,9 @@ Outcomes run_case(const Case& extreme) {
       const std::size_t equal = first ? accuracy::equal_steps(*first, *second) : 0;
       const std::size_t most = std::max(first ? first->steps.size() : 0, second->steps.size());
       outcomes.specialised.differing += std::max<std::size_t>(1, most - equal);
+      if (first && outcomes.specialised.differences.size() < 5) {
+        outcomes.specialised.differences.push_back(difference(rays[i], i, *first, *second));
+      }
     }
     outcomes.specialised.figures.add(*world, rays[i], *second, judged);
   }

@@ -13,7 +13,8 @@ struct Outcome {
   accuracy::EngineFigures figures;
   std::uint64_t refused = 0;    ///< rays that the engine said no to
   std::uint64_t differing = 0;  ///< steps that are not the generic navigator's to the last bit
-  std::string failure;          ///< of the engine as a whole, in words
+  std::vector<std::string> differences{};  ///< the first few, in words
+  std::string failure;                     ///< of the engine as a whole, in words
 };
 
 struct Outcomes {

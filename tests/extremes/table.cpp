@@ -114,6 +114,9 @@ int main(int argc, char** argv) try {
     if (show) {
       show_wrong(extreme.name, "generic", f);
       show_given_up(extreme.name, "generic", f);
+      for (const std::string& words : outcomes.specialised.differences) {
+        std::fprintf(stderr, "%s, specialised: %s\n", extreme.name.c_str(), words.c_str());
+      }
       show_wrong(extreme.name, "specialised", outcomes.specialised.figures);
     }
     if (!vecgeom.empty() && !extreme.for_vecgeom) std::printf(" not given to it | |");
