@@ -56,6 +56,7 @@ std::string test_name(const ::testing::TestParamInfo<Case>& info) {
   std::string name;
   for (const char c : info.param.name) {
     const bool letter = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (c == '-') name += "minus";
     if (letter || (!name.empty() && name.back() != '_')) name += letter ? c : '_';
   }
   return name;
