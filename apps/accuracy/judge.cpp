@@ -111,8 +111,14 @@ class RayJudge {
       }
     }
     const bool differs = !same || judged.error > tolerances_.surface;
-    if (differs && !judged.wrong_volume && !judged.wrong_end) ++result_.arguable;
+    if (differs && !judged.wrong_volume && !judged.wrong_end) argue(judged);
     result_.steps.push_back(judged);
+  }
+
+  /// Either is right: how far apart the two are is then no error.
+  void argue(JudgedStep& judged) {
+    ++result_.arguable;
+    if (judged.error > tolerances_.surface) judged.measured = false;
   }
 
   void judge_named(std::size_t i) {
@@ -143,7 +149,7 @@ class RayJudge {
                              ? refuted(chain, q)
                              : reference_.judge(chain, q, tolerances_.surface) == Verdict::right &&
                                    reference_.nearest_surface(chain, q) > tolerances_.surface;
-      if (!judged.wrong_end) ++result_.arguable;
+      if (!judged.wrong_end) argue(judged);
     }
     result_.steps.push_back(judged);
   }
@@ -159,8 +165,8 @@ class RayJudge {
       const auto away = [&](Quad t) {
         return reference_.nearest_surface(chain, moved(start, ray_.direction, t));
       };
-      across = std::min(
-          error, static_cast<double>(kernels::absolute(away(Quad(length)) - away(right))));
+      across =
+          std::min(error, static_cast<double>(kernels::absolute(away(Quad(length)) - away(right))));
     }
     return {i,      volume_of(world_, chain),   answer.surface, true, error, ulp,
             across, static_cast<double>(right), false,          false};

@@ -13,12 +13,13 @@ struct JudgedStep {
   std::size_t step;  ///< number within the ray
   VolumeId volume;   ///< in which it was made, by the reference where the engine tells names alone
   VolumeId surface;  ///< whose surface ended it, by the reference
-  bool measured;     ///< whether the errors below are known
-  double error;      ///< |length - the reference's from the same point|, mm
-  double ulp;        ///< last bit of the coordinates' magnitude (WideAnswer), mm
-  double across;     ///< how much farther from a surface it ended than the reference's, mm. Where
-                     ///< the ray grazes, this is what rounding can be blamed for, not `error`
-  double reference;  ///< the reference's length, mm
+  bool measured;  ///< whether the errors below are known and mean something: not where the engine
+                  ///< and the reference part with either right
+  double error;   ///< |length - the reference's from the same point|, mm
+  double ulp;     ///< last bit of the coordinates' magnitude (WideAnswer), mm
+  double across;  ///< how much farther from a surface it ended than the reference's, mm. Where
+                  ///< the ray grazes, this is what rounding can be blamed for, not `error`
+  double reference;   ///< the reference's length, mm
   bool wrong_volume;  ///< the engine claims a volume that is not there, beyond the tolerance
   bool wrong_end;     ///< it ended where no surface is, or passed one, beyond the tolerance
 };
