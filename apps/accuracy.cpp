@@ -1,6 +1,7 @@
 // `navjit accuracy`: what each way of navigating costs, and how wrong it is.
 #include "apps/accuracy/experiment.hpp"
 
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -13,14 +14,28 @@
 #include "geometry/gdml/reader.hpp"
 
 namespace navjit::apps {
+namespace {
+
+std::vector<Ray> rays_of(const AccuracyOptions& options, const World& world) {
+  std::uint64_t count = 0;
+  const char* end = options.rays.data() + options.rays.size();
+  const auto [at, error] = std::from_chars(options.rays.data(), end, count);
+  if (error != std::errc{} || at != end) return read_rays(options.rays);
+  if (count == 0) throw std::runtime_error("no rays are asked for; at least one is needed");
+  std::vector<Ray> rays;
+  for (std::uint64_t i = 0; i < count; ++i) rays.push_back(make_ray(options.source, world, i));
+  return rays;
+}
+
+}  // namespace
 
 int accuracy(const AccuracyOptions& options) {
   if (!options.picture.empty()) accuracy::check_picture(options.picture);
   const auto world =
       std::make_shared<const World>(read_gdml(options.detector, {.setup = options.setup}));
   accuracy::ExperimentOptions experiment;
-  experiment.rays = options.rays;
-  experiment.source = options.source;
+  experiment.rays = rays_of(options, *world);
+  experiment.seed = options.source.seed;
   experiment.threads = options.threads;
   experiment.repetitions = options.repetitions;
   experiment.boundaries = options.boundaries;

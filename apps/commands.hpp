@@ -44,7 +44,7 @@ int trace(const TraceOptions& options);
 struct AccuracyOptions {
   std::string detector;
   std::string setup;
-  std::uint64_t rays = 1000;
+  std::string rays = "1000";  ///< a file, or a number
   RaySource source;
   unsigned threads = 1;
   int repetitions = 5;

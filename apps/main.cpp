@@ -156,8 +156,8 @@ int parse_and_run(int argc, char** argv) {
   CLI::App* accuracy_command =
       app.add_subcommand("accuracy", "Hold every step against 113 bits: error and speed by level");
   add_detector(accuracy_command, accuracy.detector, accuracy.setup);
-  accuracy_command->add_option("--rays", accuracy.rays, "number of rays")
-      ->check(CLI::PositiveNumber);
+  accuracy_command->add_option("--rays", accuracy.rays, "CSV file of rays, or their number")
+      ->option_text("FILE|N");
   accuracy_command->add_option("--seed", accuracy.source.seed, "of the random rays");
   add_source(accuracy_command, accuracy_origin, accuracy_eta);
   accuracy_command->add_option("--repetitions", accuracy.repetitions, "of the timing")

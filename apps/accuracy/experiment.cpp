@@ -16,14 +16,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::vector<Ray> make_rays(const ExperimentOptions& options, const World& world) {
-  std::vector<Ray> rays;
-  for (std::uint64_t i = 0; i < options.rays; ++i) {
-    rays.push_back(apps::make_ray(options.source, world, i));
-  }
-  return rays;
-}
-
 /// Calls work(index) for all of [0, count), on so many threads, with what each thread keeps.
 template <class Kept, class Make, class Work, class Merge>
 void in_parallel(std::size_t count, unsigned threads, Make make, Work work, Merge merge) {
@@ -177,7 +169,7 @@ ExperimentReport run_experiment(std::shared_ptr<const World> world,
                                 const ExperimentOptions& options) {
   const auto start = Clock::now();
   const reference::WideGeometry reference(world);
-  const std::vector<Ray> rays = make_rays(options, *world);
+  const std::vector<Ray>& rays = options.rays;
   ExperimentReport report;
   std::vector<LevelEngine> levels;
   for (const NavigatorLevel& level : navigator_levels()) {
@@ -189,7 +181,7 @@ ExperimentReport run_experiment(std::shared_ptr<const World> world,
   Track track;
   if (options.boundaries > 0) {
     Navigator navigator = levels[0].runtime().navigator();
-    track = make_track(reference, navigator, options.boundaries, options.source.seed);
+    track = make_track(reference, navigator, options.boundaries, options.seed);
   }
   for (std::size_t l = 0; l < levels.size(); ++l) {
     report.engines[l].scene_ns = time_scenes(levels[l], *world, rays);

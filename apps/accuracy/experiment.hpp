@@ -10,14 +10,13 @@
 #include "apps/accuracy/figures.hpp"
 #include "apps/accuracy/peer.hpp"
 #include "apps/accuracy/track.hpp"
-#include "apps/rays.hpp"
 #include "runtime/options.hpp"
 
 namespace navjit::accuracy {
 
 struct ExperimentOptions {
-  std::uint64_t rays = 1000;
-  apps::RaySource source;
+  std::vector<Ray> rays;
+  std::uint64_t seed = 1;  ///< of the long track
   unsigned threads = 1;
   int repetitions = 5;                ///< of the timing
   std::uint64_t boundaries = 100000;  ///< of the long track; 0: none
