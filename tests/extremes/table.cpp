@@ -39,6 +39,11 @@ it, though at the smallest scale that is much of a solid.
 
 )";
 
+constexpr const char* conclusion = R"(
+NaN and infinity in a file of rays, in a GDML file, and in every call of `Navigator` are refused
+(`tests/extremes/not_finite_test.cpp`, `tests/geometry/gdml`).
+)";
+
 /// "none", or what went wrong and how often.
 std::string faults(const EngineFigures& f) {
   std::string text;
@@ -164,6 +169,7 @@ int main(int argc, char** argv) try {
     std::printf("\n");
     std::fflush(stdout);
   }
+  if (only.empty()) std::fputs(conclusion, stdout);
   return good ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "navjit_extremes: %s\n", error.what());
