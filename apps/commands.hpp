@@ -43,6 +43,26 @@ struct TraceOptions {
 };
 int trace(const TraceOptions& options);
 
+struct AccuracyOptions {
+  std::string detector;
+  std::string setup;
+  std::string rays = "1000";  ///< a file, or a number
+  RaySource source;
+  unsigned threads = 1;
+  int repetitions = 5;
+  std::uint64_t boundaries = 100000;  ///< of the long track
+  std::size_t scenes = 12;            ///< in the table; the report has all
+  GeometryOptions geometry;
+  std::string report;            ///< JSON file; empty: none
+  std::string picture;           ///< SVG or PNG file; empty: none
+  std::string vecgeom;           ///< vecgeom_trace; empty: beside navjit; "off": without
+  std::string vecgeom_detector;  ///< the detector as VecGeom can read it; empty: the same
+  std::string vecgeom_navigator = "automatic";
+  double vecgeom_seconds = 300;  ///< for each of its runs
+};
+/// Exit status 1 if one of navjit's own levels is wrong anywhere.
+int accuracy(const AccuracyOptions& options);
+
 struct CheckOptions {
   std::string detector;
   std::string setup;

@@ -109,6 +109,25 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
   return values;
 }
 
+void add_source(CLI::App* command, std::string& origin, std::string& eta) {
+  command->add_option("--origin", origin, "start of all rays, mm (default: over the world)")
+      ->option_text("X,Y,Z");
+  command->add_option("--eta", eta, "pseudorapidity about +z (default: isotropic)")
+      ->option_text("LO,HI");
+}
+
+/// Throws CLI::ValidationError.
+void set_source(apps::RaySource& source, const std::string& origin, const std::string& eta) {
+  if (!origin.empty()) {
+    const auto v = numbers("--origin", origin, 3);
+    source.origin = Vec3{v[0], v[1], v[2]};
+  }
+  if (!eta.empty()) {
+    const auto v = numbers("--eta", eta, 2);
+    source.eta = {v[0], v[1]};
+  }
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app{"Particle transport through detectors, with navigators written while it runs"};
   app.name("navjit");
@@ -130,10 +149,7 @@ int parse_and_run(int argc, char** argv) {
   add_detector(run_command, run.detector, run.setup);
   run_command->add_option("--rays", run.rays, "number of rays")->check(CLI::PositiveNumber);
   run_command->add_option("--seed", run.source.seed, "of the random rays");
-  run_command->add_option("--origin", origin, "start of all rays, mm (default: over the world)")
-      ->option_text("X,Y,Z");
-  run_command->add_option("--eta", eta, "pseudorapidity about +z (default: isotropic)")
-      ->option_text("LO,HI");
+  add_source(run_command, origin, eta);
   run_command->add_option("--report", run.report, "write a JSON report")->option_text("FILE");
   run_command->add_option("--save-profile", run.save_profile, "write what navjit specialise needs")
       ->option_text("FILE");
@@ -222,20 +238,49 @@ int parse_and_run(int argc, char** argv) {
       ->add_option("library", library, "file, changed in place")
       ->required();
 
+  apps::AccuracyOptions accuracy;
+  std::string accuracy_origin, accuracy_eta;
+  CLI::App* accuracy_command =
+      app.add_subcommand("accuracy", "Hold every step against 113 bits: error and speed by level");
+  add_detector(accuracy_command, accuracy.detector, accuracy.setup);
+  accuracy_command->add_option("--rays", accuracy.rays, "CSV file of rays, or their number")
+      ->option_text("FILE|N");
+  accuracy_command->add_option("--seed", accuracy.source.seed, "of the random rays");
+  add_source(accuracy_command, accuracy_origin, accuracy_eta);
+  accuracy_command->add_option("--repetitions", accuracy.repetitions, "of the timing")
+      ->check(CLI::Range(1, 1000));
+  accuracy_command->add_option("--boundaries", accuracy.boundaries, "on the long track; 0: none");
+  accuracy_command->add_option("--scenes", accuracy.scenes, "in the table");
+  accuracy_command->add_option("--report", accuracy.report, "write a JSON report")
+      ->option_text("FILE");
+  accuracy_command->add_option("--picture", accuracy.picture, "speed against error; by gnuplot")
+      ->option_text("FILE.svg|.png");
+  accuracy_command
+      ->add_option("--vecgeom", accuracy.vecgeom,
+                   "the program vecgeom_trace, or off (default: the one\nbeside navjit)")
+      ->option_text("PROGRAM|off");
+  accuracy_command
+      ->add_option("--vecgeom-detector", accuracy.vecgeom_detector,
+                   "the same detector, as VecGeom can read it")
+      ->option_text("FILE");
+  accuracy_command->add_option("--vecgeom-navigator", accuracy.vecgeom_navigator, "of VecGeom")
+      ->check(CLI::IsMember({"simple", "abbox", "hybrid", "bvh", "automatic"}))
+      ->option_text("NAME");
+  accuracy_command
+      ->add_option("--vecgeom-seconds", accuracy.vecgeom_seconds, "for each of its runs")
+      ->check(CLI::PositiveNumber)
+      ->option_text("S");
+  add_threads(accuracy_command, accuracy.threads);
+  add_boxes(accuracy_command, accuracy.geometry);
+
   try {
     app.parse(argc, argv);
     if (*specialise_command && specialise.scenes.empty() && specialise.profile.empty()) {
       throw CLI::ValidationError("specialise", "--scene or --profile is needed");
     }
     specialise.source_only = emit == "cpp";
-    if (!origin.empty()) {
-      const auto v = numbers("--origin", origin, 3);
-      run.source.origin = Vec3{v[0], v[1], v[2]};
-    }
-    if (!eta.empty()) {
-      const auto v = numbers("--eta", eta, 2);
-      run.source.eta = {v[0], v[1]};
-    }
+    set_source(run.source, origin, eta);
+    set_source(accuracy.source, accuracy_origin, accuracy_eta);
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::Error& error) {
@@ -251,6 +296,7 @@ int parse_and_run(int argc, char** argv) {
   if (*specialise_command) return apps::specialise(specialise);
   if (*profile_command) return apps::merge_profiles(merge);
   if (*plugin_command) return apps::seal_plugin(library);
+  if (*accuracy_command) return apps::accuracy(accuracy);
   return apps::trace(trace);
 }
 

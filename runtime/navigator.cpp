@@ -41,9 +41,17 @@ State Navigator::locate(const Vec3& point, const Vec3& direction) {
 }
 
 double Navigator::safety(const State& from, const Vec3& point) {
+  require_finite(point, "point");
   const Stack& stack = own_->stack;
   if (stack.depth < 0 || stack.levels[stack.depth].touchable != from.touchable()) restore(from);
   return generic::safety(shared_->geometry, stack, point);
+}
+
+void Navigator::require_numbers(const Vec3& point, const Vec3& direction, double limit) {
+  require_finite(point, "point");
+  require_finite(direction, "direction");
+  if (!(limit >= 0))
+    throw std::invalid_argument("navjit: the step limit is negative, or no number");
 }
 
 void Navigator::restore(const State& from) {
@@ -53,9 +61,6 @@ void Navigator::restore(const State& from) {
 }
 
 void Navigator::record(const Vec3& point, const Vec3& direction, double limit) {
-  // A sample is also the moment to look at what costs too much to look at in every step.
-  require_finite(point, "point");
-  require_finite(direction, "direction");
   const Stack& stack = own_->stack;
   const kernels::StackLevel& level = stack.levels[stack.depth];
   own_->profile.record(

@@ -38,10 +38,13 @@ class Navigator {
   State locate(const Vec3& point, const Vec3& direction);
 
   /// One step from `point` in `state`, at most `limit` mm. The state must be inside the world.
+  /// Throws std::invalid_argument if it is not, if a number is not finite (the limit may be
+  /// infinite), or if the limit is negative.
   Step step(const State& state, const Vec3& point, const Vec3& direction,
             double limit = std::numeric_limits<double>::infinity());
 
-  /// A lower bound of the distance to the nearest boundary, mm. The state must be inside.
+  /// A lower bound of the distance to the nearest boundary, mm. The state must be inside. Throws
+  /// std::invalid_argument if it is not, or if a coordinate is not finite.
   double safety(const State& state, const Vec3& point);
 
   const NavigatorCounts& counts() const { return own_->counts; }
@@ -57,6 +60,9 @@ class Navigator {
   };
 
   explicit Navigator(std::shared_ptr<detail::Shared> shared);
+  /// Throws std::invalid_argument unless point and direction are finite and the limit is no less
+  /// than 0.
+  static void require_numbers(const Vec3& point, const Vec3& direction, double limit);
   void restore(const State& state);
   void record(const Vec3& point, const Vec3& direction, double limit);
   double shadow(const kernels::Navigators& navigators, const Vec3& point, const Vec3& direction,
@@ -75,6 +81,11 @@ class Navigator {
 
 inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& direction,
                             double limit) {
+  // 0 times the sum is 0 unless a number is not finite, or the sum is beyond all numbers; then
+  // there is time for a closer look. Nothing of the step waits for it.
+  const double sum = 0 * (point.x + point.y + point.z + direction.x + direction.y + direction.z);
+  if (!((sum == 0) & (limit >= 0))) [[unlikely]]
+    require_numbers(point, direction, limit);
   Own& own = *own_;
   Stack& stack = own.stack;
   if (stack.depth < 0 || stack.levels[stack.depth].touchable != from.touchable()) restore(from);

@@ -324,6 +324,38 @@ VecGeomPeer::Totals VecGeomPeer::transport(std::span<const Ray> rays,
   return run(rays, max_steps_per_ray, state_depth_, !keep_last_exited_, nothing, nothing);
 }
 
+std::vector<LegEnd> VecGeomPeer::follow(const double (&start)[3], std::span<const Leg> legs) const {
+  const OwnedState first(state_depth_);
+  const OwnedState second(state_depth_);
+  const vecgeom::VPlacedVolume* world = vecgeom::GeoManager::Instance().GetWorld();
+  NavigationState* in = first.get();
+  NavigationState* out = second.get();
+  Vector position = to_vector(start);
+  in->Clear();
+  vecgeom::GlobalLocator::LocateGlobalPoint(world, position, *in, true);
+  if (!keep_last_exited_) forget_last_exited(*in, world);
+  std::vector<LegEnd> ends;
+  std::uint64_t boundaries = 0;
+  for (const Leg& leg : legs) {
+    const Vector direction = to_vector(leg.direction);
+    double left = leg.length;
+    for (int zero_steps = 0; left > 0;) {
+      if (in->IsOutside() || zero_steps >= zero_steps_allowed) return ends;
+      const double step =
+          in->Top()->GetLogicalVolume()->GetNavigator()->ComputeStepAndPropagatedState(
+              position, direction, left, *in, *out);
+      zero_steps = step <= vecgeom::kTolerance ? zero_steps + 1 : 0;
+      boundaries += out->IsOnBoundary() ? 1 : 0;
+      position += step * direction;
+      left -= step;
+      if (!keep_last_exited_) forget_last_exited(*out, world);
+      std::swap(in, out);
+    }
+    ends.push_back({{position.x(), position.y(), position.z()}, boundaries});
+  }
+  return ends;
+}
+
 VecGeomPeer::States VecGeomPeer::prepare_states(std::span<const Ray> rays) const {
   auto impl = std::make_unique<States::Impl>(static_cast<int>(rays.size()), state_depth_);
   impl->volumes.reserve(rays.size());

@@ -25,6 +25,18 @@ struct Ray {
   double direction[3];
 };
 
+/// A straight part of a track: unit direction, mm.
+struct Leg {
+  double direction[3];
+  double length;
+};
+
+/// Where a track was after a leg.
+struct LegEnd {
+  double position[3];
+  std::uint64_t boundaries;  ///< crossed since the start
+};
+
 /// One step of a ray.
 struct Segment {
   std::uint32_t ray;     ///< index into the rays traced
@@ -102,6 +114,10 @@ class VecGeomPeer {
 
   /// The same loop with nothing recorded: the one to time. Includes locating the starts.
   Totals transport(std::span<const Ray> rays, std::uint64_t max_steps_per_ray) const;
+
+  /// Carries one track along its legs, from a point within the world. Ends early where it is stuck
+  /// or leaves the world.
+  std::vector<LegEnd> follow(const double (&start)[3], std::span<const Leg> legs) const;
 
   /// Locates the rays' starting points.
   States prepare_states(std::span<const Ray> rays) const;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -15,15 +14,17 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/clock.hpp"
 #include "vecgeom_peer.hpp"
 
 namespace {
 
+using navjit::peers::Leg;
 using navjit::peers::Ray;
 using navjit::peers::VecGeomNavigator;
 using navjit::peers::VecGeomPeer;
 
-constexpr std::uint64_t max_steps_per_ray = 1'000'000;
+constexpr std::uint64_t max_steps_per_ray = 10'000'000;
 
 struct NamedNavigator {
   const char* name;
@@ -36,43 +37,78 @@ constexpr NamedNavigator navigators[] = {
 };
 
 int usage() {
-  std::cerr
-      << "usage: vecgeom_trace DET.gdml RAYS.csv OUT.csv [simple|abbox|hybrid|bvh|automatic]\n"
-         "       vecgeom_trace --time DET.gdml RAYS.csv REPEATS\n";
+  std::cerr << "usage: vecgeom_trace [--as-given] DET.gdml RAYS.csv OUT.csv "
+               "[simple|abbox|hybrid|bvh|automatic]\n"
+               "       vecgeom_trace --track DET.gdml LEGS.csv OUT.csv [NAVIGATOR]\n"
+               "       vecgeom_trace --time DET.gdml RAYS.csv REPEATS\n"
+               "--as-given: directions are not normalised, and numbers need not be finite\n";
   return 2;
 }
 
-/// Reads rays from lines x,y,z,dx,dy,dz under such a header; normalises the directions.
-std::optional<std::vector<Ray>> read_rays(const std::string& file) {
+/// Reads rows of `fields` numbers under a header.
+std::optional<std::vector<std::vector<double>>> read_rows(const std::string& file,
+                                                          std::size_t fields, bool finite) {
   std::ifstream in(file);
   std::string line;
   if (!in || !std::getline(in, line)) {
     std::cerr << "vecgeom_trace: " << file << ": cannot be read\n";
     return std::nullopt;
   }
-  std::vector<Ray> rays;
+  std::vector<std::vector<double>> rows;
   for (std::size_t number = 2; std::getline(in, line); ++number) {
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
     if (line.empty()) continue;
-    double values[6];
+    std::vector<double> values(fields);
     const char* at = line.data();
     const char* const end = at + line.size();
     bool good = true;
-    for (int i = 0; i < 6 && good; ++i) {
+    for (std::size_t i = 0; i < fields && good; ++i) {
       const auto [next, status] = std::from_chars(at, end, values[i]);
-      good = status == std::errc() && std::isfinite(values[i]) &&
-             (i == 5 ? next == end : next != end && *next == ',');
+      good = status == std::errc() && (!finite || std::isfinite(values[i])) &&
+             (i + 1 == fields ? next == end : next != end && *next == ',');
       at = next + 1;
     }
-    const double norm = std::hypot(values[3], values[4], values[5]);
-    if (!good || !(norm > 0)) {
+    const double norm = fields < 6 ? 1 : std::hypot(values[3], values[4], values[5]);
+    if (!good || (finite && !(norm > 0))) {
       std::cerr << "vecgeom_trace: " << file << ":" << number << ": not a ray\n";
       return std::nullopt;
     }
-    rays.push_back({{values[0], values[1], values[2]},
-                    {values[3] / norm, values[4] / norm, values[5] / norm}});
+    rows.push_back(std::move(values));
+  }
+  return rows;
+}
+
+/// Reads rays from lines x,y,z,dx,dy,dz under such a header; normalises the directions, unless they
+/// are taken as given.
+std::optional<std::vector<Ray>> read_rays(const std::string& file, bool as_given) {
+  const auto rows = read_rows(file, 6, !as_given);
+  if (!rows) return std::nullopt;
+  std::vector<Ray> rays;
+  for (const auto& v : *rows) {
+    const double norm = as_given ? 1 : std::hypot(v[3], v[4], v[5]);
+    rays.push_back({{v[0], v[1], v[2]}, {v[3] / norm, v[4] / norm, v[5] / norm}});
   }
   return rays;
+}
+
+/// One track: lines x,y,z,dx,dy,dz,length, of which the first one's point is the start.
+int write_track(const VecGeomPeer& peer, const std::string& legs_file, const std::string& file) {
+  const auto rows = read_rows(legs_file, 7, true);
+  if (!rows || rows->empty()) return 1;
+  std::vector<Leg> legs;
+  for (const auto& v : *rows) legs.push_back({{v[3], v[4], v[5]}, v[6]});
+  const double start[3] = {rows->front()[0], rows->front()[1], rows->front()[2]};
+  std::FILE* out = std::fopen(file.c_str(), "w");
+  if (out == nullptr) {
+    std::cerr << "vecgeom_trace: " << file << ": cannot be written\n";
+    return 1;
+  }
+  std::fputs("x,y,z,boundaries\n", out);
+  for (const auto& end : peer.follow(start, legs)) {
+    std::fprintf(out, "%.17g,%.17g,%.17g,%llu\n", end.position[0], end.position[1], end.position[2],
+                 static_cast<unsigned long long>(end.boundaries));
+  }
+  return std::fclose(out) == 0 ? 0 : 1;
 }
 
 int write_trace(const VecGeomPeer& peer, const std::vector<Ray>& rays, const std::string& file) {
@@ -107,20 +143,18 @@ void print_times(VecGeomPeer& peer, const std::vector<Ray>& rays, int repeats) {
   for (int repeat = -1; repeat < repeats; ++repeat) {  // the first round warms up
     for (std::size_t i = 0; i < std::size(navigators); ++i) {
       peer.use(navigators[i].navigator);
-      const auto start = std::chrono::steady_clock::now();
+      const double start = navjit::bench::thread_ns();
       totals[i] = peer.transport(rays, max_steps_per_ray);
-      const std::chrono::duration<double, std::nano> time =
-          std::chrono::steady_clock::now() - start;
+      const double time = navjit::bench::thread_ns() - start;
       if (repeat >= 0)
-        times[i].push_back(time.count() /
-                           static_cast<double>(std::max<std::uint64_t>(totals[i].steps, 1)));
+        times[i].push_back(time / static_cast<double>(std::max<std::uint64_t>(totals[i].steps, 1)));
     }
   }
   std::printf("%-10s %10s %10s %12s %10s %6s %20s\n", "navigator", "median", "least", "steps",
               "of zero", "stuck", "length/mm");
   for (std::size_t i = 0; i < std::size(navigators); ++i) {
     std::sort(times[i].begin(), times[i].end());
-    std::printf("%-10s %7.1f ns %7.1f ns %12llu %10llu %6llu %20.3f\n", navigators[i].name,
+    std::printf("%-10s %7.2f ns %7.2f ns %12llu %10llu %6llu %20.3f\n", navigators[i].name,
                 times[i][times[i].size() / 2], times[i].front(),
                 static_cast<unsigned long long>(totals[i].steps),
                 static_cast<unsigned long long>(totals[i].zero_steps),
@@ -131,16 +165,22 @@ void print_times(VecGeomPeer& peer, const std::vector<Ray>& rays, int repeats) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const bool time = !arguments.empty() && arguments[0] == "--time";
-  if (time ? arguments.size() != 4 : arguments.size() != 3 && arguments.size() != 4) return usage();
-  const std::string& detector = arguments[time ? 1 : 0];
-  const std::string& ray_file = arguments[time ? 2 : 1];
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  std::string mode;
+  if (!arguments.empty() && arguments[0].starts_with("--")) {
+    mode = arguments[0];
+    arguments.erase(arguments.begin());
+  }
+  const bool time = mode == "--time", as_given = mode == "--as-given", track = mode == "--track";
+  if (!mode.empty() && !time && !as_given && !track) return usage();
+  if (time ? arguments.size() != 3 : arguments.size() != 3 && arguments.size() != 4) return usage();
+  const std::string& detector = arguments[0];
+  const std::string& ray_file = arguments[1];
 
   VecGeomNavigator navigator = VecGeomNavigator::automatic;
   int repeats = 0;
   if (time) {
-    repeats = std::atoi(arguments[3].c_str());
+    repeats = std::atoi(arguments[2].c_str());
     if (repeats < 1) return usage();
   } else if (arguments.size() == 4) {
     const auto* found =
@@ -150,7 +190,7 @@ int main(int argc, char** argv) {
     navigator = found->navigator;
   }
 
-  const auto rays = read_rays(ray_file);
+  const auto rays = track ? std::vector<Ray>{} : read_rays(ray_file, as_given);
   if (!rays) return 1;
   std::string error;
   const auto peer = VecGeomPeer::load(detector, error);
@@ -163,5 +203,6 @@ int main(int argc, char** argv) {
     return 0;
   }
   peer->use(navigator);
+  if (track) return write_track(*peer, ray_file, arguments[2]);
   return write_trace(*peer, *rays, arguments[2]);
 }

@@ -8,7 +8,7 @@
 
 #include "runtime/navigator.hpp"
 #include "runtime/transport.hpp"
-#include "tests/reference/wide_geometry.hpp"
+#include "geometry/reference/wide_geometry.hpp"
 
 namespace navjit::campaign {
 

@@ -15,7 +15,7 @@
 #include "tests/campaign/random_scene.hpp"
 #include "tests/campaign/starts.hpp"
 #include "tests/reference/trace.hpp"
-#include "tests/reference/wide_geometry.hpp"
+#include "geometry/reference/wide_geometry.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "tests/reference/wide_geometry.hpp"
+#include "geometry/reference/wide_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -217,38 +217,98 @@ std::vector<WideStep> WideGeometry::trace(const Vec3& point, const Vec3& directi
   if (!contains(scenes_[world_->top].solid, levels[0].p, levels[0].v, tol)) return steps;
   settle(levels, -1);
   for (int standing = 0; !levels.empty();) {
-    const Level& level = levels.back();
-    const Scene& scene = scenes_[level.volume];
-    Quad t = distance_to_out(scene.solid, level.p, level.v, tol);
-    int into = -1;
-    const Vec3 p = narrow(level.p), v = narrow({level.v.x, level.v.y, level.v.z});
-    for (std::size_t k = 0; k < scene.daughters.size(); ++k) {
-      if (!may_meet(scene.boxes[k], p, v, static_cast<double>(t))) continue;
-      const Placed& d = scene.daughters[k];
-      const Quad in =
-          distance_to_in(scenes_[d.volume].solid, to_local(d, level.p), to_local(d, level.v), tol);
-      if (in < t) {
-        t = in;
-        into = static_cast<int>(k);
-      }
-    }
-    steps.push_back({level.volume, t});
+    const VolumeId volume = levels.back().volume;
+    VolumeId surface;
+    const Quad t = next(levels, surface);
+    steps.push_back({volume, t});
     standing = t > tol ? 0 : standing + 1;
     if (standing == stuck_after) {
       stuck = true;
       return steps;
     }
-    move(levels, t);
-    if (into >= 0) {
-      push(levels, static_cast<std::uint32_t>(into));
-      settle(levels, -1);
-    } else {
-      const int left = static_cast<int>(levels.back().daughter);
-      levels.pop_back();
-      if (!levels.empty()) settle(levels, left);
-    }
   }
   return steps;
+}
+
+/// One step. Leaves the levels at the next touchable; none if the world has been left.
+Quad WideGeometry::next(std::vector<Level>& levels, VolumeId& surface) const {
+  const Quad tol = world_->tolerance;
+  const Level& level = levels.back();
+  const Scene& scene = scenes_[level.volume];
+  Quad t = distance_to_out(scene.solid, level.p, level.v, tol);
+  int into = -1;
+  surface = level.volume;
+  const Vec3 p = narrow(level.p), v = narrow({level.v.x, level.v.y, level.v.z});
+  for (std::size_t k = 0; k < scene.daughters.size(); ++k) {
+    if (!may_meet(scene.boxes[k], p, v, static_cast<double>(t))) continue;
+    const Placed& d = scene.daughters[k];
+    const Quad in =
+        distance_to_in(scenes_[d.volume].solid, to_local(d, level.p), to_local(d, level.v), tol);
+    if (in < t) {
+      t = in;
+      into = static_cast<int>(k);
+      surface = d.volume;
+    }
+  }
+  move(levels, t);
+  if (into >= 0) {
+    push(levels, static_cast<std::uint32_t>(into));
+    settle(levels, -1);
+  } else {
+    const int left = static_cast<int>(levels.back().daughter);
+    levels.pop_back();
+    if (!levels.empty()) settle(levels, left);
+  }
+  return t;
+}
+
+std::vector<WideGeometry::Level> WideGeometry::levels_of(const Chain& chain, const WidePoint& point,
+                                                         const WideDirection& direction) const {
+  std::vector<Level> levels{{world_->top, 0, point, direction}};
+  for (const std::uint32_t daughter : chain) push(levels, daughter);
+  return levels;
+}
+
+WideAnswer WideGeometry::step(const Chain& chain, const WidePoint& point,
+                              const WideDirection& direction) const {
+  std::vector<Level> levels = levels_of(chain, point, direction);
+  WideAnswer answer{0, false, {}, world_->top, 0};
+  const auto measure = [&](const WidePoint& p) {
+    const Vec3 q = narrow(p);
+    answer.magnitude = std::max({answer.magnitude, std::abs(q.x), std::abs(q.y), std::abs(q.z)});
+  };
+  const std::vector<Level> before = levels;
+  answer.length = next(levels, answer.surface);
+  for (const Level& level : before) {
+    measure(level.p);
+    measure(kernels::advance(level.p, level.v, answer.length));
+  }
+  for (const Level& level : levels) measure(level.p);
+  answer.inside = !levels.empty();
+  for (std::size_t i = 1; i < levels.size(); ++i) answer.next.push_back(levels[i].daughter);
+  return answer;
+}
+
+Quad WideGeometry::nearest_surface(const Chain& chain, const WidePoint& point) const {
+  WidePoint p = point;
+  VolumeId volume = world_->top;
+  for (const std::uint32_t daughter : chain) {
+    const Placed& placed = scenes_[volume].daughters[daughter];
+    p = to_local(placed, p);
+    volume = placed.volume;
+  }
+  const Scene& scene = scenes_[volume];
+  const auto away = [](const kernels::AnySolid<Quad>& solid, const WidePoint& q) {
+    return kernels::larger(safety_to_in(solid, q), safety_to_out(solid, q));
+  };
+  Quad nearest = away(scene.solid, p);
+  const Vec3 narrow_p = narrow(p);
+  for (std::size_t k = 0; k < scene.daughters.size(); ++k) {
+    if (!within(scene.boxes[k], narrow_p)) continue;
+    const Placed& d = scene.daughters[k];
+    nearest = kernels::smaller(nearest, away(scenes_[d.volume].solid, to_local(d, p)));
+  }
+  return nearest;
 }
 
 Quad WideGeometry::exit(const Vec3& point, const Vec3& direction) const {

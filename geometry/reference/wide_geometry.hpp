@@ -1,5 +1,6 @@
-// The same detector at 113 bits: what the navigator is judged by. Slow and plain: no acceleration
-// but boxes that say which daughters are surely not involved, looked at one by one.
+// The same detector at 113 bits: what navigators are judged by, in tests and by `navjit accuracy`.
+// Slow and plain: no acceleration but boxes that say which daughters are surely not involved,
+// looked at one by one.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,12 @@
 
 namespace navjit::reference {
 
+#if defined(__SIZEOF_FLOAT128__)
 __extension__ typedef __float128 Quad;
+#else
+typedef long double Quad;  // IEEE's quadruple precision where there is no name of its own for it
+#endif
+static_assert(sizeof(Quad) == 16);
 using WidePoint = kernels::Vec3<Quad>;
 using WideDirection = kernels::Direction<Quad>;
 
@@ -42,6 +48,16 @@ struct WideStep {
   Quad length;      ///< mm
 };
 
+/// One step from a state that a navigator claims to be in.
+struct WideAnswer {
+  Quad length;       ///< mm
+  bool inside;       ///< whether there is a next touchable, or the world has been left
+  Chain next;        ///< the next touchable
+  VolumeId surface;  ///< whose surface ended the step: the touchable's, or a daughter's
+  double magnitude;  ///< largest coordinate of both ends in the frames of both touchables and of
+                     ///< all above them, mm: its last bit is what rounding costs
+};
+
 /// The world's solids and placements in wide numbers, taken from the doubles of the model, which
 /// are the detector's definition. Frames are applied level by level. Immutable.
 class WideGeometry {
@@ -62,6 +78,14 @@ class WideGeometry {
   /// definition of them (docs/tolerance.md). Ends early, with `stuck` set, after 100 steps in a row
   /// that do not move it.
   std::vector<WideStep> trace(const Vec3& point, const Vec3& direction, bool& stuck) const;
+
+  /// One step from a global point that is in the touchable `chain`, or on its surface.
+  WideAnswer step(const Chain& chain, const WidePoint& point, const WideDirection& direction) const;
+
+  /// A distance, mm, that is no more than that from a global point to the nearest surface of the
+  /// touchable or of a daughter whose box, 100 tolerances wider, has the point. Next to a face it
+  /// is the distance from that.
+  Quad nearest_surface(const Chain& chain, const WidePoint& point) const;
 
   /// How far from a point in the world to its outer surface.
   Quad exit(const Vec3& point, const Vec3& direction) const;
@@ -93,6 +117,9 @@ class WideGeometry {
   void push(std::vector<Level>& levels, std::uint32_t daughter) const;
   void move(std::vector<Level>& levels, Quad t) const;
   void settle(std::vector<Level>& levels, int blocked) const;
+  Quad next(std::vector<Level>& levels, VolumeId& surface) const;
+  std::vector<Level> levels_of(const Chain& chain, const WidePoint& point,
+                               const WideDirection& direction) const;
 
   std::shared_ptr<const World> world_;
   std::vector<std::shared_ptr<const WideSolid<Quad>>> solids_;

@@ -1,0 +1,125 @@
+#include "apps/accuracy/child.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+extern char** environ;
+
+namespace navjit::accuracy {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::size_t most_output = std::size_t{16} << 20;
+
+struct Pipe {
+  int ends[2] = {-1, -1};
+  bool open() { return pipe2(ends, O_CLOEXEC) == 0; }
+  void close_end(int i) {
+    if (ends[i] >= 0) ::close(ends[i]);
+    ends[i] = -1;
+  }
+  ~Pipe() {
+    close_end(0);
+    close_end(1);
+  }
+};
+
+/// Reads once what is there. False at the end of the stream.
+bool read_some(int file, std::string& text) {
+  std::array<char, 65536> buffer;
+  const ssize_t n = ::read(file, buffer.data(), buffer.size());
+  if (n < 0) return errno == EINTR || errno == EAGAIN;
+  if (text.size() < most_output) text.append(buffer.data(), static_cast<std::size_t>(n));
+  return n > 0;
+}
+
+pid_t start(const std::vector<std::string>& words, Pipe& out, Pipe& err) {
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, out.ends[1], STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, err.ends[1], STDERR_FILENO);
+  pid_t pid = -1;
+  if (posix_spawn(&pid, arguments[0], &actions, nullptr, arguments.data(), environ) != 0) pid = -1;
+  posix_spawn_file_actions_destroy(&actions);
+  return pid;
+}
+
+}  // namespace
+
+std::string ChildResult::words(double seconds) const {
+  char text[80];
+  switch (end) {
+    case End::not_started:
+      return "cannot be started";
+    case End::timed_out:
+      std::snprintf(text, sizeof text, "hangs (%g s)", seconds);
+      return text;
+    case End::crashed:
+      std::snprintf(text, sizeof text, "crashes (signal %d)", status);
+      return text;
+    case End::exited:
+      break;
+  }
+  if (status == 0) return "";
+  std::string line = error.empty() ? output : error;
+  while (!line.empty() && line.back() == '\n') line.pop_back();
+  line.erase(0, line.rfind('\n') + 1);
+  return line.empty() ? "fails (status " + std::to_string(status) + ")" : line;
+}
+
+ChildResult run_child(const std::vector<std::string>& words, double seconds) {
+  ChildResult result;
+  Pipe out, err;
+  if (!out.open() || !err.open()) return result;
+  const pid_t pid = start(words, out, err);
+  if (pid < 0) return result;
+  out.close_end(1);
+  err.close_end(1);
+  const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
+  bool killed = false;
+  bool reading_out = true, reading_err = true;
+  const auto check_time = [&] {
+    if (killed || Clock::now() < deadline) return;
+    ::kill(pid, SIGKILL);
+    killed = true;
+  };
+  while ((reading_out || reading_err) && !killed) {
+    pollfd files[2] = {{reading_out ? out.ends[0] : -1, POLLIN, 0},
+                       {reading_err ? err.ends[0] : -1, POLLIN, 0}};
+    ::poll(files, 2, 50);
+    if (files[0].revents != 0) reading_out = read_some(out.ends[0], result.output);
+    if (files[1].revents != 0) reading_err = read_some(err.ends[0], result.error);
+    check_time();
+  }
+  // It may close its streams and stay.
+  int status = 0;
+  while (::waitpid(pid, &status, WNOHANG) == 0) {
+    check_time();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  if (killed) {
+    result.end = ChildResult::End::timed_out;
+  } else if (WIFSIGNALED(status)) {
+    result.end = ChildResult::End::crashed;
+    result.status = WTERMSIG(status);
+  } else {
+    result.end = ChildResult::End::exited;
+    result.status = WEXITSTATUS(status);
+  }
+  return result;
+}
+
+}  // namespace navjit::accuracy

@@ -1,0 +1,24 @@
+// A program in a process of its own, that may crash or hang.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace navjit::accuracy {
+
+struct ChildResult {
+  enum class End { exited, crashed, timed_out, not_started } end = End::not_started;
+  int status = 0;      ///< exit status, or the signal that ended it
+  std::string output;  ///< what it wrote to standard output; the first 16 MB
+  std::string error;   ///< the same of standard error
+
+  bool good() const { return end == End::exited && status == 0; }
+  /// Why it is not good, in words: "hangs (60 s)", "crashes (signal 11)", or its last line.
+  std::string words(double seconds) const;
+};
+
+/// Runs a program (no shell; words[0] is its path) for at most so many seconds. Throws nothing but
+/// std::bad_alloc.
+ChildResult run_child(const std::vector<std::string>& words, double seconds);
+
+}  // namespace navjit::accuracy

@@ -1,0 +1,196 @@
+#include "apps/accuracy/experiment.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+#include "apps/accuracy/levels.hpp"
+#include "bench/clock.hpp"
+#include "bench/statistics.hpp"
+#include "geometry/model/vector.hpp"
+
+namespace navjit::accuracy {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Calls work(index) for all of [0, count), on so many threads, with what each thread keeps.
+template <class Kept, class Make, class Work, class Merge>
+void in_parallel(std::size_t count, unsigned threads, Make make, Work work, Merge merge) {
+  std::atomic<std::size_t> next{0};
+  std::mutex merging;
+  const auto run = [&] {
+    Kept kept = make();
+    for (std::size_t i; (i = next.fetch_add(1)) < count;) work(kept, i);
+    const std::lock_guard lock(merging);
+    merge(kept);
+  };
+  std::vector<std::jthread> workers;
+  for (unsigned t = 1; t < threads; ++t) workers.emplace_back(run);
+  run();
+}
+
+/// Steps of all levels, ray by ray: where a level does what the generic navigator does, to the last
+/// bit, the verdict is the same, too.
+void compare_levels(const reference::WideGeometry& reference, std::vector<LevelEngine>& levels,
+                    const std::vector<Ray>& rays, unsigned threads, ExperimentReport& report) {
+  const World& world = reference.world();
+  const Tolerances tolerances = own_tolerances(world);
+  struct Kept {
+    std::vector<Navigator> navigators;
+    std::vector<EngineFigures> figures;
+  };
+  in_parallel<Kept>(
+      rays.size(), threads,
+      [&] {
+        Kept kept;
+        for (LevelEngine& level : levels) kept.navigators.push_back(level.runtime().navigator());
+        kept.figures.resize(levels.size());
+        return kept;
+      },
+      [&](Kept& kept, std::size_t i) {
+        const MadeRay first = make_ray_steps(kept.navigators[0], world, rays[i], i);
+        const JudgedRay judged = judge_ray(reference, rays[i], first, tolerances);
+        kept.figures[0].equal += first.steps.size();
+        kept.figures[0].add(world, rays[i], first, judged);
+        for (std::size_t l = 1; l < levels.size(); ++l) {
+          const MadeRay made = make_ray_steps(kept.navigators[l], world, rays[i], i);
+          kept.figures[l].equal += equal_steps(first, made);
+          kept.figures[l].add(
+              world, rays[i], made,
+              identical(first, made) ? judged : judge_ray(reference, rays[i], made, tolerances));
+        }
+      },
+      [&](const Kept& kept) {
+        for (std::size_t l = 0; l < levels.size(); ++l) {
+          report.engines[l].figures.append(kept.figures[l]);
+        }
+      });
+}
+
+std::uint64_t transport_all(Navigator& navigator, const World& world,
+                            const std::vector<Ray>& rays) {
+  std::uint64_t steps = 0;
+  for (const Ray& ray : rays) {
+    transport(navigator, ray, world.tolerance,
+              [&](const State&, double length) { steps += length > world.tolerance ? 1 : 0; });
+  }
+  return steps;
+}
+
+/// Whole rays, engines in turn, in processor time of this thread.
+void time_levels(std::vector<LevelEngine>& levels, const World& world, const std::vector<Ray>& rays,
+                 int repetitions, ExperimentReport& report) {
+  std::vector<Navigator> navigators;
+  for (LevelEngine& level : levels) navigators.push_back(level.runtime().navigator());
+  std::vector<std::vector<double>> times(levels.size());
+  for (int r = -1; r < repetitions; ++r) {  // the first one warms up
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+      const double start = bench::thread_ns();
+      const std::uint64_t steps = transport_all(navigators[l], world, rays);
+      const double ns = bench::thread_ns() - start;
+      if (r >= 0) {
+        times[l].push_back(ns / static_cast<double>(std::max<std::uint64_t>(steps, 1)));
+      }
+    }
+  }
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    report.engines[l].ns_per_step = bench::summarise(times[l]).median;
+  }
+}
+
+/// What reading the clock costs, ns: the least of many tries.
+double clock_cost() {
+  double least = 1e9;
+  for (int i = 0; i < 2000; ++i) {
+    const auto start = Clock::now();
+    least = std::min(least, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
+  }
+  return least;
+}
+
+/// Each step by itself, medians by scene: dear scenes are told from cheap ones, not more.
+std::map<VolumeId, double> time_scenes(LevelEngine& level, const World& world,
+                                       const std::vector<Ray>& rays) {
+  Navigator navigator = level.runtime().navigator();
+  const double cost = clock_cost();
+  std::map<VolumeId, std::vector<double>> times;
+  for (const Ray& ray : rays) {
+    Vec3 point = ray.position;
+    int standing = 0;
+    for (State state = navigator.locate(point, ray.direction);
+         state.inside() && standing < stuck_after;) {
+      const auto start = Clock::now();
+      const Step step = navigator.step(state, point, ray.direction);
+      const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+      times[state.volume()].push_back(std::max(0.0, ns - cost));
+      standing = step.length > world.tolerance ? 0 : standing + 1;
+      point += step.length * ray.direction;
+      state = step.next;
+    }
+  }
+  std::map<VolumeId, double> medians;
+  for (const auto& [volume, list] : times) medians[volume] = bench::quantile(list, 0.5);
+  return medians;
+}
+
+void add_vecgeom(const reference::WideGeometry& reference, const std::vector<Ray>& rays,
+                 const Track& track, const ExperimentOptions& options, ExperimentReport& report) {
+  const VecGeom vecgeom(*options.vecgeom);
+  EngineReport engine;
+  engine.name = "VecGeom";
+  const World& world = reference.world();
+  std::vector<MadeRay> made;
+  engine.failure = vecgeom.trace(rays, [&](MadeRay& ray) { made.push_back(std::move(ray)); });
+  if (engine.failure.empty()) {
+    const Tolerances tolerances = vecgeom_tolerances(world);
+    in_parallel<EngineFigures>(
+        made.size(), options.threads, [] { return EngineFigures{}; },
+        [&](EngineFigures& figures, std::size_t i) {
+          figures.add(world, rays[i], made[i],
+                      judge_named_ray(reference, rays[i], made[i], tolerances));
+        },
+        [&](const EngineFigures& figures) { engine.figures.append(figures); });
+    engine.failure = vecgeom.time(rays, options.repetitions, engine.ns_per_step);
+    std::vector<LegEnd> ends;
+    if (engine.failure.empty() && !track.legs.empty()) {
+      engine.failure = vecgeom.follow(track, ends);
+      engine.track = judge_track(world, track, ends);
+    }
+  }
+  report.engines.push_back(std::move(engine));
+}
+
+}  // namespace
+
+ExperimentReport run_experiment(std::shared_ptr<const World> world,
+                                const ExperimentOptions& options) {
+  const auto start = Clock::now();
+  const reference::WideGeometry reference(world);
+  const std::vector<Ray>& rays = options.rays;
+  ExperimentReport report;
+  std::vector<LevelEngine> levels;
+  for (const NavigatorLevel& level : navigator_levels()) {
+    levels.emplace_back(world, level, options.geometry);
+    report.engines.emplace_back().name = level.name;
+  }
+  compare_levels(reference, levels, rays, options.threads, report);
+  time_levels(levels, *world, rays, options.repetitions, report);
+  Track track;
+  if (options.boundaries > 0) {
+    Navigator navigator = levels[0].runtime().navigator();
+    track = make_track(reference, navigator, options.boundaries, options.seed);
+  }
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    report.engines[l].scene_ns = time_scenes(levels[l], *world, rays);
+    Navigator navigator = levels[l].runtime().navigator();
+    report.engines[l].track = judge_track(*world, track, follow(navigator, *world, track));
+  }
+  if (options.vecgeom) add_vecgeom(reference, rays, track, options, report);
+  report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return report;
+}
+
+}  // namespace navjit::accuracy

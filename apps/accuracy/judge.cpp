@@ -1,0 +1,230 @@
+#include "apps/accuracy/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace navjit::accuracy {
+namespace {
+
+using reference::Chain;
+using reference::Quad;
+using reference::Verdict;
+using reference::WideAnswer;
+using reference::WideDirection;
+using reference::WideGeometry;
+using reference::WidePoint;
+
+double ulp_of(double magnitude) {
+  return std::nextafter(magnitude, std::numeric_limits<double>::infinity()) - magnitude;
+}
+
+WidePoint moved(const Vec3& p, const Vec3& v, Quad t) {
+  return {p.x + t * v.x, p.y + t * v.y, p.z + t * v.z};
+}
+
+double size_of(const World& world) {
+  const Extent& e = world.volumes[world.top].solid.extent;
+  return std::max({std::abs(e.min.x), std::abs(e.min.y), std::abs(e.min.z), std::abs(e.max.x),
+                   std::abs(e.max.y), std::abs(e.max.z)});
+}
+
+VolumeId volume_of(const World& world, const Chain& chain) {
+  VolumeId volume = world.top;
+  for (const std::uint32_t k : chain) volume = world.volumes[volume].daughters[k].volume;
+  return volume;
+}
+
+/// Geant4 and VecGeom give reflected copies of a volume names of their own.
+bool same_volume(const std::string& ours, const std::string& theirs) {
+  return ours == theirs || theirs == ours + "_refl";
+}
+
+class RayJudge {
+ public:
+  RayJudge(const WideGeometry& reference, const Ray& ray, const MadeRay& made,
+           const Tolerances& tolerances)
+      : reference_(reference),
+        world_(reference.world()),
+        ray_(ray),
+        made_(made),
+        tolerances_(tolerances),
+        direction_(reference::widen_direction(ray.direction)) {
+    result_.stuck = made.stuck;
+  }
+
+  JudgedRay run(bool named) {
+    for (std::size_t i = 0; i < made_.steps.size(); ++i) {
+      if (made_.steps[i].length < tolerances_.shortest) {
+        ++result_.skipped;
+      } else if (named) {
+        judge_named(i);
+      } else {
+        judge(i);
+      }
+    }
+    result_.lost = !made_.stuck && is_lost();
+    return std::move(result_);
+  }
+
+ private:
+  /// Whether a claim about a point is wrong, which it is only beyond the tolerance.
+  bool refuted(const Chain& chain, const WidePoint& p) {
+    return is_wrong(reference_.judge(chain, p, tolerances_.surface));
+  }
+
+  void judge(std::size_t i) {
+    const MadeStep& made = made_.steps[i];
+    const Chain chain = reference::chain_of(world_, *made.touchable);
+    const WidePoint start = reference::widen(made.point);
+    const WideAnswer right = reference_.step(chain, start, direction_);
+    JudgedStep judged = measure(i, chain, made.point, made.length, right.length, right);
+    // What comes next is the claim that the next step starts with.
+    const bool leaves = i + 1 == made_.steps.size() && !made_.stuck;
+    const bool known = i + 1 < made_.steps.size();
+    const Chain next = known ? reference::chain_of(world_, *made_.steps[i + 1].touchable) : Chain{};
+    const bool same = leaves ? !right.inside : !known || (right.inside && next == right.next);
+    if (i == 0) judged.wrong_volume = refuted(chain, middle(i));
+    if (!same && known) {
+      judged.wrong_volume = judged.wrong_volume || refuted(next, middle(i + 1));
+    }
+    if (!same && leaves) {
+      judged.wrong_volume =
+          judged.wrong_volume ||
+          reference_.side_of_world(moved(made.point, ray_.direction, Quad(made.length)),
+                                   tolerances_.surface) == Side::inside;
+    }
+    // Between the two ends what the engine claims must fail, if they are not equally right: that
+    // the ray is still in this volume, or already in the next, as long as that is claimed.
+    if (judged.error > tolerances_.surface) {
+      const Quad end = made.length;
+      const bool beyond = end > right.length;
+      const bool checkable = beyond || known;
+      const Quad claimed =
+          !beyond && known ? kernels::smaller(Quad(made_.steps[i + 1].length), right.length - end)
+                           : right.length - end;
+      for (const double part : {0.03125, 0.5, 0.96875}) {
+        const WidePoint p = moved(made.point, ray_.direction, end + Quad(part) * claimed);
+        judged.wrong_end =
+            judged.wrong_end || (checkable && refuted(beyond ? chain : next, p)) ||
+            (!checkable && reference_.side_of_world(p, tolerances_.surface) == Side::inside);
+      }
+    }
+    const bool differs = !same || judged.error > tolerances_.surface;
+    if (differs && !judged.wrong_volume && !judged.wrong_end) argue(judged);
+    result_.steps.push_back(judged);
+  }
+
+  /// Either is right: how far apart the two are is then no error.
+  void argue(JudgedStep& judged) {
+    ++result_.arguable;
+    if (judged.error > tolerances_.surface) judged.measured = false;
+  }
+
+  void judge_named(std::size_t i) {
+    const MadeStep& made = made_.steps[i];
+    Chain chain;
+    const WidePoint p = middle(i);
+    const bool found = reference_.locate(p, direction_, chain);
+    const bool sure = found && reference_.judge(chain, p, tolerances_.surface) == Verdict::right;
+    const VolumeId volume = volume_of(world_, chain);
+    if (!found || !same_volume(world_.volumes[volume].name, made.volume)) {
+      const bool outside =
+          !found && reference_.side_of_world(p, tolerances_.surface) == Side::outside;
+      if (!sure && !outside) {
+        ++result_.arguable;
+        return;
+      }
+      result_.steps.push_back({i, volume, volume, false, 0, 1, 0, 0, true, false});
+      return;
+    }
+    const WideAnswer right = reference_.step(chain, p, direction_);
+    const Quad length = Quad(made.length) / 2 + right.length;
+    JudgedStep judged = measure(i, chain, made.point, made.length, length, right);
+    if (judged.error > tolerances_.surface) {
+      const bool beyond = Quad(made.length) > length;
+      const WidePoint q = moved(made.point, ray_.direction, (Quad(made.length) + length) / 2);
+      // Short of the surface, the engine claims that something else begins there.
+      judged.wrong_end = beyond
+                             ? refuted(chain, q)
+                             : reference_.judge(chain, q, tolerances_.surface) == Verdict::right &&
+                                   reference_.nearest_surface(chain, q) > tolerances_.surface;
+      if (!judged.wrong_end) argue(judged);
+    }
+    result_.steps.push_back(judged);
+  }
+
+  JudgedStep measure(std::size_t i, const Chain& chain, const Vec3& start, double length,
+                     Quad right, const WideAnswer& answer) {
+    const double ulp = ulp_of(answer.magnitude);
+    const double error = static_cast<double>(kernels::absolute(Quad(length) - right));
+    double across = error;
+    // Most steps are right to the last bits: what is more is worth another look.
+    if (error > ulp) {
+      // The reference's end need not be 0 from all surfaces: along a face it is as far as the ray.
+      const auto away = [&](Quad t) {
+        return reference_.nearest_surface(chain, moved(start, ray_.direction, t));
+      };
+      across =
+          std::min(error, static_cast<double>(kernels::absolute(away(Quad(length)) - away(right))));
+    }
+    return {i,      volume_of(world_, chain),   answer.surface, true, error, ulp,
+            across, static_cast<double>(right), false,          false};
+  }
+
+  WidePoint middle(std::size_t i) const {
+    const MadeStep& made = made_.steps[i];
+    return moved(made.point, ray_.direction, Quad(made.length) / 2);
+  }
+
+  /// The world ends where its solid does, or else the ray was dropped or carried on.
+  bool is_lost() {
+    const double rounding = tolerances_.surface + static_cast<double>(made_.steps.size()) *
+                                                      std::numeric_limits<double>::epsilon() *
+                                                      size_of(world_);
+    if (made_.steps.empty()) {
+      return reference_.side_of_world(reference::widen(ray_.position), rounding) == Side::inside;
+    }
+    const WidePoint end = reference::widen(made_.end);
+    const Side side = reference_.side_of_world(end, rounding);
+    // Where the file lets a volume stick out of the world rays may end beyond its surface.
+    return side == Side::inside || (side == Side::outside && !ends_in_protrusion());
+  }
+
+  bool ends_in_protrusion() {
+    const MadeStep& last = made_.steps.back();
+    if (!last.touchable) return false;
+    const Chain chain = reference::chain_of(world_, *last.touchable);
+    return reference_.judge(chain, middle(made_.steps.size() - 1), tolerances_.surface) ==
+           Verdict::protrusion;
+  }
+
+  const WideGeometry& reference_;
+  const World& world_;
+  const Ray& ray_;
+  const MadeRay& made_;
+  const Tolerances& tolerances_;
+  WideDirection direction_;
+  JudgedRay result_;
+};
+
+}  // namespace
+
+Tolerances own_tolerances(const World& world) { return {4 * world.tolerance}; }
+
+Tolerances vecgeom_tolerances(const World& world) {
+  constexpr double push = 1e-6;
+  return {std::max(own_tolerances(world).surface, 2.2 * push), 10 * push};
+}
+
+JudgedRay judge_ray(const WideGeometry& reference, const Ray& ray, const MadeRay& made,
+                    const Tolerances& tolerances) {
+  return RayJudge(reference, ray, made, tolerances).run(false);
+}
+
+JudgedRay judge_named_ray(const WideGeometry& reference, const Ray& ray, const MadeRay& made,
+                          const Tolerances& tolerances) {
+  return RayJudge(reference, ray, made, tolerances).run(true);
+}
+
+}  // namespace navjit::accuracy

@@ -1,0 +1,177 @@
+#include "apps/accuracy/peer.hpp"
+
+#include <unistd.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+
+#include "apps/accuracy/child.hpp"
+#include "geometry/model/vector.hpp"
+
+namespace navjit::accuracy {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of this process's own that goes when this goes.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "navjit_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) {
+      throw std::runtime_error(name + ": no folder for temporary files can be made there");
+    }
+    path_ = name;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  fs::path operator/(const char* name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+/// A row ray,step,volume,length of a trace. Volume names hold no commas.
+bool parse_row(const std::string& line, std::size_t& ray, std::string& volume, double& length,
+               bool& stuck) {
+  const std::size_t first = line.find(','), second = line.find(',', first + 1),
+                    last = line.rfind(',');
+  if (first == std::string::npos || second == std::string::npos || last <= second) return false;
+  const auto [at, error] = std::from_chars(line.data(), line.data() + first, ray);
+  if (error != std::errc{} || at != line.data() + first) return false;
+  volume = line.substr(second + 1, last - second - 1);
+  const std::string value = line.substr(last + 1);
+  stuck = value == "stuck";
+  if (stuck) return true;
+  const auto [end, wrong] = std::from_chars(value.data(), value.data() + value.size(), length);
+  return wrong == std::errc{} && end == value.data() + value.size();
+}
+
+}  // namespace
+
+void write_rays(const fs::path& path, std::span<const Ray> rays) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "w"), std::fclose);
+  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
+  std::fputs("x,y,z,dx,dy,dz\n", file.get());
+  for (const Ray& ray : rays) {
+    const Vec3 &p = ray.position, &v = ray.direction;
+    std::fprintf(file.get(), "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", p.x, p.y, p.z, v.x, v.y, v.z);
+  }
+  if (std::fflush(file.get()) != 0) throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+std::optional<std::string> VecGeom::beside_this_program() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  if (error) return std::nullopt;
+  const fs::path program = self.parent_path() / "vecgeom_trace";
+  return access(program.c_str(), X_OK) == 0 ? std::optional(program.string()) : std::nullopt;
+}
+
+std::string VecGeom::trace(std::span<const Ray> rays,
+                           const std::function<void(MadeRay&)>& sink) const {
+  const Folder folder;
+  write_rays(folder / "rays.csv", rays);
+  const ChildResult result =
+      run_child({options_.program, "--as-given", options_.detector, folder / "rays.csv",
+                 folder / "steps.csv", options_.navigator},
+                options_.seconds);
+  if (!result.good()) return result.words(options_.seconds);
+  std::ifstream in(folder / "steps.csv");
+  std::string line, volume;
+  std::getline(in, line);  // the header
+  MadeRay made;
+  if (!rays.empty()) made.end = rays[0].position;
+  const auto finish_until = [&](std::size_t next) {
+    while (made.index < next) {
+      sink(made);
+      const std::size_t index = made.index + 1;
+      made = {};
+      made.index = index;
+      if (index < rays.size()) made.end = rays[index].position;
+    }
+  };
+  std::size_t ray = 0;
+  double length = 0;
+  for (bool stuck = false; std::getline(in, line);) {
+    if (!parse_row(line, ray, volume, length, stuck) || ray >= rays.size() || ray < made.index) {
+      return "writes a row that is none: " + line;
+    }
+    finish_until(ray);
+    if (stuck) {
+      made.stuck = true;
+      continue;
+    }
+    made.steps.push_back({made.end, length, volume, std::nullopt});
+    made.end += length * rays[ray].direction;
+  }
+  finish_until(rays.size());
+  return "";
+}
+
+std::string VecGeom::time(std::span<const Ray> rays, int repetitions, double& ns_per_step) const {
+  const Folder folder;
+  write_rays(folder / "rays.csv", rays);
+  const ChildResult result = run_child({options_.program, "--time", options_.detector,
+                                        folder / "rays.csv", std::to_string(repetitions)},
+                                       options_.seconds);
+  if (!result.good()) return result.words(options_.seconds);
+  std::istringstream in(result.output);
+  for (std::string line; std::getline(in, line);) {
+    char name[32];
+    double median = 0, least = 0;
+    unsigned long long steps = 0, zero = 0;
+    if (std::sscanf(line.c_str(), "%31s %lf ns %lf ns %llu %llu", name, &median, &least, &steps,
+                    &zero) == 5 &&
+        options_.navigator == name && steps > zero) {
+      ns_per_step = median * static_cast<double>(steps) / static_cast<double>(steps - zero);
+      return "";
+    }
+  }
+  return "gives no times";
+}
+
+std::string VecGeom::follow(const Track& track, std::vector<LegEnd>& ends) const {
+  const Folder folder;
+  {
+    const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen((folder / "legs.csv").c_str(), "w"),
+                                                     std::fclose);
+    if (!file) throw std::runtime_error((folder / "legs.csv").string() + ": cannot be written");
+    std::fputs("x,y,z,dx,dy,dz,length\n", file.get());
+    for (const Leg& leg : track.legs) {
+      const Vec3 &p = track.start, &v = leg.direction;
+      std::fprintf(file.get(), "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", p.x, p.y, p.z, v.x,
+                   v.y, v.z, leg.length);
+    }
+  }
+  const ChildResult result =
+      run_child({options_.program, "--track", options_.detector, folder / "legs.csv",
+                 folder / "ends.csv", options_.navigator},
+                options_.seconds);
+  if (!result.good()) return result.words(options_.seconds);
+  std::ifstream in(folder / "ends.csv");
+  std::string line;
+  std::getline(in, line);
+  while (std::getline(in, line)) {
+    LegEnd end{};
+    unsigned long long boundaries = 0;
+    if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%llu", &end.point.x, &end.point.y, &end.point.z,
+                    &boundaries) != 4) {
+      return "writes a row that is none: " + line;
+    }
+    end.boundaries = boundaries;
+    ends.push_back(end);
+  }
+  return "";
+}
+
+}  // namespace navjit::accuracy

@@ -1,0 +1,219 @@
+// Level `exact` against the generic navigator, step by step and bit by bit, on many rays through
+// many detectors.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "geometry/gdml/reader.hpp"
+#include "geometry/model/vector.hpp"
+#include "runtime/runtime.hpp"
+#include "tests/campaign/starts.hpp"
+
+namespace {
+
+using namespace navjit;
+
+struct Counts {
+  std::uint64_t rays = 0, steps = 0, stuck = 0, differing = 0, declined = 0;
+  std::uint64_t specialised = 0;  ///< steps in scenes that have a specialised navigator
+
+  Counts& operator+=(const Counts& o) {
+    rays += o.rays;
+    steps += o.steps;
+    stuck += o.stuck;
+    differing += o.differing;
+    declined += o.declined;
+    specialised += o.specialised;
+    return *this;
+  }
+};
+
+/// A step whose bits differ, with what it takes to see it again.
+struct Difference {
+  std::uint64_t ray;
+  State state;
+  Vec3 point, direction;
+  Step generic, specialised;
+};
+
+bool same(const Step& a, const Step& b) {
+  return std::bit_cast<std::uint64_t>(a.length) == std::bit_cast<std::uint64_t>(b.length) &&
+         a.boundary == b.boundary && a.next == b.next;
+}
+
+/// One ray with both navigators, each from the state that the generic one is in.
+void run_ray(Navigator& generic, Navigator& specialised, const Ray& ray, std::uint64_t index,
+             double tolerance, Counts& counts, std::vector<Difference>& differences) {
+  ++counts.rays;
+  Vec3 point = ray.position;
+  int standing = 0;
+  State state = generic.locate(point, ray.direction);
+  if (!(specialised.locate(point, ray.direction) == state)) ++counts.differing;
+  while (state.inside()) {
+    const Step right = generic.step(state, point, ray.direction);
+    const Step made = specialised.step(state, point, ray.direction);
+    ++counts.steps;
+    if (!same(right, made)) {
+      ++counts.differing;
+      if (differences.size() < 10) {
+        differences.push_back({index, state, point, ray.direction, right, made});
+      }
+    }
+    standing = right.length > tolerance ? 0 : standing + 1;
+    if (standing == stuck_after) {
+      ++counts.stuck;
+      return;
+    }
+    point += right.length * ray.direction;
+    state = right.next;
+  }
+}
+
+struct Options {
+  std::uint64_t steps = 1000000;
+  std::uint64_t seed = 1;
+  unsigned threads = 1;
+  JitMode jit = JitMode::wait;
+};
+
+Counts run_file(const std::string& file, const Options& options,
+                std::vector<Difference>& differences, std::shared_ptr<const World>& world) {
+  world = std::make_shared<const World>(read_gdml(file));
+  RuntimeOptions with;
+  with.jit = options.jit;
+  with.specialiser.keep_only_faster = false;  // what is slower has to be right, too
+  Runtime off(world, {.jit = JitMode::off}), specialising(world, with);
+  std::atomic<std::uint64_t> next{0}, steps{0};
+  Counts totals;
+  std::mutex merging;
+  const auto work = [&] {
+    Navigator generic = off.navigator(), specialised = specialising.navigator();
+    Counts counts;
+    std::vector<Difference> found;
+    // Rays that start outside make no steps: their number is bounded, too.
+    for (std::uint64_t i;
+         steps.load() < options.steps && (i = next.fetch_add(1)) < options.steps;) {
+      const std::uint64_t before = counts.steps;
+      run_ray(generic, specialised, campaign::make_ray(*world, options.seed, i), i,
+              world->tolerance, counts, found);
+      steps += counts.steps - before;
+    }
+    counts.declined = specialised.counts().declined;
+    const std::lock_guard lock(merging);
+    totals += counts;
+    differences.insert(differences.end(), found.begin(), found.end());
+  };
+  {
+    std::vector<std::jthread> workers;
+    for (unsigned t = 1; t < options.threads; ++t) workers.emplace_back(work);
+    work();
+  }
+  for (const SceneReport& scene : specialising.report().scenes) {
+    if (scene.status == SceneStatus::specialised) totals.specialised += scene.steps;
+  }
+  return totals;
+}
+
+void print_row(const std::string& name, const Counts& c, double seconds) {
+  const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
+  std::printf(
+      "| %s | %llu | %llu | %.1f%% | %llu | %llu | %llu | %.0f |\n", name.c_str(), number(c.rays),
+      number(c.steps),
+      c.steps == 0 ? 0.0 : 100 * static_cast<double>(c.specialised) / static_cast<double>(c.steps),
+      number(c.declined), number(c.stuck), number(c.differing), seconds);
+  std::fflush(stdout);
+}
+
+void print_difference(const World& world, const Difference& d) {
+  const Vec3 &p = d.point, &v = d.direction;
+  const auto next = [&](const Step& s) {
+    return s.next.inside() ? path_of(world, s.next.touchable()) : std::string("outside");
+  };
+  std::fprintf(stderr,
+               "  ray %llu in %s from (%a, %a, %a) along (%a, %a, %a): %a to %s instead of %a to "
+               "%s\n",
+               static_cast<unsigned long long>(d.ray), path_of(world, d.state.touchable()).c_str(),
+               p.x, p.y, p.z, v.x, v.y, v.z, d.specialised.length, next(d.specialised).c_str(),
+               d.generic.length, next(d.generic).c_str());
+}
+
+std::vector<std::string> gdml_files(const std::vector<std::string>& given) {
+  std::vector<std::string> all;
+  for (const std::string& file : given) {
+    if (!std::filesystem::is_directory(file)) {
+      all.push_back(file);
+      continue;
+    }
+    std::vector<std::string> found;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(file)) {
+      if (entry.path().extension() == ".gdml") found.push_back(entry.path());
+    }
+    std::sort(found.begin(), found.end());
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  return all;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Specialised navigators of level `exact` against generic ones, bit by bit.");
+  std::vector<std::string> files;
+  std::string json_file;
+  Options options;
+  double steps = 1e6;
+  bool in_background = false;
+  app.add_option("files", files, "GDML files, or folders of them")->required();
+  app.add_option("--steps", steps, "Of each file, at least")->check(CLI::Range(1.0, 1e12));
+  app.add_option("--seed", options.seed, "Of the rays");
+  app.add_option("--threads", options.threads, "Threads")->check(CLI::Range(1, 256));
+  app.add_flag("--in-background", in_background,
+               "Hot scenes are specialised during the run, not all before it");
+  app.add_option("--json", json_file, "Where to write a report");
+  CLI11_PARSE(app, argc, argv);
+  options.steps = static_cast<std::uint64_t>(steps);
+  if (in_background) options.jit = JitMode::on;
+
+  nlohmann::json report{{"files", nlohmann::json::array()}, {"refused", nlohmann::json::array()}};
+  Counts totals;
+  std::printf(
+      "| file | rays | steps | in specialised scenes | declined | stuck rays | differing | s "
+      "|\n|---|--:|--:|--:|--:|--:|--:|--:|\n");
+  double seconds = 0;
+  for (const std::string& file : gdml_files(files)) {
+    try {
+      const auto start = std::chrono::steady_clock::now();
+      std::vector<Difference> differences;
+      std::shared_ptr<const World> world;
+      const Counts counts = run_file(file, options, differences, world);
+      const double took =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      print_row(std::filesystem::path(file).stem(), counts, took);
+      for (const Difference& d : differences) print_difference(*world, d);
+      report["files"].push_back({{"file", file},
+                                 {"rays", counts.rays},
+                                 {"steps", counts.steps},
+                                 {"in_specialised_scenes", counts.specialised},
+                                 {"declined", counts.declined},
+                                 {"stuck", counts.stuck},
+                                 {"differing", counts.differing}});
+      totals += counts;
+      seconds += took;
+    } catch (const std::exception& e) {
+      std::fprintf(stderr, "%s\n", e.what());
+      report["refused"].push_back({{"file", file}, {"why", e.what()}});
+    }
+  }
+  print_row("total", totals, seconds);
+  if (!json_file.empty()) std::ofstream(json_file) << report.dump(1) << '\n';
+  if (totals.steps == 0) return 2;
+  return totals.differing == 0 ? 0 : 1;
+}
