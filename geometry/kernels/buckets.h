@@ -45,7 +45,9 @@ struct BucketAxis {
 inline double bucket_edge(double p, double v, double inverse, double origin, double width,
                           int index) {
   const int edge = v < 0 ? index : index + 1;
-  return v == 0 ? infinity<double>() : (origin + edge * width - p) * inverse;
+  // Nearly along the edge is along it: on the edge, 0 times infinity would be no number.
+  if (!(absolute(inverse) < infinity<double>())) return infinity<double>();
+  return (origin + edge * width - p) * inverse;
 }
 
 inline BucketAxis bucket_axis(double p, double v, double inverse, double origin, double width,
@@ -53,6 +55,18 @@ inline BucketAxis bucket_axis(double p, double v, double inverse, double origin,
   if (count == 1) return {0, 0, 0, infinity<double>()};
   return {index, v < 0 ? -1 : 1, v < 0 ? -1 : count,
           bucket_edge(p, v, inverse, origin, width, index)};
+}
+
+/// The next bucket along one axis. The outermost ones reach to infinity: a ray along the scene's
+/// own face may leave the grid by a bit and still meet daughters that have the face, too.
+inline void next_bucket(BucketAxis& a, double p, double v, double inverse, double origin,
+                        double width) {
+  if (a.index + a.step == a.end) {
+    a.leave = infinity<double>();
+  } else {
+    a.index += a.step;
+    a.leave = bucket_edge(p, v, inverse, origin, width, a.index);
+  }
 }
 
 /// Calls visit(daughter) along the ray for those whose boxes it may meet, bucket by bucket, until
@@ -84,17 +98,11 @@ inline void walk_buckets(const BucketGrid<Index>& g, const Vec3<double>& p,
     const double leave = smaller(x.leave, smaller(y.leave, z.leave));
     if (!(leave < reach())) return;
     if (leave == x.leave) {
-      x.index += x.step;
-      if (x.index == x.end) return;
-      x.leave = bucket_edge(p.x, v.x, v.inverse_x, g.origin[0], g.width[0], x.index);
+      next_bucket(x, p.x, v.x, v.inverse_x, g.origin[0], g.width[0]);
     } else if (leave == y.leave) {
-      y.index += y.step;
-      if (y.index == y.end) return;
-      y.leave = bucket_edge(p.y, v.y, v.inverse_y, g.origin[1], g.width[1], y.index);
+      next_bucket(y, p.y, v.y, v.inverse_y, g.origin[1], g.width[1]);
     } else {
-      z.index += z.step;
-      if (z.index == z.end) return;
-      z.leave = bucket_edge(p.z, v.z, v.inverse_z, g.origin[2], g.width[2], z.index);
+      next_bucket(z, p.z, v.z, v.inverse_z, g.origin[2], g.width[2]);
     }
   }
 }

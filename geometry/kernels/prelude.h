@@ -35,6 +35,10 @@ constexpr Real infinity() {
 
 template <class Real>
 inline Real square_root(Real x) {
+  // Beyond the range of double by way of a number within it.
+  const Real large = Real(0x1p600) * Real(0x1p600);
+  if (x > 0 && x < Real(0x1p-900)) return square_root(x * large) / Real(0x1p600);
+  if (x > Real(0x1p900) && x < x * 2) return square_root(x / large) * Real(0x1p600);
   // Newton's iteration from the double result: two steps reach 128-bit precision.
   Real root = static_cast<Real>(__builtin_sqrt(static_cast<double>(x)));
   if (!(root > 0)) return root;

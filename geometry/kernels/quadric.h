@@ -40,13 +40,23 @@ Real form_distance(const QuadraticForm<Real>& q) {
   return 2 * q.c / (q.gradient + square_root(q.gradient * q.gradient + 2 * (q.bend * size)));
 }
 
+/// Whether a ray that heads out is in again within the tolerance, by a step too short to move the
+/// point: where the surface bends away from it.
+template <class Real>
+bool comes_back(const QuadraticForm<Real>& q, Real tol) {
+  return q.a < 0 && q.b > 0 &&
+         square_root(larger(q.b * q.b - q.a * q.c, Real(0))) + q.b <= -tol * q.a;
+}
+
 /// Directional containment. A tangent goes where the surface bends; what would be out again within
-/// the tolerance, by a step too short to move the point, leaves at once.
+/// the tolerance, by a step too short to move the point, leaves at once, and what would be in again
+/// does not leave.
 template <class Real>
 bool in_form(const QuadraticForm<Real>& q, Real tol) {
   const Real s = form_distance(q);
   if (s > tol) return false;
   if (s < -tol) return true;
+  if (comes_back(q, tol)) return true;
   if (q.b > 0 || (q.b == 0 && q.a >= 0 && !(q.c < 0))) return false;
   if (!(q.a > 0) || q.b < -tol * q.a) return true;
   return square_root(larger(q.b * q.b - q.a * q.c, Real(0))) - q.b > tol * q.a;
@@ -80,7 +90,9 @@ SpanPair<Real> form_spans(const Face& f, const Vec3<Real>& p, const Direction<Re
       return one_span(to(-forever, h > 0 ? larger(-q.c, Real(0)) / h : Real(0)));
     }
     // A surface that bends away is left, if at all, by heading out, and then met again.
-    if (!(q.b > 0) || !(q.b * q.b > q.a * q.c)) return one_span(whole_ray<Real>());
+    if (!(q.b > 0) || !(q.b * q.b > q.a * q.c) || comes_back(q, tol)) {
+      return one_span(whole_ray<Real>());
+    }
     const Real h = q.b + root;
     if (!(q.a < 0)) return one_span(to(-forever, -q.c / h));
     return {to(-forever, -q.c / h), to(h / -q.a, forever)};

@@ -97,8 +97,9 @@ Turns<Real> turns_ahead(const RingForm<Real>& q, Real reach) {
   if (s > 0) {
     const Real cross = p.x * v.y - p.y * v.x, nearest = absolute(cross) / s;
     const Real bend = cube_root(q.ring * (cross * cross) / a);
-    if (bend > nearest || cross == 0) {
-      const Real ratio = cross == 0 ? Real(0) : nearest / bend;
+    const bool through = !(bend > 0);  // the axis, or so near that the square is below all numbers
+    if (bend > nearest || through) {
+      const Real ratio = through ? Real(0) : nearest / bend;
       const Real part = square_root(larger(1 - ratio * ratio, Real(0)));
       const Real middle = -(p.x * v.x + p.y * v.y) / s2, half = bend * part / s;
       from = middle - half;
@@ -125,15 +126,33 @@ Turns<Real> turns_ahead(const RingForm<Real>& q, Real reach) {
   return turns;
 }
 
+/// Is the start on the axis, as good as it can be told?
+template <class Real>
+bool on_axis(const RingForm<Real>& q, Real tol) {
+  return q.p.x * q.p.x + q.p.y * q.p.y <= tol * tol;
+}
+
+/// Whether a ray that heads out is in again within the tolerance, by a step too short to move the
+/// point: past the inner side of the ring, or through a hole that is hardly there.
+template <class Real>
+bool comes_back(Real r, const RingForm<Real>& q, const Sample<Real>& at, Real tol) {
+  const Real s2 = q.v.x * q.v.x + q.v.y * q.v.y;
+  if (on_axis(q, tol)) return q.p.z * q.v.z < q.ring * square_root(s2);
+  const Real bend = curvature(q), c = at.value - r * r;
+  return bend < 0 &&
+         square_root(larger(at.slope * at.slope - bend * c, Real(0))) + at.slope <= -tol * bend;
+}
+
 /// Directional containment in the tube of radius r. A tangent goes where the surface bends; what
-/// would be out again within the tolerance, by a step too short to move the point, leaves at once.
+/// would be out again within the tolerance, by a step too short to move the point, leaves at once,
+/// and what would be in again does not leave.
 template <class Real>
 bool in_ring(Real r, const RingForm<Real>& q, Real tol) {
   const Sample<Real> at = value_at(q, Real(0));
   const Real outer = r + tol, inner = r - tol;
   if (at.value > outer * outer) return false;
   if (at.value < inner * inner && inner > 0) return true;
-  if (at.slope > 0) return false;
+  if (at.slope > 0 || (at.slope == 0 && on_axis(q, tol))) return comes_back(r, q, at, tol);
   const Real bend = curvature(q), c = at.value - r * r;
   if (at.slope == 0 && !(bend < 0 || (bend > 0 && c < 0))) return false;
   if (!(bend > 0) || at.slope < -tol * bend) return true;
@@ -149,14 +168,15 @@ SpanPair<Real> ring_spans(Real r, const RingForm<Real>& q, const Turns<Real>& tu
   };
   SpanPair<Real> pair = no_spans<Real>();
   bool in = in_ring(r, q, tol), second = false, falling = turns.falling;
+  const bool stays = in && !falling && comes_back(r, q, value_at(q, Real(0)), tol);
   // Heading in, but out again within the tolerance.
   const bool grazes = !in && falling && value_at(q, Real(0)).value <= (r + tol) * (r + tol);
   Real enter = -infinity<Real>(), from = 0;
   for (int i = 0; i <= turns.count; ++i, falling = !falling) {
     const Real to = i < turns.count ? turns.at[i] : turns.end;
     const bool beyond = i == turns.count || distance(to).value >= 0;
-    if (i == 0 && grazes) {
-      // What is left of it is not entered.
+    if (i == 0 && (grazes || stays)) {
+      // What is left of it is not entered, or not left.
     } else if (!in && !beyond) {
       // What starts out though within the tube, heading out within the tolerance, enters where it
       // turns.

@@ -67,7 +67,6 @@ std::vector<Case> all_cases(bool full) {
     const Vec3 centre{away, -away, away};
     add(power("all solids, from the origin along each axis by mm ", away),
         every_solid(1, false, centre), every_solid(1, true, centre), mixed(few, 2));
-    if (away == 1e5) cases.back().known_stuck = 2;
   }
   add("grazing and tangent, to 1e-15", usual, usual_for_vecgeom,
       [=](const World& world) { return grazing_rays(world, many, 3); });
@@ -81,7 +80,6 @@ std::vector<Case> all_cases(bool full) {
   }
   add("shells a micrometre thick at 10 m", thin_shells(), "", mixed(few, 7));
   add("tori nearly degenerate", odd_tori(true), odd_tori(false), mixed(many, 8));
-  cases.back().known_stuck = 1;
   add("cones nearly cylinders, and nearly points", odd_cones(), "", mixed(many, 9));
   add("wedges nearly closed, and nearly nothing", odd_wedges(), "", mixed(many, 10));
   add("volumes face to face, and flush with their mother", touching_volumes(), "", mixed(many, 11));

@@ -19,8 +19,6 @@ struct Case {
   bool refused = false;  ///< every ray has a number that is not finite, and has to be refused
   /// Whether VecGeom is given it: not what it is not made for (overlaps), or cannot read at all.
   bool for_vecgeom = true;
-  /// Rays of the test's few that are known to be stuck: past the inner side of a saddle or a torus.
-  std::uint64_t known_stuck = 0;
 };
 
 /// `full`: with as many rays and boundaries as the table has; otherwise as many as a test has time

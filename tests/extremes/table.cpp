@@ -40,11 +40,6 @@ it, though at the smallest scale that is much of a solid.
 )";
 
 constexpr const char* conclusion = R"(
-Known faults, where there are any above: rays that graze the hollow side of a saddle, a hyperboloid or a
-torus, or pass a torus whose hole is narrower than the tolerance, may be stuck; a ray through the axis of a
-torus with a component of 1e-154 or less beside it may miss the hole; and a specialised navigator may miss
-a daughter that is flush with the face of her mother along which the ray runs.
-
 NaN and infinity in a file of rays, in a GDML file, and in every call of `Navigator` are refused
 (`tests/extremes/not_finite_test.cpp`, `tests/geometry/gdml`).
 )";
