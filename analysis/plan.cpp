@@ -7,6 +7,7 @@
 
 #include "analysis/buckets.hpp"
 #include "analysis/pattern.hpp"
+#include "analysis/plates.hpp"
 #include "analysis/solid_key.hpp"
 
 namespace navjit {
@@ -34,22 +35,37 @@ std::vector<DaughterClass> classify(const Geometry& geometry, const Scene& scene
       classes[entry->second].members.push_back(k);
       continue;
     }
-    classes.push_back({d.solid,
-                       geometry.world().volumes[d.volume].solid.extent,
-                       d.transformation.rotated,
-                       costly(d.solid.kind),
-                       {k}});
+    DaughterClass c;
+    c.solid = d.solid;
+    c.extent = geometry.world().volumes[d.volume].solid.extent;
+    c.rotated = d.transformation.rotated;
+    c.box_first = costly(d.solid.kind);
+    c.members.push_back(k);
+    classes.push_back(std::move(c));
   }
   return classes;
 }
 
-double extent_scale(const Extent& e) {
-  double scale = 0;
-  for (const double x : {e.min.x, e.min.y, e.min.z, e.max.x, e.max.y, e.max.z}) {
-    scale = std::max(scale, std::abs(x));
+/// Boxes of all sizes as one class: a table of sizes costs less than a branch on the size, which
+/// processors cannot foresee.
+void merge_boxes(std::vector<DaughterClass>& classes) {
+  const auto mergeable = [](const DaughterClass& c) {
+    return c.solid.kind == SolidKind::box && !c.rotated;
+  };
+  const auto into = std::find_if(classes.begin(), classes.end(), mergeable);
+  if (into == classes.end()) return;
+  for (auto c = into + 1; c != classes.end(); ++c) {
+    if (!mergeable(*c)) continue;
+    into->sizes = true;
+    into->members.insert(into->members.end(), c->members.begin(), c->members.end());
+    c->members.clear();
   }
-  return scale;
+  std::sort(into->members.begin(), into->members.end());
+  std::erase_if(classes, [](const DaughterClass& c) { return c.members.empty(); });
 }
+
+/// With more daughters than this the tables of what is around each would be most of the code.
+constexpr std::size_t most_surroundings = 2048;
 
 }  // namespace
 
@@ -61,6 +77,9 @@ ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId
   plan.frame = facts.frames[volume];
   plan.only_mother = facts.only_mothers[volume];
   plan.classes = classify(geometry, scene);
+  merge_boxes(plan.classes);
+  plan.surroundings =
+      !scene.surroundings.of.empty() && scene.surroundings.of.size() <= most_surroundings;
   std::vector<Extent> boxes;
   for (const Daughter& d : scene.daughters) {
     boxes.push_back(placed_extent(world.volumes[d.volume].solid, d.transformation));
@@ -75,12 +94,24 @@ ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId
     plan.candidates = Candidates::all;
     plan.mean_candidates = static_cast<double>(boxes.size());
   } else {
-    // The margin covers the tolerance and every rounding of a position: 1e-9 relative is a million
-    // times the error of a coordinate.
-    const double margin = 2 * geometry.tolerance() + 1e-9 * extent_scale(extent);
-    plan.candidates = Candidates::buckets;
-    plan.buckets = make_buckets(extent, boxes, margin);
-    plan.mean_candidates = mean_candidates(plan.buckets);
+    const double margin = search_margin(extent, geometry.tolerance());
+    std::optional<Plates> plates;
+    if (forced == facts.forced_candidates.end() || forced->second == Candidates::plates) {
+      plates = find_plates(extent, boxes, geometry.tolerance(), margin);
+    }
+    if (plates) {
+      plan.candidates = Candidates::plates;
+      plan.plates = std::move(*plates);
+      if (plan.classes.size() == 1 && plan.classes[0].solid.kind == SolidKind::box &&
+          !plan.classes[0].rotated) {
+        plan.plates.skin = margin + geometry.tolerance() / 2;
+      }
+      plan.mean_candidates = 1;
+    } else {
+      plan.candidates = Candidates::buckets;
+      plan.buckets = make_buckets(extent, boxes, margin);
+      plan.mean_candidates = mean_candidates(plan.buckets);
+    }
   }
   return plan;
 }
@@ -128,6 +159,10 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
     case Candidates::all:
       out << "all, spelled out";
       break;
+    case Candidates::plates:
+      out << "the next plate along "
+          << "xyz"[plan.plates.axis];
+      break;
     case Candidates::buckets:
       out << "buckets " << plan.buckets.count[0] << " x " << plan.buckets.count[1] << " x "
           << plan.buckets.count[2] << ", " << plan.mean_candidates << " candidates a bucket";
@@ -135,7 +170,18 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
   out << "\n";
   for (const DaughterClass& c : plan.classes) {
     out << "  class        " << c.members.size() << " x " << kind_name(c.solid.kind)
-        << (c.rotated ? ", rotated" : "") << (c.box_first ? ", box first" : "") << "\n";
+        << (c.rotated ? ", rotated" : "") << (c.box_first ? ", box first" : "")
+        << (c.sizes ? ", sizes from a table" : "") << "\n";
+  }
+  if (plan.surroundings) {
+    const Surroundings& around = geometry.scene(plan.volume).surroundings;
+    std::size_t listed = 0, within = 0;
+    for (const Surroundings::Of& of : around.of) {
+      listed += of.listed() ? 1 : 0;
+      within += of.mother_contains ? 1 : 0;
+    }
+    out << "  leaving      " << around.neighbours.size() << " neighbours of " << listed
+        << " daughters, " << within << " of them well inside\n";
   }
   std::string why;
   const bool worth = worth_compiling(geometry, plan, &why);

@@ -35,9 +35,24 @@ struct Buckets {
   std::size_t size() const { return first.empty() ? 0 : first.size() - 1; }
 };
 
+/// Daughters that follow one another along an axis: positions count along it.
+struct Plates {
+  int axis = 0;
+  std::vector<std::uint32_t> members;  ///< daughter indices, by position
+  std::vector<double> low, high;       ///< by position, with the margin, mm
+  double origin = 0, width = 0;        ///< of the buckets, mm
+  /// From a face of the margin to where a track that left there meets the plate no more, mm; 0
+  /// where not all are boxes along the axes.
+  double skin = 0;
+  /// By bucket: the first position that a ray ascending from there may meet, and for one that
+  /// descends.
+  std::vector<std::uint32_t> ascending, descending;
+};
+
 enum class Candidates : std::uint8_t {
   none,     ///< no daughters
   all,      ///< every daughter, spelled out
+  plates,   ///< those next along an axis
   buckets,  ///< those of the buckets that the ray passes
 };
 
@@ -47,6 +62,7 @@ struct DaughterClass {
   Extent extent;  ///< of the solid, in its own frame
   bool rotated = false;
   bool box_first = false;  ///< the solid is costly: test its box before
+  bool sizes = false;      ///< unrotated boxes of several sizes, which a table holds
   std::vector<std::uint32_t> members;
 };
 
@@ -56,6 +72,8 @@ struct ScenePlan {
   std::optional<VolumeId> only_mother;  ///< where all placements are in the same volume
   Candidates candidates = Candidates::none;
   Buckets buckets;
+  Plates plates;
+  bool surroundings = false;  ///< on leaving a daughter only her neighbours are asked
   std::vector<DaughterClass> classes;
   double mean_candidates = 0;  ///< expected candidates per bucket, by volume
   std::string pattern;         ///< in words: "leaf", "stack of 70 along z", "grid 4 x 4", ...

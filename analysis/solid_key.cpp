@@ -37,8 +37,8 @@ void add_solid(Key& key, const kernels::AnySolid<double>& solid) {
     if constexpr (requires { visit_fields(shape, key); }) {
       visit_fields(shape, key);
     } else if constexpr (requires { shape.a, shape.b; }) {
-      add_solid(key, shape.a);
-      add_solid(key, shape.b);
+      add_solid(key, shape.a.solid);  // their boxes follow from the solids
+      add_solid(key, shape.b.solid);
     } else if constexpr (requires { shape.solid, shape.translation, shape.rotation; }) {
       for (const double t : shape.translation) key.add(t);
       for (const double r : shape.rotation) key.add(r);

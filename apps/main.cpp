@@ -20,6 +20,10 @@ const std::map<std::string, JitMode> jit_modes{{"off", JitMode::off},
                                                {"wait", JitMode::wait},
                                                {"shadow", JitMode::shadow}};
 const std::map<std::string, Level> levels{{"exact", Level::exact}};
+const std::map<std::string, InstructionSet> instruction_sets{{"native", InstructionSet::native},
+                                                             {"sse4.2", InstructionSet::sse42},
+                                                             {"avx2", InstructionSet::avx2},
+                                                             {"avx512", InstructionSet::avx512}};
 
 void add_boxes(CLI::App* command, GeometryOptions& options) {
   command
@@ -63,6 +67,11 @@ void add_runtime_options(CLI::App* command, RuntimeOptions& options) {
   command->add_option("--opt", options.specialiser.optimisation, "compiler's optimisation, 0 to 3")
       ->check(CLI::Range(0, 3))
       ->option_text("N");
+  command
+      ->add_option("--isa", options.specialiser.instruction_set,
+                   "instructions of generated code: native, sse4.2, avx2 or avx512")
+      ->transform(CLI::CheckedTransformer(instruction_sets).description(""))
+      ->option_text("SET");
   command->add_flag("--perf-map", options.specialiser.perf_map,
                     "name generated functions for perf (/tmp/perf-PID.map)");
   add_boxes(command, options.geometry);

@@ -82,6 +82,12 @@ int main(int argc, char** argv) try {
   std::uint64_t count = 2000, seed = 1;
   int repetitions = 9;
   bool forward = false, without_peers = false, without_jit = false;
+  const std::vector<std::pair<std::string, InstructionSet>> instruction_sets{
+      {"native", InstructionSet::native},
+      {"sse4.2", InstructionSet::sse42},
+      {"avx2", InstructionSet::avx2},
+      {"avx512", InstructionSet::avx512}};
+  std::vector<InstructionSet> sets{InstructionSet::native};
   app.add_option("detector", detector, "GDML file")->required();
   app.add_option("--rays", rays_file, "CSV file of rays (default: random ones)");
   app.add_option("--count", count, "random rays");
@@ -91,6 +97,10 @@ int main(int argc, char** argv) try {
   app.add_option("--json", json_file, "write the figures");
   app.add_flag("--without-peers", without_peers, "navjit alone");
   app.add_flag("--without-jit", without_jit, "no specialised navigators");
+  app.add_option("--isa", sets,
+                 "instructions of generated code, one navigator each: native, sse4.2, avx2, avx512")
+      ->transform(CLI::CheckedTransformer(instruction_sets).description(""))
+      ->delimiter(',');
   CLI11_PARSE(app, argc, argv);
 
   const auto world = std::make_shared<const World>(read_gdml(detector));
@@ -109,17 +119,28 @@ int main(int argc, char** argv) try {
 
   RuntimeOptions off;
   off.jit = JitMode::off;
-  RuntimeOptions wait;
-  wait.jit = without_jit ? JitMode::off : JitMode::wait;
-  Runtime generic(world, off), specialised(world, wait);
+  Runtime generic(world, off);
   Navigator generic_navigator = generic.navigator();
-  Navigator specialised_navigator = specialised.navigator();
   std::vector<Engine> engines;
   engines.push_back(
       {"navjit generic", [] {}, [&] { return transport_all(generic_navigator, *world, rays); }});
-  if (!without_jit) {
-    engines.push_back({"navjit specialised", [] {},
-                       [&] { return transport_all(specialised_navigator, *world, rays); }});
+  struct Specialised {
+    Runtime runtime;
+    Navigator navigator;
+    Specialised(const std::shared_ptr<const World>& of, const RuntimeOptions& options)
+        : runtime(of, options), navigator(runtime.navigator()) {}
+  };
+  std::vector<std::unique_ptr<Specialised>> specialised;
+  for (const InstructionSet set : without_jit ? std::vector<InstructionSet>{} : sets) {
+    RuntimeOptions wait;
+    wait.jit = JitMode::wait;
+    wait.specialiser.instruction_set = set;
+    Specialised& made = *specialised.emplace_back(std::make_unique<Specialised>(world, wait));
+    std::string name = "navjit specialised";
+    for (const auto& [text, value] : instruction_sets) {
+      if (value == set && sets.size() > 1) name += ", " + text;
+    }
+    engines.push_back({name, [] {}, [&] { return transport_all(made.navigator, *world, rays); }});
   }
   std::shared_ptr<void> keep;
 #ifdef NAVJIT_VECGEOM

@@ -37,6 +37,12 @@ class SceneText {
   std::string daughter_case(const DaughterClass& c, const char* call, const std::string& x,
                             const std::string& y, const std::string& z,
                             const std::string& rotation) const;
+  std::string daughter_tests() const;
+  std::string search_all() const;
+  std::string search_plates() const;
+  std::string search_buckets() const;
+  std::string search_around() const;
+  std::string push_translation() const;
   std::string push() const;
   std::string descend() const;
   std::string leave_to_mother(const char* blocked) const;

@@ -63,12 +63,23 @@ struct LiteralWriter {
   }
 };
 
+/// A moved box is no dearer than the test of its box.
+bool boxed(const kernels::AnyOperand<double>& operand) {
+  if (operand.boxed == 0) return false;
+  if (operand.solid.kind != SolidKind::placed) return true;
+  const auto& placed = *static_cast<const kernels::AnyPlaced<double>*>(operand.solid.shape);
+  return placed.rotated != 0 || placed.solid.kind != SolidKind::box;
+}
+
 }  // namespace
 
 std::string Shapes::type(const AnySolid<double>& solid) {
   for (const char* kernel : kernels_of(solid.kind)) kernels_.insert(kernel);
-  const auto pair = [&](const char* name, const AnySolid<double>& a, const AnySolid<double>& b) {
-    return std::string(name) + "<" + type(a) + ", " + type(b) + ">";
+  const auto operand = [&](const kernels::AnyOperand<double>& s) {
+    return boxed(s) ? "Boxed<double, " + type(s.solid) + ">" : type(s.solid);
+  };
+  const auto pair = [&](const char* name, const auto& a, const auto& b) {
+    return std::string(name) + "<" + operand(a) + ", " + operand(b) + ">";
   };
   switch (solid.kind) {
     case SolidKind::placed:
@@ -111,13 +122,22 @@ std::string Shapes::literal(const AnySolid<double>& solid) {
                            shape.a;
                            shape.b;
                          }) {
-      return "{" + literal(shape.a) + ", " + literal(shape.b) + "}";
+      return "{" + operand_literal(shape.a) + ", " + operand_literal(shape.b) + "}";
     } else {
       LiteralWriter writer{definitions_, arrays_, {}};
       visit_fields(shape, writer);
       return "{" + writer.out + "}";
     }
   });
+}
+
+std::string Shapes::operand_literal(const kernels::AnyOperand<double>& operand) {
+  if (!boxed(operand)) return literal(operand.solid);
+  std::string text = "{" + literal(operand.solid) + ", 1, {";
+  for (const double x : operand.low) text += number(x) + ", ";
+  text += "}, {";
+  for (const double x : operand.high) text += number(x) + ", ";
+  return text + "}}";
 }
 
 std::string Shapes::constant(const AnySolid<double>& solid) {

@@ -22,6 +22,7 @@ class Shapes {
  private:
   std::string type(const kernels::AnySolid<double>& solid);
   std::string literal(const kernels::AnySolid<double>& solid);
+  std::string operand_literal(const kernels::AnyOperand<double>& operand);
 
   std::map<std::string, std::string> constants_;  ///< name by solid_key
   std::set<std::string> kernels_;

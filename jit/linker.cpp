@@ -52,6 +52,10 @@ class PlacementRecorder : public orc::ObjectLinkingLayer::Plugin {
 
   void modifyPassConfig(orc::MaterializationResponsibility&, jitlink::LinkGraph&,
                         jitlink::PassConfiguration& passes) override {
+    passes.PrePrunePasses.push_back([this](jitlink::LinkGraph& graph) {
+      if (destination_ != nullptr) keep_functions(graph);
+      return llvm::Error::success();
+    });
     passes.PostFixupPasses.push_back([this](jitlink::LinkGraph& graph) {
       if (destination_ != nullptr) record(graph, *destination_);
       return llvm::Error::success();
@@ -67,6 +71,14 @@ class PlacementRecorder : public orc::ObjectLinkingLayer::Plugin {
   void notifyTransferringResources(orc::JITDylib&, orc::ResourceKey, orc::ResourceKey) override {}
 
  private:
+  /// Local functions are called by their section's symbol: they would lose their own, and profilers
+  /// their names.
+  static void keep_functions(jitlink::LinkGraph& graph) {
+    for (jitlink::Symbol* symbol : graph.defined_symbols()) {
+      if (symbol->hasName() && symbol->isCallable()) symbol->setLive(true);
+    }
+  }
+
   static void record(jitlink::LinkGraph& graph, Placement& placement) {
     for (jitlink::Section& section : graph.sections()) {
       const jitlink::SectionRange range(section);

@@ -9,10 +9,33 @@ namespace {
 
 std::string_view view(const std::vector<char>& bytes) { return {bytes.data(), bytes.size()}; }
 
+/// The processor's name for the compiler; empty for this machine's own.
+const char* processor(InstructionSet set) {
+#if defined(__x86_64__)
+  switch (set) {
+    case InstructionSet::native:
+      break;
+    case InstructionSet::sse42:
+      if (__builtin_cpu_supports("x86-64-v2")) return "x86-64-v2";
+      break;
+    case InstructionSet::avx2:
+      if (__builtin_cpu_supports("x86-64-v3")) return "x86-64-v3";
+      break;
+    case InstructionSet::avx512:
+      if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
+  }
+#endif
+  if (set != InstructionSet::native) {
+    spdlog::warn("this processor has not the instructions asked for: generated code uses its own");
+  }
+  return "";
+}
+
 jit::CompileOptions compile_options(const SpecialiserOptions& options) {
   jit::CompileOptions result;
   result.optimisation = options.optimisation;
   result.debug_info = options.debug_info;
+  result.cpu = processor(options.instruction_set);
   return result;
 }
 

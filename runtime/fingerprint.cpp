@@ -27,8 +27,8 @@ void add_solid(std::string& bytes, const kernels::AnySolid<double>& solid) {
       for (const double x : {shape.inverse_x, shape.inverse_y, shape.inverse_z}) add(bytes, x);
       add_solid(bytes, shape.solid);
     } else if constexpr (requires { shape.a, shape.b; }) {
-      add_solid(bytes, shape.a);
-      add_solid(bytes, shape.b);
+      add_solid(bytes, shape.a.solid);  // their boxes follow from the solids
+      add_solid(bytes, shape.b.solid);
     } else if constexpr (requires { shape.solid, shape.translation, shape.rotation; }) {
       for (const double t : shape.translation) add(bytes, t);
       for (const double r : shape.rotation) add(bytes, r);

@@ -71,7 +71,7 @@ double Navigator::decline(const Vec3& point, const Vec3& direction, double limit
 
 double Navigator::shadow(const kernels::Navigators& navigators, const Vec3& point,
                          const Vec3& direction, double limit) {
-  Stack expected;
+  Stack expected{};
   copy(own_->stack, expected);
   const double right = generic::step(shared_->geometry, expected, point, direction, limit);
   double length = navigators.step(&own_->stack, context_, point.x, point.y, point.z, direction.x,

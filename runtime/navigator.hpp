@@ -49,7 +49,7 @@ class Navigator {
  private:
   friend class Runtime;
   struct Own {
-    Stack stack;
+    Stack stack{};
     Profile profile;
     std::shared_ptr<Presence> presence;
     NavigatorCounts counts;

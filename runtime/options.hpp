@@ -22,6 +22,14 @@ enum class JitMode : std::uint8_t {
   shadow,  ///< as `on`, and every step is also made generically and compared
 };
 
+/// What generated code may use of the processor. One that the processor lacks is taken as native.
+enum class InstructionSet : std::uint8_t {
+  native,  ///< all that this processor has
+  sse42,   ///< x86-64-v2
+  avx2,    ///< x86-64-v3
+  avx512,  ///< x86-64-v4
+};
+
 /// When a scene is worth compiling, and how. Reasons in docs/decisions.md.
 struct SpecialiserOptions {
   double poll_ms = 5;               ///< between looks at the profile
@@ -30,10 +38,11 @@ struct SpecialiserOptions {
   std::uint64_t min_steps = 2000;   ///< fewer steps in a scene tell nothing
   std::size_t batch = 12;           ///< scenes in one module at the most
   int optimisation = 2;             ///< of the compiler
-  double recheck_ms = 1000;         ///< between looks at what is installed, on fresh states
-  bool keep_only_faster = true;     ///< install only what is measured to be no slower
-  bool perf_map = false;            ///< name generated functions for perf
-  bool debug_info = false;          ///< line tables of generated code for gdb
+  InstructionSet instruction_set = InstructionSet::native;
+  double recheck_ms = 1000;      ///< between looks at what is installed, on fresh states
+  bool keep_only_faster = true;  ///< install only what is measured to be no slower
+  bool perf_map = false;         ///< name generated functions for perf
+  bool debug_info = false;       ///< line tables of generated code for gdb
 };
 
 /// For tests: ways to make specialisation go wrong.

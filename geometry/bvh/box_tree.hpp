@@ -53,6 +53,10 @@ class BoxTree {
   template <class Visit>
   void containing(const Vec3& p, Visit&& visit) const;
 
+  /// The same for every box that meets `box`.
+  template <class Visit>
+  void overlapping(const Extent& box, Visit&& visit) const;
+
   /// Calls visit(index, distance) for every box closer to `p` than `radius`, mm. `distance` >= 0 is
   /// a lower bound of the distance to the inflated box, 0 within it. `visit` returns the radius
   /// from there on, at most the present one. The order is as for along_ray.

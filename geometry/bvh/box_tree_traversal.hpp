@@ -129,14 +129,15 @@ class DistanceTest {
   Lanes below_[3], above_[3];
 };
 
-/// Which boxes of a group contain a point: one bit per lane.
-class ContainmentTest {
+/// Which boxes of a group meet a box, or contain a point: one bit per lane.
+class OverlapTest {
  public:
-  explicit ContainmentTest(const Vec3& p) {
-    const double coordinate[3] = {p.x, p.y, p.z};
+  explicit OverlapTest(const Extent& box) {
+    const double low[3] = {box.min.x, box.min.y, box.min.z};
+    const double high[3] = {box.max.x, box.max.y, box.max.z};
     for (int axis = 0; axis < 3; ++axis) {
-      below_[axis] = Lanes(float_below(coordinate[axis]));
-      above_[axis] = Lanes(float_above(coordinate[axis]));
+      below_[axis] = Lanes(float_below(low[axis]));
+      above_[axis] = Lanes(float_above(high[axis]));
     }
   }
 
@@ -326,7 +327,12 @@ void BoxTree::near(const Vec3& p, double radius, Visit&& visit) const {
 
 template <class Visit>
 void BoxTree::containing(const Vec3& p, Visit&& visit) const {
-  const detail::ContainmentTest test(p);
+  overlapping({p, p}, visit);
+}
+
+template <class Visit>
+void BoxTree::overlapping(const Extent& box, Visit&& visit) const {
+  const detail::OverlapTest test(box);
   // True to go on.
   const auto scan_children = [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t g = first; g < last; ++g) {

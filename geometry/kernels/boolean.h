@@ -77,6 +77,68 @@ Real safety_to_out(const Placed<Real, S>& s, const Vec3<Real>& p) {
   return safety_to_out(s.solid, to_local(s, p));
 }
 
+// --- Boxed ----------------------------------------------------------------------------------
+
+/// An operand with the box that it is in, which carries a margin above all rounding: a point or
+/// ray well away from the box needs no look at the operand. No answer depends on it.
+template <class Real, class Solid>
+struct Boxed {
+  Solid solid;
+  int boxed;  ///< 0: the box is not worth the test
+  Real low[3], high[3];
+};
+
+template <class Real, class S>
+bool may_contain(const Boxed<Real, S>& s, const Vec3<Real>& p, Real tol) {
+  if (s.boxed == 0) return true;
+  const Real margin = 2 * tol;
+  return (p.x >= s.low[0] - margin) & (p.x <= s.high[0] + margin) & (p.y >= s.low[1] - margin) &
+         (p.y <= s.high[1] + margin) & (p.z >= s.low[2] - margin) & (p.z <= s.high[2] + margin);
+}
+template <class Real, class S>
+bool may_meet(const Boxed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  if (s.boxed == 0) return true;
+  const Real margin = 2 * tol;
+  Real enter = 0, leave = infinity<Real>();
+  const auto clip = [&](Real low, Real high, Real at, Real rate, Real inverse) {
+    // Along the slab one is +-infinity times the other; on its very edge nothing is met.
+    const Real t_low = (low - margin - at) * inverse, t_high = (high + margin - at) * inverse;
+    enter = larger(rate < 0 ? t_high : t_low, enter);
+    leave = smaller(rate < 0 ? t_low : t_high, leave);
+  };
+  clip(s.low[0], s.high[0], p.x, v.x, v.inverse_x);
+  clip(s.low[1], s.high[1], p.y, v.y, v.inverse_y);
+  clip(s.low[2], s.high[2], p.z, v.z, v.inverse_z);
+  return enter <= leave;
+}
+
+template <class Real, class S>
+Side inside(const Boxed<Real, S>& s, const Vec3<Real>& p, Real tol) {
+  return may_contain(s, p, tol) ? inside(s.solid, p, tol) : Side::outside;
+}
+template <class Real, class S>
+bool contains(const Boxed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return may_contain(s, p, tol) && contains(s.solid, p, v, tol);
+}
+template <class Real, class S>
+Real distance_to_in(const Boxed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                    Real tol) {
+  return may_meet(s, p, v, tol) ? distance_to_in(s.solid, p, v, tol) : infinity<Real>();
+}
+template <class Real, class S>
+Real distance_to_out(const Boxed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                     Real tol) {
+  return distance_to_out(s.solid, p, v, tol);
+}
+template <class Real, class S>
+Real safety_to_in(const Boxed<Real, S>& s, const Vec3<Real>& p) {
+  return safety_to_in(s.solid, p);
+}
+template <class Real, class S>
+Real safety_to_out(const Boxed<Real, S>& s, const Vec3<Real>& p) {
+  return safety_to_out(s.solid, p);
+}
+
 /// How often the search along a ray may change operands; real booleans need a handful.
 constexpr int boolean_search_limit = 256;
 

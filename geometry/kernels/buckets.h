@@ -49,9 +49,8 @@ inline double bucket_edge(double p, double v, double inverse, double origin, dou
 }
 
 inline BucketAxis bucket_axis(double p, double v, double inverse, double origin, double width,
-                              double per_mm, int count) {
+                              int count, int index) {
   if (count == 1) return {0, 0, 0, infinity<double>()};
-  const int index = bucket_along(p, origin, per_mm, count);
   return {index, v < 0 ? -1 : 1, v < 0 ? -1 : count,
           bucket_edge(p, v, inverse, origin, width, index)};
 }
@@ -61,12 +60,22 @@ inline BucketAxis bucket_axis(double p, double v, double inverse, double origin,
 template <class Index, class Visit, class Reach>
 inline void walk_buckets(const BucketGrid<Index>& g, const Vec3<double>& p,
                          const Direction<double>& v, Visit visit, Reach reach) {
-  BucketAxis x =
-      bucket_axis(p.x, v.x, v.inverse_x, g.origin[0], g.width[0], g.per_mm[0], g.count[0]);
-  BucketAxis y =
-      bucket_axis(p.y, v.y, v.inverse_y, g.origin[1], g.width[1], g.per_mm[1], g.count[1]);
-  BucketAxis z =
-      bucket_axis(p.z, v.z, v.inverse_z, g.origin[2], g.width[2], g.per_mm[2], g.count[2]);
+  const int i = bucket_along(p.x, g.origin[0], g.per_mm[0], g.count[0]);
+  const int j = bucket_along(p.y, g.origin[1], g.per_mm[1], g.count[1]);
+  const int k = bucket_along(p.z, g.origin[2], g.per_mm[2], g.count[2]);
+  BucketAxis x{i, 0, 0, infinity<double>()}, y{j, 0, 0, infinity<double>()},
+      z{k, 0, 0, infinity<double>()};
+  // Many rays end in the bucket where they begin.
+  const double far = reach();
+  const bool ends_here =
+      (far < 1e30) && ((bucket_along(p.x + far * v.x, g.origin[0], g.per_mm[0], g.count[0]) == i) &
+                       (bucket_along(p.y + far * v.y, g.origin[1], g.per_mm[1], g.count[1]) == j) &
+                       (bucket_along(p.z + far * v.z, g.origin[2], g.per_mm[2], g.count[2]) == k));
+  if (!ends_here) {
+    x = bucket_axis(p.x, v.x, v.inverse_x, g.origin[0], g.width[0], g.count[0], i);
+    y = bucket_axis(p.y, v.y, v.inverse_y, g.origin[1], g.width[1], g.count[1], j);
+    z = bucket_axis(p.z, v.z, v.inverse_z, g.origin[2], g.width[2], g.count[2], k);
+  }
   for (;;) {
     const unsigned b = bucket_of(g, x.index, y.index, z.index);
     for (unsigned m = g.first[b]; m < g.first[b + 1]; ++m) {
@@ -88,6 +97,12 @@ inline void walk_buckets(const BucketGrid<Index>& g, const Vec3<double>& p,
       z.leave = bucket_edge(p.z, v.z, v.inverse_z, g.origin[2], g.width[2], z.index);
     }
   }
+}
+
+/// Whether the point is in the box, which has to carry a margin.
+inline bool is_in_box(const Vec3<double>& low, const Vec3<double>& high, const Vec3<double>& p) {
+  return (p.x >= low.x) & (p.x <= high.x) & (p.y >= low.y) & (p.y <= high.y) & (p.z >= low.z) &
+         (p.z <= high.z);
 }
 
 /// Whether the ray may meet the box within [0, reach]. The box has to carry a margin.

@@ -77,6 +77,21 @@ Real facet_distance2(const Facets<Real>& s, const Facet& f, const Vec3<Real>& p)
   return smaller(segment_distance2(w, from_c), least);
 }
 
+/// Is the point within `tol` of the triangle?
+template <class Real>
+bool touches_facet(const Facets<Real>& s, const Facet& f, const Vec3<Real>& p, Real tol) {
+  // Nearly always its plane is much further away than that, and than the rounding of a sliver's
+  // normal.
+  const Vec3<Real>& a = s.corners[f.a];
+  const Vec3<Real> u = difference(s.corners[f.b], a), v = difference(s.corners[f.c], a),
+                   w = difference(p, a);
+  const Vec3<Real> n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const Real h = dot(n, w);
+  const Real rounding = Real(1e-28) * dot(u, u) * dot(v, v) * dot(w, w);
+  if (h * h > 16 * (tol * tol * dot(n, n) + rounding)) return false;
+  return facet_distance2(s, f, p) <= tol * tol;
+}
+
 template <class Real>
 Real box_distance2(const FacetBox<Real>& b, const Vec3<Real>& p) {
   const Real x = larger(larger(b.x_low - p.x, p.x - b.x_high), Real(0));
@@ -111,10 +126,6 @@ struct RayFrame {
   int axis;  ///< the one that the ray runs along most
   Real shear_x, shear_y, rate;
 };
-template <class Real>
-struct RayPoint {
-  Real x, y, t;
-};
 
 template <class Real>
 constexpr Vec3<Real> turned(const Vec3<Real>& p, int axis) {
@@ -127,38 +138,51 @@ RayFrame<Real> ray_frame(const Vec3<Real>& p, const Direction<Real>& v) {
   const Vec3<Real> d = turned(Vec3<Real>{v.x, v.y, v.z}, axis);
   return {p, axis, d.x / d.z, d.y / d.z, d.z};
 }
-template <class Real>
-RayPoint<Real> in_frame(const RayFrame<Real>& frame, const Vec3<Real>& p) {
-  const Vec3<Real> d = turned(difference(p, frame.start), frame.axis);
-  return {d.x - frame.shear_x * d.z, d.y - frame.shear_y * d.z, d.z / frame.rate};
-}
 
-/// Where an edge crosses the plane y = 0; its ends are on different sides. To be called with the
-/// ends in one and the same order for both triangles.
+/// Where an edge crosses the plane y = 0.
 template <class Real>
-RayPoint<Real> edge_point(const RayPoint<Real>& a, const RayPoint<Real>& b) {
-  const Real k = a.y / (a.y - b.y);
-  return {a.x + (b.x - a.x) * k, Real(0), a.t + (b.t - a.t) * k};
-}
+struct EdgePoint {
+  int from, to;  ///< ends of the edge, in one and the same order for both triangles
+  Real along;    ///< 0 at `from`, 1 at `to`
+  Real x;
+};
 
 /// Does the line cross the facet? +1 into the body, -1 out of it, 0 not; `t` is the path.
 template <class Real>
 int facet_turn(const Facets<Real>& s, const RayFrame<Real>& frame, const Facet& f, Real& t) {
+  // Most facets of the boxes that a ray meets are missed: each division waits until it is needed.
   const int index[3] = {f.a, f.b, f.c};
-  const RayPoint<Real> q[3] = {in_frame(frame, s.corners[f.a]), in_frame(frame, s.corners[f.b]),
-                               in_frame(frame, s.corners[f.c])};
-  const bool above[3] = {q[0].y > 0, q[1].y > 0, q[2].y > 0};
+  const Vec3<Real> d[3] = {turned(difference(s.corners[f.a], frame.start), frame.axis),
+                           turned(difference(s.corners[f.b], frame.start), frame.axis),
+                           turned(difference(s.corners[f.c], frame.start), frame.axis)};
+  const Real y[3] = {d[0].y - frame.shear_y * d[0].z, d[1].y - frame.shear_y * d[1].z,
+                     d[2].y - frame.shear_y * d[2].z};
+  const bool above[3] = {y[0] > 0, y[1] > 0, y[2] > 0};
   if (above[0] == above[1] && above[1] == above[2]) return 0;
-  RayPoint<Real> up{0, 0, 0}, down{0, 0, 0};
+  const Real x[3] = {d[0].x - frame.shear_x * d[0].z, d[1].x - frame.shear_x * d[1].z,
+                     d[2].x - frame.shear_x * d[2].z};
+  if ((x[0] > 0) == (x[1] > 0) && (x[1] > 0) == (x[2] > 0)) {
+    // All to one side; so is all that is between them, but for rounding.
+    const Real nearest = smaller(absolute(x[0]), smaller(absolute(x[1]), absolute(x[2])));
+    const Real widest = larger(absolute(x[0]), larger(absolute(x[1]), absolute(x[2])));
+    if (nearest > Real(1e-14) * widest) return 0;
+  }
+  EdgePoint<Real> up{0, 0, 0, 0}, down{0, 0, 0, 0};
   for (int i = 0; i < 3; ++i) {
     const int k = i == 2 ? 0 : i + 1;
     if (above[i] == above[k]) continue;
-    const RayPoint<Real> at = index[i] < index[k] ? edge_point(q[i], q[k]) : edge_point(q[k], q[i]);
-    (above[k] ? up : down) = at;
+    const int from = index[i] < index[k] ? i : k, to = index[i] < index[k] ? k : i;
+    const Real along = y[from] / (y[from] - y[to]);
+    (above[k] ? up : down) = {from, to, along, x[from] + (x[to] - x[from]) * along};
   }
   const bool up_right = up.x > 0, down_right = down.x > 0;
   if (up_right == down_right) return 0;
-  t = up.t + (down.t - up.t) * (up.x / (up.x - down.x));
+  const auto path = [&](const EdgePoint<Real>& at) {
+    const Real begin = d[at.from].z / frame.rate, end = d[at.to].z / frame.rate;
+    return begin + (end - begin) * at.along;
+  };
+  const Real up_t = path(up), down_t = path(down);
+  t = up_t + (down_t - up_t) * (up.x / (up.x - down.x));
   return up_right == (frame.rate > 0) ? -1 : 1;
 }
 
@@ -244,7 +268,7 @@ Crossings<Real> crossings_ahead(const Facets<Real>& s, const Vec3<Real>& p,
       Real t = 0;
       const int turn = facet_turn(s, frame, s.facets[k], t);
       if (turn == 0 || !(t > 0)) continue;
-      if (facet_distance2(s, s.facets[k], p) <= tol * tol) continue;
+      if (touches_facet(s, s.facets[k], p, tol)) continue;
       c.total += turn;
       if (t >= from) keep_crossing(c, t, turn);
     }

@@ -84,10 +84,17 @@ struct InOwnFrame {
 };
 
 /// The daughter, other than `blocked`, with the local point. Where daughters overlap the last in
-/// file order wins, as in Geant4. Where `confirm(k)` fails there is none.
+/// file order wins, as in Geant4. Where `confirm(k)` fails there is none. `around`: the blocked
+/// daughter's surroundings, if the point is there.
 template <class Confirm>
 unsigned find_daughter(const Scene& scene, const Vec3& p, const Direction& v, int blocked,
-                       double tolerance, const Confirm& confirm) {
+                       double tolerance, const Surroundings::Of* around, const Confirm& confirm) {
+  if (around != nullptr && around->listed()) {
+    for (const std::uint32_t k : scene.surroundings.neighbours_of(*around)) {
+      if (contains_local(scene.daughters[k], p, v, tolerance) && confirm(k)) return k;
+    }
+    return no_daughter;
+  }
   unsigned found = no_daughter;
   const auto test = [&](unsigned k) {
     if ((found == no_daughter || k > found) && static_cast<int>(k) != blocked &&
@@ -207,9 +214,13 @@ void relocate(const Geometry& geometry, Stack& stack, const Vec3& point, const V
     level = &next;
     scene = &geometry.scene(next.volume);
   };
+  const Surroundings::Of* around = nullptr;
   if (blocked >= 0) {
     // Out of a daughter: the mother may end at the same place.
-    while (!contains_here(scene->solid, p, v, tolerance)) {
+    for (;;) {
+      around = scene->surroundings.at(static_cast<unsigned>(blocked), p);
+      if (around != nullptr && around->mother_contains) break;
+      if (contains_here(scene->solid, p, v, tolerance)) break;
       blocked = static_cast<int>(level->daughter);
       if (--stack.depth < 0) return;
       move_to(stack.levels[stack.depth]);
@@ -219,14 +230,15 @@ void relocate(const Geometry& geometry, Stack& stack, const Vec3& point, const V
   while (!scene->daughters.empty()) {
     const InOwnFrame in_own_frame{stack, *scene, point, direction, tolerance};
     const unsigned found =
-        !directed ? find_daughter_undirected(*scene, p, tolerance)
-        : confirmed
-            ? find_daughter(*scene, p, v, blocked, tolerance, in_own_frame)
-            : find_daughter(*scene, p, v, blocked, tolerance, [](unsigned) { return true; });
+        !directed   ? find_daughter_undirected(*scene, p, tolerance)
+        : confirmed ? find_daughter(*scene, p, v, blocked, tolerance, around, in_own_frame)
+                    : find_daughter(*scene, p, v, blocked, tolerance, around,
+                                    [](unsigned) { return true; });
     if (found == no_daughter) return;
     push(stack, scene->daughters[found], found);
     move_to(stack.levels[stack.depth]);
     blocked = -1;
+    around = nullptr;
   }
 }
 

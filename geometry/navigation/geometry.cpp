@@ -90,6 +90,10 @@ Geometry::Geometry(std::shared_ptr<const World> world, const GeometryOptions& op
     } else if (!scene.daughters.empty()) {
       scene.search = Search::all;
     }
+    if (options.force == GeometryOptions::Force::automatic) {
+      scene.surroundings =
+          find_surroundings(volume.solid, boxes, scene.boxes.get(), world_->tolerance);
+    }
   }
 }
 

@@ -11,6 +11,7 @@
 #include "geometry/bvh/structure.hpp"
 #include "geometry/model/world.hpp"
 #include "geometry/navigation/stack.hpp"
+#include "geometry/navigation/surroundings.hpp"
 
 namespace navjit {
 
@@ -35,6 +36,7 @@ struct Scene {
   std::span<const Daughter> daughters;
   Search search = Search::none;
   std::unique_ptr<const bvh::BoxTree> boxes;  ///< for linear_boxes and bvh
+  Surroundings surroundings;                  ///< empty where they are not used
 
   Scene();
   Scene(Scene&&) noexcept;
@@ -42,7 +44,8 @@ struct Scene {
 };
 
 struct GeometryOptions {
-  /// Forces one search for all scenes with daughters, for tests and measurements.
+  /// Forces one search for all scenes with daughters, for tests and measurements. All but
+  /// `automatic` search on leaving a daughter, too, without surroundings.
   enum class Force : std::uint8_t { automatic, all, linear_boxes, bvh } force = Force::automatic;
   /// The box structure of all scenes that have enough daughters for one, whatever their number;
   /// nothing: bvh::default_method. Changes no answer.

@@ -51,11 +51,13 @@ using AnyPlaced = Placed<Real, AnySolid<Real>>;
 template <class Real>
 using AnyScaled = Scaled<Real, AnySolid<Real>>;
 template <class Real>
-using AnyUnion = Union<AnySolid<Real>, AnySolid<Real>>;
+using AnyOperand = Boxed<Real, AnySolid<Real>>;
 template <class Real>
-using AnyIntersection = Intersection<AnySolid<Real>, AnySolid<Real>>;
+using AnyUnion = Union<AnyOperand<Real>, AnyOperand<Real>>;
 template <class Real>
-using AnySubtraction = Subtraction<AnySolid<Real>, AnySolid<Real>>;
+using AnyIntersection = Intersection<AnyOperand<Real>, AnyOperand<Real>>;
+template <class Real>
+using AnySubtraction = Subtraction<AnyOperand<Real>, AnyOperand<Real>>;
 
 /// Calls `f` with the shape as its own type.
 template <class Real, class F>

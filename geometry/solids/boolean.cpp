@@ -1,5 +1,6 @@
 // Solids made of solids: a solid in a frame of its own, and the three booleans.
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/solids/make.hpp"
 
@@ -13,10 +14,26 @@ struct Holder {
   Solid a, b;
 };
 
+/// `boxed`: whether the box is worth a test of its own. For a box it is not.
+kernels::AnyOperand<double> operand(const Solid& solid, bool boxed) {
+  const Vec3 &low = solid.extent.min, &high = solid.extent.max;
+  double scale = 0;
+  for (const double x : {low.x, low.y, low.z, high.x, high.y, high.z}) {
+    scale = std::max(scale, std::abs(x));
+  }
+  const double margin = 1e-9 * scale;
+  return {solid.any(),
+          boxed && solid.kind != SolidKind::box ? 1 : 0,
+          {low.x - margin, low.y - margin, low.z - margin},
+          {high.x + margin, high.y + margin, high.z + margin}};
+}
+
+/// `first_boxed`: the first operand may be much smaller than the boolean.
 template <class Shape>
 Solid make_boolean(std::string name, SolidKind kind, const Solid& a, const Solid& b,
-                   const Extent& extent) {
-  auto holder = std::make_shared<const Holder<Shape>>(Holder<Shape>{{a.any(), b.any()}, a, b});
+                   const Extent& extent, bool first_boxed) {
+  auto holder = std::make_shared<const Holder<Shape>>(
+      Holder<Shape>{{operand(a, first_boxed), operand(b, true)}, a, b});
   return {std::move(name), kind, std::shared_ptr<const void>(holder, &holder->shape), extent};
 }
 
@@ -57,7 +74,8 @@ Solid make_placed(std::string name, const Solid& solid, const SolidFrame& frame)
 
 Solid make_union(std::string name, const Solid& a, const Solid& b) {
   const Extent e = detail::merged(a.extent, b.extent);
-  return make_boolean<kernels::AnyUnion<double>>(std::move(name), SolidKind::union_of, a, b, e);
+  return make_boolean<kernels::AnyUnion<double>>(std::move(name), SolidKind::union_of, a, b, e,
+                                                 true);
 }
 
 Solid make_intersection(std::string name, const Solid& a, const Solid& b) {
@@ -69,12 +87,12 @@ Solid make_intersection(std::string name, const Solid& a, const Solid& b) {
   detail::require(e.min.x < e.max.x && e.min.y < e.max.y && e.min.z < e.max.z, name,
                   "the operands of the intersection do not meet");
   return make_boolean<kernels::AnyIntersection<double>>(std::move(name), SolidKind::intersection_of,
-                                                        a, b, e);
+                                                        a, b, e, true);
 }
 
 Solid make_subtraction(std::string name, const Solid& a, const Solid& b) {
   return make_boolean<kernels::AnySubtraction<double>>(std::move(name), SolidKind::subtraction_of,
-                                                       a, b, a.extent);
+                                                       a, b, a.extent, false);
 }
 
 }  // namespace navjit

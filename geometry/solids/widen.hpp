@@ -168,6 +168,10 @@ class WideSolid {
     std::copy_n(s.rotation, 9, to.rotation);
     return to;
   }
+  // The reference looks at every operand.
+  kernels::AnyOperand<Real> wide(const kernels::AnyOperand<double>& s) {
+    return {wide(s.solid), 0, {}, {}};
+  }
   kernels::AnyUnion<Real> wide(const kernels::AnyUnion<double>& s) {
     return {wide(s.a), wide(s.b)};
   }

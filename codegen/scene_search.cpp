@@ -1,0 +1,205 @@
+// The searches among a scene's daughters: which one holds a point, which one a ray meets first.
+#include <string>
+#include <vector>
+
+#include "codegen/scene_text.hpp"
+#include "codegen/text.hpp"
+
+namespace navjit::codegen {
+namespace {
+
+/// A table of numbers or, for floating-point ones, of what `number` writes.
+template <class Value>
+std::string list(const char* type, const char* name, const std::vector<Value>& values) {
+  std::string text = std::string("constexpr ") + type + " " + name + "[] = {";
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    text += i == 0 ? "" : i % 24 == 0 ? ",\n  " : ", ";
+    if constexpr (std::is_floating_point_v<Value>) {
+      text += number(values[i]);
+    } else {
+      text += std::to_string(values[i]);
+    }
+  }
+  return text + (values.empty() ? "0};\n" : "};\n");
+}
+
+/// For indices below `n`.
+const char* index_type(std::size_t n) { return n < 0xffff ? "unsigned short" : "unsigned"; }
+
+const char* const find_head =
+    "[[gnu::always_inline]] static inline int find(const Vec3<double>& p, const Direction<double>& "
+    "d, int blocked) {\n";
+const char* const nearest_head =
+    "[[gnu::always_inline]] static inline int nearest(const Vec3<double>& p, const "
+    "Direction<double>& d, double& best, "
+    "double limit, [[maybe_unused]] unsigned left) {\n  int hit = -1;\n";
+
+}  // namespace
+
+/// Whether a daughter holds a point, and how far along a ray she is.
+std::string SceneText::daughter_tests() const {
+  std::string text;
+  const bool one = plan_.classes.size() == 1;
+  for (const char* call : {"contains", "distance_to_in"}) {
+    const bool distance = std::string_view(call) == "distance_to_in";
+    text += std::string(distance ? "[[gnu::always_inline]] static inline double distance(unsigned "
+                                   "k, const Vec3<double>& p, "
+                                   "const Direction<double>& d, [[maybe_unused]] double reach) {\n"
+                                 : "[[gnu::always_inline]] static inline bool holds(unsigned k, "
+                                   "const Vec3<double>& p, const "
+                                   "Direction<double>& d) {\n");
+    text += "  const Daughter& at = daughters[k];\n";
+    if (!one) text += "  switch (at.kind) {\n";
+    for (std::size_t c = 0; c < plan_.classes.size(); ++c) {
+      if (!one) {
+        text += c + 1 == plan_.classes.size() ? "    default: "
+                                              : "    case " + std::to_string(c) + ": ";
+      } else {
+        text += "    ";
+      }
+      text += daughter_case(plan_.classes[c], call, "at.x", "at.y", "at.z", "at.rotation");
+    }
+    text += one ? "}\n" : "  }\n}\n";
+  }
+  return text;
+}
+
+/// Spelled-out daughters unroll: the index is a constant at each call.
+std::string SceneText::search_all() const {
+  std::string text = find_head;
+  for (std::size_t k = scene_.daughters.size(); k-- > 0;) {
+    const std::string i = std::to_string(k);
+    text += "  if (blocked != " + i + " && holds(" + i + ", p, d)) return " + i + ";\n";
+  }
+  text += std::string("  return -1;\n}\n") + nearest_head;
+  for (std::size_t k = 0; k < scene_.daughters.size(); ++k) {
+    const std::string i = std::to_string(k);
+    text += "  if (const double t = distance(" + i +
+            ", p, d, smaller(limit, best)); t < best) {\n    best = t;\n    hit = " + i +
+            ";\n  }\n";
+  }
+  return text + "  return hit;\n}\n";
+}
+
+std::string SceneText::search_plates() const {
+  const Plates& s = plan_.plates;
+  const char* index = index_type(scene_.daughters.size());
+  std::vector<std::uint32_t> position(s.members.size());
+  for (std::uint32_t i = 0; i < s.members.size(); ++i) position[s.members[i]] = i;
+  std::string text = list(index, "by_position", s.members) + list(index, "position", position) +
+                     list("double", "low", s.low) + list("double", "high", s.high) +
+                     list(index, "ascending", s.ascending) +
+                     list(index, "descending", s.descending);
+  text += std::string("constexpr PlateStack<") + index + "> plates{" +
+          std::to_string(s.members.size()) + ", low, high, by_position, position, " +
+          number(s.skin) + ", " + number(s.origin) + ", " + number(1 / s.width) + ", " +
+          std::to_string(s.ascending.size()) + ", ascending, descending};\n";
+  const std::string axis(1, "xyz"[s.axis]);
+  text += find_head;
+  text +=
+      "  int found = -1;\n"
+      "  visit_plates_at(plates, p." +
+      axis +
+      ", [&](unsigned k) {\n"
+      "    const int i = static_cast<int>(k);\n"
+      "    if (i > found && i != blocked && holds(k, p, d)) found = i;\n"
+      "  });\n  return found;\n}\n";
+  text += nearest_head;
+  text += "  walk_plates(plates, p." + axis + ", d." + axis + ", d.inverse_" + axis +
+          ", smaller(limit, best), left, [&](unsigned k) {\n"
+          "    const double t = distance(k, p, d, smaller(limit, best));\n"
+          "    if (t < best || (t == best && hit >= 0 && static_cast<int>(k) < hit)) {\n"
+          "      best = t;\n      hit = static_cast<int>(k);\n      return true;\n    }\n"
+          "    return false;\n"
+          "  });\n  return hit;\n}\n";
+  return text;
+}
+
+std::string SceneText::search_buckets() const {
+  const Buckets& b = plan_.buckets;
+  const char* index = index_type(scene_.daughters.size());
+  std::string text = list("unsigned", "first", b.first) + list(index, "members", b.members);
+  text += std::string("constexpr BucketGrid<") + index + "> grid{{";
+  for (int a = 0; a < 3; ++a) text += (a == 0 ? "" : ", ") + std::to_string(b.count[a]);
+  text += "}, {";
+  for (int a = 0; a < 3; ++a) text += (a == 0 ? "" : ", ") + number(b.origin[a]);
+  text += "}, {";
+  for (int a = 0; a < 3; ++a) text += (a == 0 ? "" : ", ") + number(b.width[a]);
+  text += "}, {";
+  for (int a = 0; a < 3; ++a) text += (a == 0 ? "" : ", ") + number(1 / b.width[a]);
+  text += "}, first, members};\n";
+  text += find_head;
+  text +=
+      "  int found = -1;\n"
+      "  visit_bucket_at(grid, p, [&](unsigned k) {\n"
+      "    if (static_cast<int>(k) == blocked || !holds(k, p, d)) return true;\n"
+      "    found = static_cast<int>(k);\n"
+      "    return false;\n  });\n  return found;\n}\n";
+  text += nearest_head;
+  text +=
+      "  walk_buckets(grid, p, d, [&](unsigned k) {\n"
+      "    const double t = distance(k, p, d, smaller(limit, best));\n"
+      "    if (t < best || (t == best && hit >= 0 && static_cast<int>(k) < hit)) {\n"
+      "      best = t;\n      hit = static_cast<int>(k);\n    }\n"
+      "  }, [&] { return smaller(limit, best); });\n  return hit;\n}\n";
+  return text;
+}
+
+/// What is around each daughter, and the search on leaving her.
+std::string SceneText::search_around() const {
+  const Surroundings& s = scene_.surroundings;
+  std::string text = "constexpr Around around[] = {\n";
+  bool all_listed = true;
+  for (const Surroundings::Of& of : s.of) {
+    const Extent& b = of.box;
+    const unsigned count = of.listed() ? of.count : ~0U;
+    all_listed &= of.listed();
+    text += "  {{" + number(b.min.x) + ", " + number(b.min.y) + ", " + number(b.min.z) + "}, {" +
+            number(b.max.x) + ", " + number(b.max.y) + ", " + number(b.max.z) + "}, " +
+            std::to_string(of.first) + ", " + std::to_string(count) + "U, " +
+            (of.mother_contains ? "true" : "false") + "},\n";
+  }
+  text += "};\n";
+  if (!s.neighbours.empty()) {
+    text += list(index_type(scene_.daughters.size()), "neighbours", s.neighbours);
+  }
+  // Out of line, and by numbers: what is seldom needed shall keep nothing in memory.
+  text +=
+      "[[gnu::noinline, gnu::cold]] static int find_elsewhere(double x, double y, double z, double "
+      "u, double v, double w, int blocked) {\n"
+      "  return find({x, y, z}, make_heading<double>(u, v, w), blocked);\n}\n"
+      "[[gnu::always_inline]] static inline int find_around([[maybe_unused]] const Around& a, bool "
+      "there, const "
+      "Vec3<double>& p, const Direction<double>& d, int blocked) {\n  if (__builtin_expect(!there";
+  if (!all_listed) text += " || a.count == ~0U";
+  text += ", 0)) return find_elsewhere(p.x, p.y, p.z, d.x, d.y, d.z, blocked);\n";
+  if (!s.neighbours.empty()) {
+    text +=
+        "  for (unsigned m = a.first; m != a.first + a.count; ++m) {\n"
+        "    if (holds(neighbours[m], p, d)) return static_cast<int>(neighbours[m]);\n  }\n";
+  }
+  return text + "  return -1;\n}\n";
+}
+
+std::string SceneText::search() const {
+  shapes_.constant(scene_.solid);
+  std::string text = "namespace " + ns_ + " {\n" + frame();
+  if (scene_.daughters.empty()) return text + "}  // namespace " + ns_ + "\n";
+  text += tables() + daughter_tests();
+  switch (plan_.candidates) {
+    case Candidates::none:
+      break;
+    case Candidates::all:
+      text += search_all();
+      break;
+    case Candidates::plates:
+      text += search_plates();
+      break;
+    case Candidates::buckets:
+      text += search_buckets();
+  }
+  if (plan_.surroundings) text += search_around();
+  return text + push() + descend() + "}  // namespace " + ns_ + "\n";
+}
+
+}  // namespace navjit::codegen

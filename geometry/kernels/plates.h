@@ -1,0 +1,78 @@
+// Daughters that follow one another along an axis without overlapping, and what lies around a
+// daughter that is left. Only filters, as buckets are: margins make them conservative.
+namespace navjit::kernels {
+
+/// Positions count along the axis; `low` and `high` carry the margin.
+template <class Index>
+struct PlateStack {
+  int count;
+  const double *low, *high;  ///< mm, by position
+  const Index* daughter;     ///< by position
+  const Index* position;     ///< by daughter
+  /// From a face of the margin to where a track that left there meets the plate no more, mm: the
+  /// margin and half the tolerance. 0 where that is not known.
+  double skin;
+  double origin, per_mm;
+  int buckets;
+  /// By bucket: the first position that a ray ascending from there may meet; the last one for rays
+  /// that descend.
+  const Index *ascending, *descending;
+};
+
+/// The first position that the ray may meet. `left`: the daughter that the track may have left
+/// last, or any number. If she is just behind, the next one follows, and that is known before the
+/// point is.
+template <class Index>
+inline int first_plate(const PlateStack<Index>& s, double p, double v, unsigned left) {
+  const bool down = v < 0;
+  if (s.skin > 0 && left < static_cast<unsigned>(s.count) && !is_along(v)) {
+    const int at = static_cast<int>(s.position[left]), next = down ? at - 1 : at + 1;
+    const bool behind = down ? p <= s.low[at] + s.skin : p >= s.high[at] - s.skin;
+    const bool ends = static_cast<unsigned>(next) >= static_cast<unsigned>(s.count);
+    if (behind && (ends || (down ? p >= s.low[next] : p <= s.high[next]))) return next;
+  }
+  const int b = bucket_along(p, s.origin, s.per_mm, s.buckets);
+  return static_cast<int>((down ? s.descending : s.ascending)[b]);
+}
+
+/// Calls visit(daughter), which says whether the ray meets it, for daughters along the ray until
+/// one is met or the next is beyond `reach`, a path length. `p`, `v` and `inverse` are the ray's
+/// along the axis. What the ray meets first is what is nearest, as those behind begin where it
+/// ends; but a ray along the faces may be on one that two share, and then both are offered. `left`:
+/// see first_plate.
+template <class Index, class Visit>
+inline void walk_plates(const PlateStack<Index>& s, double p, double v, double inverse,
+                        double reach, unsigned left, Visit visit) {
+  const bool down = v < 0;
+  const double* const face = down ? s.high : s.low;
+  const int last = down ? -1 : s.count, next = down ? -1 : 1;
+  for (int i = first_plate(s, p, v, left); i != last; i += next) {
+    // Not a number where the ray runs along the very edge of the margin: then it is offered.
+    if ((face[i] - p) * inverse > reach) return;
+    if (visit(static_cast<unsigned>(s.daughter[i])) && !is_along(v)) return;
+  }
+}
+
+/// Calls visit(daughter) for those that may hold the point.
+template <class Index, class Visit>
+inline void visit_plates_at(const PlateStack<Index>& s, double p, Visit visit) {
+  const int b = bucket_along(p, s.origin, s.per_mm, s.buckets);
+  for (int i = static_cast<int>(s.ascending[b]); i < s.count && s.low[i] <= p; ++i) {
+    visit(static_cast<unsigned>(s.daughter[i]));
+  }
+}
+
+/// Of a daughter: her box with a margin, which holds the points where tracks leave her, and her
+/// neighbours, the only ones that can contain such a point (navjit::Surroundings).
+struct Around {
+  double low[3], high[3];
+  unsigned first, count;
+  bool mother_contains;  ///< all of the box
+};
+
+inline bool is_there(const Around& a, const Vec3<double>& p) {
+  return (p.x >= a.low[0]) & (p.x <= a.high[0]) & (p.y >= a.low[1]) & (p.y <= a.high[1]) &
+         (p.z >= a.low[2]) & (p.z <= a.high[2]);
+}
+
+}  // namespace navjit::kernels

@@ -1,0 +1,90 @@
+// The boxes of a boolean's operands change no bit of an answer.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+#include "geometry/solids/solid.hpp"
+
+namespace navjit {
+namespace {
+
+constexpr double tolerance = 1e-9;
+
+double uniform(std::mt19937_64& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+Solid random_primitive(std::mt19937_64& random) {
+  const auto size = [&] { return uniform(random, 0.5, 4); };
+  switch (random() % 5) {
+    case 0:
+      return make_box("s", size(), size(), size());
+    case 1:
+      return make_tube("s", 0.3, 0.5 + size(), size(), 0.2, uniform(random, 1, 6.2));
+    case 2:
+      return make_cone("s", 0.1, size(), 0.2, size(), size(), 0, 6.283185307179586);
+    case 3:
+      return make_orb("s", size());
+    default:
+      return make_trd("s", size(), size(), size(), size(), size());
+  }
+}
+
+SolidFrame random_frame(std::mt19937_64& random) {
+  SolidFrame frame;
+  for (double& t : frame.translation) t = uniform(random, -3, 3);
+  if (random() % 2 == 0) {
+    const double a = uniform(random, 0, 6);
+    const double c = std::cos(a), s = std::sin(a);
+    const double turn[9] = {c, s, 0, -s, c, 0, 0, 0, 1};
+    std::memcpy(frame.rotation, turn, sizeof turn);
+  }
+  return frame;
+}
+
+template <class Any>
+bool same_answers(const Any& boxed, std::mt19937_64& random) {
+  Any plain = boxed;
+  plain.a.boxed = plain.b.boxed = 0;
+  const auto equal = [](double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; };
+  Vec3 p{uniform(random, -8, 8), uniform(random, -8, 8), uniform(random, -8, 8)};
+  Vec3 d{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)};
+  if (random() % 4 == 0) d = {random() % 2 == 0 ? 1.0 : -1.0, 0, 0};
+  const double norm = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+  Direction v = kernels::make_direction(d.x / norm, d.y / norm, d.z / norm);
+  bool same = true;
+  for (int i = 0; i < 6; ++i) {
+    same &= contains(boxed, p, v, tolerance) == contains(plain, p, v, tolerance);
+    same &= inside(boxed, p, tolerance) == inside(plain, p, tolerance);
+    const double in = distance_to_in(boxed, p, v, tolerance);
+    same &= equal(in, distance_to_in(plain, p, v, tolerance));
+    same &= equal(distance_to_out(boxed, p, v, tolerance), distance_to_out(plain, p, v, tolerance));
+    // On: to the surface, where the next questions are asked, some turned.
+    if (!(in < 100) || in == 0) break;
+    p = kernels::advance(p, v, in);
+    if (i % 2 == 1) v = kernels::make_direction(-v.x, v.y, v.z);
+  }
+  return same;
+}
+
+TEST(OperandBoxes, ChangeNoBit) {
+  std::mt19937_64 random(8);
+  for (int round = 0; round < 300; ++round) {
+    const Solid a = random_primitive(random);
+    const Solid b = make_placed("b", random_primitive(random), random_frame(random));
+    const Solid either = make_union("u", a, b), left = make_subtraction("d", a, b);
+    const Solid nested = make_union("n", left, make_placed("c", either, random_frame(random)));
+    for (int i = 0; i < 100; ++i) {
+      const auto* u = static_cast<const kernels::AnyUnion<double>*>(either.shape.get());
+      ASSERT_TRUE(same_answers(*u, random)) << "round " << round;
+      const auto* s = static_cast<const kernels::AnySubtraction<double>*>(left.shape.get());
+      ASSERT_TRUE(same_answers(*s, random)) << "round " << round;
+      const auto* n = static_cast<const kernels::AnyUnion<double>*>(nested.shape.get());
+      ASSERT_TRUE(same_answers(*n, random)) << "round " << round;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace navjit
