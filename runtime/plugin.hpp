@@ -20,9 +20,9 @@ class Plugin {
   };
 
   /// Fails, saying what to do, if the file is not the user's or root's alone to write
-  /// (jit/trust.hpp), is damaged (its seal), or was made for another detector, by another generator, for
-  /// another binary interface, or a processor that can do more than this one. Nothing in it was
-  /// proven yet.
+  /// (jit/trust.hpp), is damaged (its seal), or was made for another detector, by another
+  /// generator, for another binary interface, or a processor that can do more than this one.
+  /// Nothing in it was proven yet.
   static jit::Expected<std::shared_ptr<const Plugin>> load(const std::string& path,
                                                            const Geometry& geometry);
   Plugin(const Plugin&) = delete;
