@@ -40,6 +40,9 @@ it, though at the smallest scale that is much of a solid.
 )";
 
 constexpr const char* conclusion = R"(
+Known faults, where there are any above: rays through or past a torus whose hole is narrower than the
+tolerance, or nearly so, may be stuck or make a step that ends off the surface.
+
 NaN and infinity in a file of rays, in a GDML file, and in every call of `Navigator` are refused
 (`tests/extremes/not_finite_test.cpp`, `tests/geometry/gdml`).
 )";
