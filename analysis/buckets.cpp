@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/axis.hpp"
+
 namespace navjit {
 namespace {
-
-double low(const Extent& e, int axis) {
-  return axis == 0 ? e.min.x : axis == 1 ? e.min.y : e.min.z;
-}
-double high(const Extent& e, int axis) {
-  return axis == 0 ? e.max.x : axis == 1 ? e.max.y : e.max.z;
-}
 
 struct Range {
   int first, last;

@@ -4,15 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "analysis/axis.hpp"
+
 namespace navjit {
 namespace {
-
-double low(const Extent& e, int axis) {
-  return axis == 0 ? e.min.x : axis == 1 ? e.min.y : e.min.z;
-}
-double high(const Extent& e, int axis) {
-  return axis == 0 ? e.max.x : axis == 1 ? e.max.y : e.max.z;
-}
 
 /// Buckets for each daughter: where they are small against daughters and gaps, most have one first
 /// candidate alone.
