@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "codegen/text.hpp"
+#include "geometry/solids/extent.hpp"
 
 namespace navjit::codegen {
 namespace {
@@ -173,10 +174,7 @@ std::string SceneText::daughter_case(const DaughterClass& c, const char* call, c
   const std::string solid = c.sizes ? "at.box" : shapes_.constant(c.solid);
   if (c.box_first) {
     const Extent& e = c.extent;
-    double scale = 1;
-    for (const double b : {e.min.x, e.min.y, e.min.z, e.max.x, e.max.y, e.max.z}) {
-      scale = std::max(scale, std::abs(b));
-    }
+    const double scale = std::max(1.0, largest_coordinate(e));
     // As for buckets: far above any rounding, far below any dimension.
     const double margin =
         2 * geometry_.tolerance() + 1e-9 * std::max(scale, geometry_.tolerance() * 1e9);

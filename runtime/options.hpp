@@ -39,10 +39,10 @@ struct SpecialiserOptions {
   std::size_t batch = 12;           ///< scenes in one module at the most
   int optimisation = 2;             ///< of the compiler
   InstructionSet instruction_set = InstructionSet::native;
-  double recheck_ms = 1000;         ///< between looks at what is installed, on fresh states
-  bool keep_only_faster = true;     ///< install only what is measured to be no slower
-  bool perf_map = false;            ///< name generated functions for perf
-  bool debug_info = false;          ///< line tables of generated code for gdb
+  double recheck_ms = 1000;      ///< between looks at what is installed, on fresh states
+  bool keep_only_faster = true;  ///< install only what is measured to be no slower
+  bool perf_map = false;         ///< name generated functions for perf
+  bool debug_info = false;       ///< line tables of generated code for gdb
 };
 
 /// For tests: ways to make specialisation go wrong.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "geometry/solids/extent.hpp"
+
 namespace navjit {
 namespace {
 
@@ -63,11 +65,6 @@ void check_references(const World& world) {
       }
     }
   }
-}
-
-double largest_coordinate(const Extent& e) {
-  return std::max({std::abs(e.min.x), std::abs(e.min.y), std::abs(e.min.z), std::abs(e.max.x),
-                   std::abs(e.max.y), std::abs(e.max.z)});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/bvh/box_tree_traversal.hpp"
+#include "geometry/solids/extent.hpp"
 
 namespace navjit {
 namespace {
@@ -19,14 +20,6 @@ Extent inflated(const Extent& e, double margin) {
 bool meet(const Extent& a, const Extent& b) {
   return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
          a.min.z <= b.max.z && b.min.z <= a.max.z;
-}
-
-double largest_coordinate(const Extent& e) {
-  double scale = 0;
-  for (const double x : {e.min.x, e.min.y, e.min.z, e.max.x, e.max.y, e.max.z}) {
-    scale = std::max(scale, std::abs(x));
-  }
-  return scale;
 }
 
 /// Is every point of the box deeper in the solid than the margin?

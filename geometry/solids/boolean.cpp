@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/solids/extent.hpp"
 #include "geometry/solids/make.hpp"
 
 namespace navjit {
@@ -17,11 +18,7 @@ struct Holder {
 /// `boxed`: whether the box is worth a test of its own. For a box it is not.
 kernels::AnyOperand<double> operand(const Solid& solid, bool boxed) {
   const Vec3 &low = solid.extent.min, &high = solid.extent.max;
-  double scale = 0;
-  for (const double x : {low.x, low.y, low.z, high.x, high.y, high.z}) {
-    scale = std::max(scale, std::abs(x));
-  }
-  const double margin = 1e-9 * scale;
+  const double margin = 1e-9 * largest_coordinate(solid.extent);
   return {solid.any(),
           boxed && solid.kind != SolidKind::box ? 1 : 0,
           {low.x - margin, low.y - margin, low.z - margin},

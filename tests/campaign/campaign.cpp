@@ -11,6 +11,7 @@
 
 #include "geometry/gdml/reader.hpp"
 #include "runtime/runtime.hpp"
+#include "tests/campaign/files.hpp"
 #include "tests/campaign/judge.hpp"
 
 namespace {
@@ -128,19 +129,7 @@ int main(int argc, char** argv) {
   app.add_option("--json", json_file, "Where to write a report");
   CLI11_PARSE(app, argc, argv);
 
-  std::vector<std::string> all;
-  for (const std::string& file : files) {
-    if (!std::filesystem::is_directory(file)) {
-      all.push_back(file);
-      continue;
-    }
-    std::vector<std::string> found;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(file)) {
-      if (entry.path().extension() == ".gdml") found.push_back(entry.path());
-    }
-    std::sort(found.begin(), found.end());
-    all.insert(all.end(), found.begin(), found.end());
-  }
+  const std::vector<std::string> all = gdml_files(files);
 
   nlohmann::json report{{"files", nlohmann::json::array()}, {"refused", nlohmann::json::array()}};
   Counts totals;

@@ -15,6 +15,7 @@
 #include "geometry/gdml/reader.hpp"
 #include "geometry/model/vector.hpp"
 #include "runtime/runtime.hpp"
+#include "tests/campaign/files.hpp"
 #include "tests/campaign/starts.hpp"
 
 namespace {
@@ -143,23 +144,6 @@ void print_difference(const World& world, const Difference& d) {
                static_cast<unsigned long long>(d.ray), path_of(world, d.state.touchable()).c_str(),
                p.x, p.y, p.z, v.x, v.y, v.z, d.specialised.length, next(d.specialised).c_str(),
                d.generic.length, next(d.generic).c_str());
-}
-
-std::vector<std::string> gdml_files(const std::vector<std::string>& given) {
-  std::vector<std::string> all;
-  for (const std::string& file : given) {
-    if (!std::filesystem::is_directory(file)) {
-      all.push_back(file);
-      continue;
-    }
-    std::vector<std::string> found;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(file)) {
-      if (entry.path().extension() == ".gdml") found.push_back(entry.path());
-    }
-    std::sort(found.begin(), found.end());
-    all.insert(all.end(), found.begin(), found.end());
-  }
-  return all;
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "geometry/reference/wide_geometry.hpp"
 #include "runtime/navigator.hpp"
 #include "runtime/transport.hpp"
-#include "geometry/reference/wide_geometry.hpp"
 
 namespace navjit::campaign {
 

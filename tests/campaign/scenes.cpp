@@ -12,10 +12,10 @@
 
 #include "apps/rays.hpp"
 #include "geometry/gdml/reader.hpp"
+#include "geometry/reference/wide_geometry.hpp"
 #include "tests/campaign/random_scene.hpp"
 #include "tests/campaign/starts.hpp"
 #include "tests/reference/trace.hpp"
-#include "geometry/reference/wide_geometry.hpp"
 
 namespace {
 

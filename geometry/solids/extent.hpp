@@ -1,0 +1,20 @@
+// What is asked of boxes along the axes.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/solids/solid.hpp"
+
+namespace navjit {
+
+/// The largest magnitude of a bound, mm.
+inline double largest_coordinate(const Extent& e) {
+  double largest = 0;
+  for (const double x : {e.min.x, e.min.y, e.min.z, e.max.x, e.max.y, e.max.z}) {
+    largest = std::max(largest, std::abs(x));
+  }
+  return largest;
+}
+
+}  // namespace navjit
