@@ -5,16 +5,11 @@
 #include <map>
 #include <sstream>
 
-#include "analysis/buckets.hpp"
-#include "analysis/pattern.hpp"
-#include "analysis/plates.hpp"
+#include "analysis/candidates.hpp"
 #include "analysis/solid_key.hpp"
 
 namespace navjit {
 namespace {
-
-/// Up to this many daughters every one is spelled out and tested.
-constexpr std::size_t spell_out_limit = 4;
 
 /// Each class of daughters is code of its own, each number of a solid a constant: beyond this the
 /// compiler takes longer than any run would gain.
@@ -46,11 +41,11 @@ std::vector<DaughterClass> classify(const Geometry& geometry, const Scene& scene
   return classes;
 }
 
-/// Boxes of all sizes as one class: a table of sizes costs less than a branch on the size, which
-/// processors cannot foresee.
-void merge_boxes(std::vector<DaughterClass>& classes) {
-  const auto mergeable = [](const DaughterClass& c) {
-    return c.solid.kind == SolidKind::box && !c.rotated;
+/// Boxes of all sizes as one class, or two where some are rotated: a table of sizes costs less than
+/// a branch on the size, which processors cannot foresee.
+void merge_boxes(std::vector<DaughterClass>& classes, bool rotated) {
+  const auto mergeable = [&](const DaughterClass& c) {
+    return c.solid.kind == SolidKind::box && c.rotated == rotated;
   };
   const auto into = std::find_if(classes.begin(), classes.end(), mergeable);
   if (into == classes.end()) return;
@@ -71,48 +66,19 @@ constexpr std::size_t most_surroundings = 2048;
 
 ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId volume) {
   const Scene& scene = geometry.scene(volume);
-  const World& world = geometry.world();
   ScenePlan plan;
   plan.volume = volume;
   plan.frame = facts.frames[volume];
   plan.only_mother = facts.only_mothers[volume];
   plan.classes = classify(geometry, scene);
-  merge_boxes(plan.classes);
+  for (const bool rotated : {false, true}) merge_boxes(plan.classes, rotated);
   plan.surroundings =
       !scene.surroundings.of.empty() && scene.surroundings.of.size() <= most_surroundings;
-  std::vector<Extent> boxes;
-  for (const Daughter& d : scene.daughters) {
-    boxes.push_back(placed_extent(world.volumes[d.volume].solid, d.transformation));
-  }
-  const Extent& extent = world.volumes[volume].solid.extent;
-  plan.pattern = describe_pattern(boxes);
   const auto forced = facts.forced_candidates.find(volume);
-  if (boxes.empty()) {
-    plan.candidates = Candidates::none;
-  } else if (forced != facts.forced_candidates.end() ? forced->second == Candidates::all
-                                                     : boxes.size() <= spell_out_limit) {
-    plan.candidates = Candidates::all;
-    plan.mean_candidates = static_cast<double>(boxes.size());
-  } else {
-    const double margin = search_margin(extent, geometry.tolerance());
-    std::optional<Plates> plates;
-    if (forced == facts.forced_candidates.end() || forced->second == Candidates::plates) {
-      plates = find_plates(extent, boxes, geometry.tolerance(), margin);
-    }
-    if (plates) {
-      plan.candidates = Candidates::plates;
-      plan.plates = std::move(*plates);
-      if (plan.classes.size() == 1 && plan.classes[0].solid.kind == SolidKind::box &&
-          !plan.classes[0].rotated) {
-        plan.plates.skin = margin + geometry.tolerance() / 2;
-      }
-      plan.mean_candidates = 1;
-    } else {
-      plan.candidates = Candidates::buckets;
-      plan.buckets = make_buckets(extent, boxes, margin);
-      plan.mean_candidates = mean_candidates(plan.buckets);
-    }
-  }
+  choose_candidates(geometry,
+                    forced == facts.forced_candidates.end() ? std::optional<Candidates>()
+                                                            : std::optional(forced->second),
+                    plan);
   return plan;
 }
 
@@ -164,8 +130,10 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
           << "xyz"[plan.plates.axis];
       break;
     case Candidates::buckets:
+    case Candidates::boxes:
       out << "buckets " << plan.buckets.count[0] << " x " << plan.buckets.count[1] << " x "
-          << plan.buckets.count[2] << ", " << plan.mean_candidates << " candidates a bucket";
+          << plan.buckets.count[2] << ", " << plan.mean_candidates << " candidates a bucket"
+          << (plan.candidates == Candidates::boxes ? ", boxes tested eight at once" : "");
   }
   out << "\n";
   for (const DaughterClass& c : plan.classes) {

@@ -24,7 +24,7 @@ struct FrameFacts {
 };
 
 /// A regular partition of the scene into buckets along one to three axes, each with the daughters
-/// whose boxes reach into it. Stacks, grids, lattices and rings all become few candidates a bucket.
+/// that reach into it. Stacks, grids, lattices and rings all become few candidates a bucket.
 struct Buckets {
   std::array<int, 3> count{1, 1, 1};   ///< 1 on axes that are not split
   std::array<double, 3> origin{};      ///< lower edge, mm
@@ -54,6 +54,7 @@ enum class Candidates : std::uint8_t {
   all,      ///< every daughter, spelled out
   plates,   ///< those next along an axis
   buckets,  ///< those of the buckets that the ray passes
+  boxes,    ///< of those, the ones whose boxes it passes
 };
 
 /// Daughters that are tested by the same code: the same solid, placed with or without rotation.
@@ -62,7 +63,7 @@ struct DaughterClass {
   Extent extent;  ///< of the solid, in its own frame
   bool rotated = false;
   bool box_first = false;  ///< the solid is costly: test its box before
-  bool sizes = false;      ///< unrotated boxes of several sizes, which a table holds
+  bool sizes = false;      ///< boxes of several sizes, which a table holds
   std::vector<std::uint32_t> members;
 };
 
@@ -71,7 +72,8 @@ struct ScenePlan {
   FrameFacts frame;
   std::optional<VolumeId> only_mother;  ///< where all placements are in the same volume
   Candidates candidates = Candidates::none;
-  Buckets buckets;
+  Buckets buckets;            ///< for buckets and boxes
+  std::vector<Extent> boxes;  ///< by daughter, with a margin for single precision
   Plates plates;
   bool surroundings = false;  ///< on leaving a daughter only her neighbours are asked
   std::vector<DaughterClass> classes;

@@ -7,13 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/rays.hpp"
+#include "bench/choices.hpp"
 #include "bench/clock.hpp"
 #include "bench/statistics.hpp"
 #include "geometry/gdml/reader.hpp"
 #include "runtime/runtime.hpp"
-#ifdef NAVJIT_VECGEOM
-#include "bench/peers/vecgeom_peer.hpp"
-#endif
 
 namespace {
 
@@ -59,11 +57,7 @@ void add_vecgeom(const std::string& detector, const std::vector<Ray>& rays,
     own_rays->push_back({{r.position.x, r.position.y, r.position.z},
                          {r.direction.x, r.direction.y, r.direction.z}});
   }
-  using N = peers::VecGeomNavigator;
-  for (const auto& [name, navigator] :
-       {std::pair{"VecGeom simple", N::simple}, std::pair{"VecGeom ABBox", N::abbox},
-        std::pair{"VecGeom Hybrid", N::hybrid}, std::pair{"VecGeom BVH", N::bvh},
-        std::pair{"VecGeom auto", N::automatic}}) {
+  for (const auto& [name, navigator] : bench::vecgeom_navigators) {
     engines.push_back({name, [peer, n = navigator] { peer->use(n); },
                        [peer, own_rays] {
                          const auto t = peer->transport(*own_rays, 1'000'000);
@@ -82,11 +76,6 @@ int main(int argc, char** argv) try {
   std::uint64_t count = 2000, seed = 1;
   int repetitions = 9;
   bool forward = false, without_peers = false, without_jit = false;
-  const std::vector<std::pair<std::string, InstructionSet>> instruction_sets{
-      {"native", InstructionSet::native},
-      {"sse4.2", InstructionSet::sse42},
-      {"avx2", InstructionSet::avx2},
-      {"avx512", InstructionSet::avx512}};
   std::vector<InstructionSet> sets{InstructionSet::native};
   app.add_option("detector", detector, "GDML file")->required();
   app.add_option("--rays", rays_file, "CSV file of rays (default: random ones)");
@@ -97,10 +86,7 @@ int main(int argc, char** argv) try {
   app.add_option("--json", json_file, "write the figures");
   app.add_flag("--without-peers", without_peers, "navjit alone");
   app.add_flag("--without-jit", without_jit, "no specialised navigators");
-  app.add_option("--isa", sets,
-                 "instructions of generated code, one navigator each: native, sse4.2, avx2, avx512")
-      ->transform(CLI::CheckedTransformer(instruction_sets).description(""))
-      ->delimiter(',');
+  bench::add_isa_option(app, sets);
   CLI11_PARSE(app, argc, argv);
 
   const auto world = std::make_shared<const World>(read_gdml(detector));
@@ -136,11 +122,8 @@ int main(int argc, char** argv) try {
     wait.jit = JitMode::wait;
     wait.specialiser.instruction_set = set;
     Specialised& made = *specialised.emplace_back(std::make_unique<Specialised>(world, wait));
-    std::string name = "navjit specialised";
-    for (const auto& [text, value] : instruction_sets) {
-      if (value == set && sets.size() > 1) name += ", " + text;
-    }
-    engines.push_back({name, [] {}, [&] { return transport_all(made.navigator, *world, rays); }});
+    engines.push_back({bench::specialised_name(set, sets), [] {},
+                       [&] { return transport_all(made.navigator, *world, rays); }});
   }
   std::shared_ptr<void> keep;
 #ifdef NAVJIT_VECGEOM

@@ -120,6 +120,7 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
   }
   source += push;
   source += kernel_text("buckets");
+  source += kernel_text("boxes");
   source += kernel_text("plates");
   source += kernel_text("navigation");
   source += "#pragma clang attribute pop\n\nnamespace navjit::kernels {\n\n";

@@ -1,7 +1,9 @@
 // The searches among a scene's daughters: which one holds a point, which one a ray meets first.
+#include <cmath>
 #include <string>
 #include <vector>
 
+#include "analysis/axis.hpp"
 #include "codegen/scene_text.hpp"
 #include "codegen/text.hpp"
 
@@ -33,6 +35,34 @@ const char* const nearest_head =
     "[[gnu::always_inline]] static inline int nearest(const Vec3<double>& p, const "
     "Direction<double>& d, double& best, "
     "double limit, [[maybe_unused]] unsigned left) {\n  int hit = -1;\n";
+
+/// The fields that BucketGrid and BlockGrid share.
+std::string grid_fields(const Buckets& b) {
+  std::string text = "{";
+  for (int a = 0; a < 3; ++a) text += (a == 0 ? "" : ", ") + std::to_string(b.count[a]);
+  text += "}, {";
+  for (int a = 0; a < 3; ++a) text += (a == 0 ? "" : ", ") + number(b.origin[a]);
+  text += "}, {";
+  for (int a = 0; a < 3; ++a) text += (a == 0 ? "" : ", ") + number(b.width[a]);
+  text += "}, {";
+  for (int a = 0; a < 3; ++a) text += (a == 0 ? "" : ", ") + number(1 / b.width[a]);
+  return text + "}";
+}
+
+/// find() and nearest() by two functions that visit candidates at a point and along a ray.
+std::string searches(const std::string& visit_at, const std::string& walk) {
+  return std::string(find_head) + "  int found = -1;\n  " + visit_at +
+         "(grid, p, [&](unsigned k) {\n"
+         "    if (static_cast<int>(k) == blocked || !holds(k, p, d)) return true;\n"
+         "    found = static_cast<int>(k);\n"
+         "    return false;\n  });\n  return found;\n}\n" +
+         nearest_head + "  " + walk +
+         "(grid, p, d, [&](unsigned k) {\n"
+         "    const double t = distance(k, p, d, smaller(limit, best));\n"
+         "    if (t < best || (t == best && hit >= 0 && static_cast<int>(k) < hit)) {\n"
+         "      best = t;\n      hit = static_cast<int>(k);\n    }\n"
+         "  }, [&] { return smaller(limit, best); });\n  return hit;\n}\n";
+}
 
 }  // namespace
 
@@ -118,31 +148,49 @@ std::string SceneText::search_plates() const {
 std::string SceneText::search_buckets() const {
   const Buckets& b = plan_.buckets;
   const char* index = index_type(scene_.daughters.size());
-  std::string text = list("unsigned", "first", b.first) + list(index, "members", b.members);
-  text += std::string("constexpr BucketGrid<") + index + "> grid{{";
-  for (int a = 0; a < 3; ++a) text += (a == 0 ? "" : ", ") + std::to_string(b.count[a]);
-  text += "}, {";
-  for (int a = 0; a < 3; ++a) text += (a == 0 ? "" : ", ") + number(b.origin[a]);
-  text += "}, {";
-  for (int a = 0; a < 3; ++a) text += (a == 0 ? "" : ", ") + number(b.width[a]);
-  text += "}, {";
-  for (int a = 0; a < 3; ++a) text += (a == 0 ? "" : ", ") + number(1 / b.width[a]);
-  text += "}, first, members};\n";
-  text += find_head;
-  text +=
-      "  int found = -1;\n"
-      "  visit_bucket_at(grid, p, [&](unsigned k) {\n"
-      "    if (static_cast<int>(k) == blocked || !holds(k, p, d)) return true;\n"
-      "    found = static_cast<int>(k);\n"
-      "    return false;\n  });\n  return found;\n}\n";
-  text += nearest_head;
-  text +=
-      "  walk_buckets(grid, p, d, [&](unsigned k) {\n"
-      "    const double t = distance(k, p, d, smaller(limit, best));\n"
-      "    if (t < best || (t == best && hit >= 0 && static_cast<int>(k) < hit)) {\n"
-      "      best = t;\n      hit = static_cast<int>(k);\n    }\n"
-      "  }, [&] { return smaller(limit, best); });\n  return hit;\n}\n";
-  return text;
+  return list("unsigned", "first", b.first) + list(index, "members", b.members) +
+         "constexpr BucketGrid<" + index + "> grid{" + grid_fields(b) + ", first, members};\n" +
+         searches("visit_bucket_at", "walk_buckets");
+}
+
+std::string SceneText::search_boxes() const {
+  constexpr std::size_t lanes = 8;
+  const Buckets& b = plan_.buckets;
+  const char* index = index_type(scene_.daughters.size());
+  std::string blocks = "constexpr BoxBlock blocks[] = {\n", daughters;
+  std::vector<std::uint32_t> first{0};
+  for (std::size_t bucket = 0; bucket < b.size(); ++bucket) {
+    std::uint32_t count = first.back();
+    for (std::uint32_t m = b.first[bucket]; m < b.first[bucket + 1]; m += lanes, ++count) {
+      const std::size_t used = std::min<std::size_t>(lanes, b.first[bucket + 1] - m);
+      blocks += "{";
+      for (const bool upper : {false, true}) {
+        blocks += upper ? "}, {" : "{";
+        for (int axis = 0; axis < 3; ++axis) {
+          blocks += axis == 0 ? "{" : ", {";
+          for (std::size_t i = 0; i < lanes; ++i) {
+            const float empty = upper ? -INFINITY : INFINITY;
+            const Extent* box = i < used ? &plan_.boxes[b.members[m + i]] : nullptr;
+            blocks += (i == 0 ? "" : ", ") + float_number(box == nullptr ? empty
+                                                          : upper ? float_above(high(*box, axis))
+                                                                  : float_below(low(*box, axis)));
+          }
+          blocks += "}";
+        }
+      }
+      blocks += "}},\n";
+      daughters += daughters.empty() ? "{" : ",\n  {";
+      for (std::size_t i = 0; i < lanes; ++i) {
+        daughters += (i == 0 ? "" : ", ") + std::to_string(i < used ? b.members[m + i] : 0);
+      }
+      daughters += "}";
+    }
+    first.push_back(count);
+  }
+  return list("unsigned", "first", first) + blocks + "};\nconstexpr " + index +
+         " in_block[][box_lanes] = {" + daughters + "};\nconstexpr BlockGrid<" + index + "> grid{" +
+         grid_fields(b) + ", first, blocks, in_block};\n" +
+         searches("visit_blocks_at", "walk_blocks");
 }
 
 /// What is around each daughter, and the search on leaving her.
@@ -197,6 +245,9 @@ std::string SceneText::search() const {
       break;
     case Candidates::buckets:
       text += search_buckets();
+      break;
+    case Candidates::boxes:
+      text += search_boxes();
   }
   if (plan_.surroundings) text += search_around();
   return text + push() + descend() + "}  // namespace " + ns_ + "\n";

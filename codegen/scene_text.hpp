@@ -41,6 +41,7 @@ class SceneText {
   std::string search_all() const;
   std::string search_plates() const;
   std::string search_buckets() const;
+  std::string search_boxes() const;
   std::string search_around() const;
   std::string push_translation() const;
   std::string push() const;

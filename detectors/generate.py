@@ -5,12 +5,13 @@ import pathlib
 
 import absorber
 import barrel
+import scenes
 import shashlik
 
 
 def main():
     here = pathlib.Path(__file__).resolve().parent
-    for module in (shashlik, barrel, absorber):
+    for module in (shashlik, barrel, absorber, scenes):
         path = here / f"{module.__name__}.gdml"
         path.write_text(module.build(), encoding="utf-8")
         print(f"{path.name}: {path.stat().st_size} bytes")

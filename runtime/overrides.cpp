@@ -10,6 +10,8 @@ bool parse_variant(std::string_view text, Variant& variant) {
     variant = Variant::all;
   } else if (text == "buckets") {
     variant = Variant::buckets;
+  } else if (text == "boxes") {
+    variant = Variant::boxes;
   } else {
     return false;
   }
@@ -31,7 +33,7 @@ std::map<VolumeId, Variant> parse_overrides(const World& world, std::string_view
     const std::size_t equals = entry.rfind('=');
     Variant variant;
     if (equals == std::string_view::npos || !parse_variant(entry.substr(equals + 1), variant)) {
-      complain(entry, "NAME=off, NAME=all or NAME=buckets is needed");
+      complain(entry, "NAME=off, all, buckets or boxes is needed");
       continue;
     }
     const std::string_view name = entry.substr(0, equals);

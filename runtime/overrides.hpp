@@ -13,11 +13,12 @@ enum class Variant : std::uint8_t {
   off,      ///< stays generic
   all,      ///< specialised, every daughter tested
   buckets,  ///< specialised, candidates from buckets
+  boxes,    ///< specialised, candidates from buckets and blocks of boxes
 };
 
 /// Parses "NAME=VARIANT,NAME=VARIANT": logical volumes by name ("*" for every one; later entries
-/// override earlier ones), variants off, all, buckets. What cannot be understood is left out and
-/// described, one line each, in `complaints`.
+/// override earlier ones), variants off, all, buckets, boxes. What cannot be understood is left out
+/// and described, one line each, in `complaints`.
 std::map<VolumeId, Variant> parse_overrides(const World& world, std::string_view text,
                                             std::string* complaints);
 

@@ -87,8 +87,9 @@ void Specialiser::apply_overrides() {
       note(first, SceneStatus::unprofitable, std::string("off by ") + overrides_variable);
     } else {
       for (const VolumeId equal : facts_.equals[first]) scenes_.erase(equal);
-      facts_.forced_candidates[first] =
-          variant == Variant::all ? Candidates::all : Candidates::buckets;
+      facts_.forced_candidates[first] = variant == Variant::all       ? Candidates::all
+                                        : variant == Variant::buckets ? Candidates::buckets
+                                                                      : Candidates::boxes;
     }
   }
   if (!complaints.empty()) spdlog::warn("{}: {}", overrides_variable, complaints);

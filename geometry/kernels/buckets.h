@@ -19,18 +19,23 @@ inline int bucket_along(double p, double origin, double per_mm, int count) {
   return static_cast<int>(i);
 }
 
-template <class Index>
-inline unsigned bucket_of(const BucketGrid<Index>& g, int i, int j, int k) {
+template <class Grid>
+inline unsigned bucket_of(const Grid& g, int i, int j, int k) {
   return static_cast<unsigned>((i * g.count[1] + j) * g.count[2] + k);
+}
+
+template <class Grid>
+inline unsigned bucket_at(const Grid& g, const Vec3<double>& p) {
+  return bucket_of(g, bucket_along(p.x, g.origin[0], g.per_mm[0], g.count[0]),
+                   bucket_along(p.y, g.origin[1], g.per_mm[1], g.count[1]),
+                   bucket_along(p.z, g.origin[2], g.per_mm[2], g.count[2]));
 }
 
 /// Calls visit(daughter) for those whose box may hold the point, last in file order first, until it
 /// returns false.
 template <class Index, class Visit>
 inline void visit_bucket_at(const BucketGrid<Index>& g, const Vec3<double>& p, Visit visit) {
-  const unsigned b = bucket_of(g, bucket_along(p.x, g.origin[0], g.per_mm[0], g.count[0]),
-                               bucket_along(p.y, g.origin[1], g.per_mm[1], g.count[1]),
-                               bucket_along(p.z, g.origin[2], g.per_mm[2], g.count[2]));
+  const unsigned b = bucket_at(g, p);
   for (unsigned m = g.first[b + 1]; m-- > g.first[b];) {
     if (!visit(static_cast<unsigned>(g.members[m]))) return;
   }
@@ -69,11 +74,12 @@ inline void next_bucket(BucketAxis& a, double p, double v, double inverse, doubl
   }
 }
 
-/// Calls visit(daughter) along the ray for those whose boxes it may meet, bucket by bucket, until
-/// it has passed `reach()`, a path length that visits may shorten.
-template <class Index, class Visit, class Reach>
-inline void walk_buckets(const BucketGrid<Index>& g, const Vec3<double>& p,
-                         const Direction<double>& v, Visit visit, Reach reach) {
+/// Calls visit(bucket, from, to) for the buckets along the ray, with the path lengths between which
+/// it is in each, until it has passed `reach()`, a path length that visits may shorten. The last
+/// `to` is infinite.
+template <class Grid, class Visit, class Reach>
+inline void walk_grid(const Grid& g, const Vec3<double>& p, const Direction<double>& v, Visit visit,
+                      Reach reach) {
   const int i = bucket_along(p.x, g.origin[0], g.per_mm[0], g.count[0]);
   const int j = bucket_along(p.y, g.origin[1], g.per_mm[1], g.count[1]);
   const int k = bucket_along(p.z, g.origin[2], g.per_mm[2], g.count[2]);
@@ -90,13 +96,11 @@ inline void walk_buckets(const BucketGrid<Index>& g, const Vec3<double>& p,
     y = bucket_axis(p.y, v.y, v.inverse_y, g.origin[1], g.width[1], g.count[1], j);
     z = bucket_axis(p.z, v.z, v.inverse_z, g.origin[2], g.width[2], g.count[2], k);
   }
-  for (;;) {
-    const unsigned b = bucket_of(g, x.index, y.index, z.index);
-    for (unsigned m = g.first[b]; m < g.first[b + 1]; ++m) {
-      visit(static_cast<unsigned>(g.members[m]));
-    }
+  for (double from = 0;;) {
     const double leave = smaller(x.leave, smaller(y.leave, z.leave));
+    visit(bucket_of(g, x.index, y.index, z.index), from, leave);
     if (!(leave < reach())) return;
+    from = leave;
     if (leave == x.leave) {
       next_bucket(x, p.x, v.x, v.inverse_x, g.origin[0], g.width[0]);
     } else if (leave == y.leave) {
@@ -105,6 +109,21 @@ inline void walk_buckets(const BucketGrid<Index>& g, const Vec3<double>& p,
       next_bucket(z, p.z, v.z, v.inverse_z, g.origin[2], g.width[2]);
     }
   }
+}
+
+/// Calls visit(daughter) along the ray for those whose boxes it may meet, bucket by bucket, until
+/// it has passed `reach()`.
+template <class Index, class Visit, class Reach>
+inline void walk_buckets(const BucketGrid<Index>& g, const Vec3<double>& p,
+                         const Direction<double>& v, Visit visit, Reach reach) {
+  walk_grid(
+      g, p, v,
+      [&](unsigned b, double, double) {
+        for (unsigned m = g.first[b]; m < g.first[b + 1]; ++m) {
+          visit(static_cast<unsigned>(g.members[m]));
+        }
+      },
+      reach);
 }
 
 /// Whether the point is in the box, which has to carry a margin.

@@ -30,6 +30,12 @@ std::vector<Extent> random_boxes(std::mt19937_64& random, std::size_t count) {
   return boxes;
 }
 
+std::vector<PlacedBox> placed(const std::vector<Extent>& boxes) {
+  std::vector<PlacedBox> result;
+  for (const Extent& box : boxes) result.push_back({box});
+  return result;
+}
+
 struct Grid {
   std::vector<std::uint32_t> members;
   kernels::BucketGrid<std::uint32_t> grid;
@@ -51,7 +57,7 @@ TEST(Buckets, OfferEveryBoxThatAPointOrARayMeets) {
   const Extent scene{{-10, -10, -10}, {10, 10, 10}};
   for (const std::size_t count : {5, 40, 300}) {
     const std::vector<Extent> boxes = random_boxes(random, count);
-    const Buckets buckets = make_buckets(scene, boxes, 1e-8);
+    const Buckets buckets = make_buckets(scene, placed(boxes), 1e-8);
     const Grid grid(buckets);
     std::size_t offered = 0, rays = 0;
     for (int i = 0; i < 3000; ++i) {
@@ -88,7 +94,7 @@ TEST(Buckets, StopAtTheReach) {
   // A stack of a hundred plates: a short way meets few.
   std::vector<Extent> plates;
   for (int k = 0; k < 100; ++k) plates.push_back({{-1, -1, k + 0.1}, {1, 1, k + 0.9}});
-  const Buckets buckets = make_buckets({{-1, -1, 0}, {1, 1, 100}}, plates, 1e-8);
+  const Buckets buckets = make_buckets({{-1, -1, 0}, {1, 1, 100}}, placed(plates), 1e-8);
   const Grid grid(buckets);
   std::size_t offered = 0;
   kernels::walk_buckets(

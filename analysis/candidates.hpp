@@ -1,0 +1,14 @@
+// How a scene finds the daughters that a ray or a point may meet.
+#pragma once
+
+#include <optional>
+
+#include "analysis/scene_plan.hpp"
+
+namespace navjit {
+
+/// Fills in the plan's `candidates` and what they need; its classes have to be there. `forced`: the
+/// kind that somebody outside wants.
+void choose_candidates(const Geometry& geometry, std::optional<Candidates> forced, ScenePlan& plan);
+
+}  // namespace navjit

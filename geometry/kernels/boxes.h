@@ -1,0 +1,124 @@
+// Boxes around daughters, eight to a block, tested at once in single precision. Only a filter: the
+// boxes carry a margin for all rounding here, and what may meet them is then asked for double
+// precision's answer.
+namespace navjit::kernels {
+
+typedef float Floats __attribute__((vector_size(32)));
+typedef int Ints __attribute__((vector_size(32)));
+constexpr int box_lanes = 8;
+
+/// Bounds by axis; empty lanes have low = +infinity and high = -infinity.
+struct BoxBlock {
+  Floats low[3], high[3];
+};
+
+/// Like a BucketGrid, with blocks of boxes instead of daughters.
+template <class Index>
+struct BlockGrid {
+  int count[3];
+  double origin[3], width[3], per_mm[3];  ///< per_mm = 1 / width
+  const unsigned* first;                  ///< by bucket: start in blocks
+  const BoxBlock* blocks;
+  const Index (*daughters)[box_lanes];  ///< ascending within a bucket
+};
+
+/// One bit for each lane that is not zero.
+inline unsigned lanes_of(Ints set) {
+#ifdef __clang__
+  typedef bool Bits __attribute__((ext_vector_type(8)));
+  return __builtin_bit_cast(unsigned char, __builtin_convertvector(set, Bits));
+#else
+  unsigned bits = 0;
+  for (int i = 0; i < box_lanes; ++i) bits |= set[i] != 0 ? 1U << i : 0U;
+  return bits;
+#endif
+}
+
+inline Floats all_lanes(float x) { return Floats{x, x, x, x, x, x, x, x}; }
+inline Floats larger_lanes(Floats a, Floats b) { return a > b ? a : b; }
+inline Floats smaller_lanes(Floats a, Floats b) { return a < b ? a : b; }
+
+/// A ray in single precision. Reciprocals are finite: the scene is far smaller than their bound.
+struct FloatRay {
+  Floats p[3], inverse[3];
+  bool down[3];
+};
+
+inline float finite_inverse(double inverse) {
+  return static_cast<float>(smaller(larger(inverse, -1e30), 1e30));
+}
+
+inline FloatRay float_ray(const Vec3<double>& p, const Direction<double>& v) {
+  return {{all_lanes(static_cast<float>(p.x)), all_lanes(static_cast<float>(p.y)),
+           all_lanes(static_cast<float>(p.z))},
+          {all_lanes(finite_inverse(v.inverse_x)), all_lanes(finite_inverse(v.inverse_y)),
+           all_lanes(finite_inverse(v.inverse_z))},
+          {v.x < 0, v.y < 0, v.z < 0}};
+}
+
+/// Path lengths are compared with this much to spare, relatively: four roundings are in one.
+constexpr float path_slack = 1 + 0x1p-20f;
+
+/// The lanes whose boxes the ray may meet between `from` and `to`, path lengths >= 0; where, at the
+/// earliest, into `enter`.
+inline unsigned lanes_met(const BoxBlock& block, const FloatRay& ray, float from, float to,
+                          Floats& enter) {
+  enter = all_lanes(from / path_slack);
+  Floats leave = all_lanes(to * path_slack);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Floats near = ray.down[axis] ? block.high[axis] : block.low[axis];
+    const Floats far = ray.down[axis] ? block.low[axis] : block.high[axis];
+    enter = larger_lanes((near - ray.p[axis]) * ray.inverse[axis], enter);
+    leave = smaller_lanes((far - ray.p[axis]) * ray.inverse[axis], leave);
+  }
+  return lanes_of(enter <= leave * all_lanes(path_slack));
+}
+
+/// The lanes whose boxes may hold the point.
+inline unsigned lanes_around(const BoxBlock& block, const Vec3<double>& p) {
+  const Floats x = all_lanes(static_cast<float>(p.x)), y = all_lanes(static_cast<float>(p.y)),
+               z = all_lanes(static_cast<float>(p.z));
+  return lanes_of((block.low[0] <= x) & (x <= block.high[0]) & (block.low[1] <= y) &
+                  (y <= block.high[1]) & (block.low[2] <= z) & (z <= block.high[2]));
+}
+
+/// Calls visit(daughter) for those whose box may hold the point, last in file order first, until it
+/// returns false.
+template <class Index, class Visit>
+inline void visit_blocks_at(const BlockGrid<Index>& g, const Vec3<double>& p, Visit visit) {
+  const unsigned b = bucket_at(g, p);
+  for (unsigned m = g.first[b + 1]; m-- > g.first[b];) {
+    for (unsigned lanes = lanes_around(g.blocks[m], p); lanes != 0;) {
+      const unsigned lane = 31U - static_cast<unsigned>(__builtin_clz(lanes));
+      lanes ^= 1U << lane;
+      if (!visit(static_cast<unsigned>(g.daughters[m][lane]))) return;
+    }
+  }
+}
+
+/// Calls visit(daughter) along the ray for those whose boxes it may meet within `reach()`, a path
+/// length that visits may shorten.
+template <class Index, class Visit, class Reach>
+inline void walk_blocks(const BlockGrid<Index>& g, const Vec3<double>& p,
+                        const Direction<double>& v, Visit visit, Reach reach) {
+  const FloatRay ray = float_ray(p, v);
+  walk_grid(
+      g, p, v,
+      [&](unsigned b, double from, double to) {
+        // Rounded, a number beyond single precision is infinite, which serves as well.
+        float end = static_cast<float>(smaller(reach(), to));
+        for (unsigned m = g.first[b]; m < g.first[b + 1]; ++m) {
+          Floats enter;
+          for (unsigned lanes = lanes_met(g.blocks[m], ray, static_cast<float>(from), end, enter);
+               lanes != 0; lanes &= lanes - 1) {
+            const unsigned lane = static_cast<unsigned>(__builtin_ctz(lanes));
+            if (enter[lane] > end * path_slack * path_slack) continue;
+            visit(static_cast<unsigned>(g.daughters[m][lane]));
+            end = static_cast<float>(smaller(reach(), to));
+          }
+        }
+      },
+      reach);
+}
+
+}  // namespace navjit::kernels
