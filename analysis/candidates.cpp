@@ -60,7 +60,7 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     if (auto plates = find_plates(extent, boxes, geometry.tolerance(), margin)) {
       plan.candidates = Candidates::plates;
       plan.plates = std::move(*plates);
-      if (plan.classes.size() == 1 && plan.classes[0].solid.kind == SolidKind::box &&
+      if (plan.classes.size() == 1 && plan.classes[0].kind() == SolidKind::box &&
           !plan.classes[0].rotated) {
         plan.plates.skin = margin + geometry.tolerance() / 2;
       }

@@ -17,7 +17,9 @@ constexpr std::size_t most_classes = 64;
 constexpr std::size_t most_numbers = 4000;
 
 /// Kernels that cost so much more than a slab test that their box goes first.
-bool costly(SolidKind kind) { return kind != SolidKind::box && kind != SolidKind::tube; }
+bool costly(SolidKind kind) {
+  return kind != SolidKind::box && kind != SolidKind::tube && kind != SolidKind::cone;
+}
 
 std::vector<DaughterClass> classify(const Geometry& geometry, const Scene& scene) {
   std::vector<DaughterClass> classes;
@@ -31,32 +33,58 @@ std::vector<DaughterClass> classify(const Geometry& geometry, const Scene& scene
       continue;
     }
     DaughterClass c;
-    c.solid = d.solid;
-    c.extent = geometry.world().volumes[d.volume].solid.extent;
+    c.shapes.push_back({d.solid, geometry.world().volumes[d.volume].solid.extent});
     c.rotated = d.transformation.rotated;
     c.box_first = costly(d.solid.kind);
     c.members.push_back(k);
     classes.push_back(std::move(c));
   }
+  for (DaughterClass& c : classes) c.shape_of.assign(c.members.size(), 0);
   return classes;
 }
 
-/// Boxes of all sizes as one class, or two where some are rotated: a table of sizes costs less than
-/// a branch on the size, which processors cannot foresee.
-void merge_boxes(std::vector<DaughterClass>& classes, bool rotated) {
-  const auto mergeable = [&](const DaughterClass& c) {
-    return c.solid.kind == SolidKind::box && c.rotated == rotated;
-  };
-  const auto into = std::find_if(classes.begin(), classes.end(), mergeable);
-  if (into == classes.end()) return;
-  for (auto c = into + 1; c != classes.end(); ++c) {
-    if (!mergeable(*c)) continue;
-    into->sizes = true;
-    into->members.insert(into->members.end(), c->members.begin(), c->members.end());
-    c->members.clear();
+/// From so many different solids of a kind on a table costs less than a branch on which it is,
+/// which processors cannot foresee, and constants that fold.
+std::size_t fewest_in_table(SolidKind kind) {
+  switch (kind) {
+    case SolidKind::box:
+      return 2;
+    case SolidKind::tube:
+    case SolidKind::cone:
+    case SolidKind::trd:
+      return 3;
+    default:
+      return static_cast<std::size_t>(-1);
   }
-  std::sort(into->members.begin(), into->members.end());
-  std::erase_if(classes, [](const DaughterClass& c) { return c.members.empty(); });
+}
+
+void merge_classes(std::vector<DaughterClass>& classes, SolidKind kind, bool rotated) {
+  const auto mergeable = [&](const DaughterClass& c) {
+    return c.kind() == kind && c.rotated == rotated;
+  };
+  const auto count =
+      static_cast<std::size_t>(std::count_if(classes.begin(), classes.end(), mergeable));
+  if (count < fewest_in_table(kind)) return;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // and shapes
+  std::vector<DaughterClass::Shape> shapes;
+  for (DaughterClass& c : classes) {
+    if (!mergeable(c)) continue;
+    for (const std::uint32_t k : c.members) {
+      members.emplace_back(k, static_cast<std::uint32_t>(shapes.size()));
+    }
+    shapes.push_back(c.shapes[0]);
+  }
+  std::sort(members.begin(), members.end());
+  const auto into = std::find_if(classes.begin(), classes.end(), mergeable);
+  std::erase_if(classes, [&](const DaughterClass& c) { return &c != &*into && mergeable(c); });
+  // Erasing moved nothing that comes before the first of them.
+  into->shapes = std::move(shapes);
+  into->members.clear();
+  into->shape_of.clear();
+  for (const auto& [k, shape] : members) {
+    into->members.push_back(k);
+    into->shape_of.push_back(shape);
+  }
 }
 
 /// With more daughters than this the tables of what is around each would be most of the code.
@@ -71,7 +99,9 @@ ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId
   plan.frame = facts.frames[volume];
   plan.only_mother = facts.only_mothers[volume];
   plan.classes = classify(geometry, scene);
-  for (const bool rotated : {false, true}) merge_boxes(plan.classes, rotated);
+  for (const SolidKind kind : {SolidKind::box, SolidKind::tube, SolidKind::cone, SolidKind::trd}) {
+    for (const bool rotated : {false, true}) merge_classes(plan.classes, kind, rotated);
+  }
   plan.surroundings =
       !scene.surroundings.of.empty() && scene.surroundings.of.size() <= most_surroundings;
   const auto forced = facts.forced_candidates.find(volume);
@@ -94,7 +124,9 @@ bool worth_compiling(const Geometry& geometry, const ScenePlan& plan, std::strin
   }
   if (plan.classes.size() > most_classes) return no("too many different solids to spell out");
   std::size_t numbers = solid_key(geometry.scene(plan.volume).solid).size() / 8;
-  for (const DaughterClass& c : plan.classes) numbers += solid_key(c.solid).size() / 8;
+  for (const DaughterClass& c : plan.classes) {
+    for (const DaughterClass::Shape& s : c.shapes) numbers += solid_key(s.solid).size() / 8;
+  }
   if (numbers > most_numbers) return no("solids too large to spell out");
   if (why != nullptr) *why = "constants fold, candidates are few";
   return true;
@@ -137,9 +169,10 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
   }
   out << "\n";
   for (const DaughterClass& c : plan.classes) {
-    out << "  class        " << c.members.size() << " x " << kind_name(c.solid.kind)
+    out << "  class        " << c.members.size() << " x " << kind_name(c.kind())
         << (c.rotated ? ", rotated" : "") << (c.box_first ? ", box first" : "")
-        << (c.sizes ? ", sizes from a table" : "") << "\n";
+        << (c.from_table() ? ", " + std::to_string(c.shapes.size()) + " sizes from a table" : "")
+        << "\n";
   }
   if (plan.surroundings) {
     const Surroundings& around = geometry.scene(plan.volume).surroundings;

@@ -57,14 +57,21 @@ enum class Candidates : std::uint8_t {
   boxes,    ///< of those, the ones whose boxes it passes
 };
 
-/// Daughters that are tested by the same code: the same solid, placed with or without rotation.
+/// Daughters that are tested by the same code: the same solid, or solids of one kind that a table
+/// holds, placed with or without rotation.
 struct DaughterClass {
-  kernels::AnySolid<double> solid;
-  Extent extent;  ///< of the solid, in its own frame
+  struct Shape {
+    kernels::AnySolid<double> solid;
+    Extent extent;  ///< of the solid, in its own frame
+  };
+  std::vector<Shape> shapes;  ///< more than one: a table
   bool rotated = false;
-  bool box_first = false;  ///< the solid is costly: test its box before
-  bool sizes = false;      ///< boxes of several sizes, which a table holds
-  std::vector<std::uint32_t> members;
+  bool box_first = false;                 ///< the solids are costly: test their boxes before
+  std::vector<std::uint32_t> members;     ///< ascending
+  std::vector<std::uint32_t> shape_of{};  ///< by member
+
+  SolidKind kind() const { return shapes[0].solid.kind; }
+  bool from_table() const { return shapes.size() > 1; }
 };
 
 struct ScenePlan {

@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 
 namespace navjit::bench {
@@ -14,6 +15,29 @@ inline double thread_ns() {
   timespec now;
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+}
+
+/// A counter that costs little to read, of constant rate.
+inline std::uint64_t ticks() {
+#if defined(__x86_64__)
+  return __builtin_ia32_rdtsc();
+#else
+  return static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
+#endif
+}
+
+/// How long a tick is; measured once, in some 20 ms.
+inline double ns_per_tick() {
+  static const double value = [] {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const std::uint64_t first = ticks();
+    while (Clock::now() - start < std::chrono::milliseconds(20)) {
+    }
+    const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+    return ns / static_cast<double>(ticks() - first);
+  }();
+  return value;
 }
 
 /// Cycles per nanosecond right now, from chains of integer multiplications, 3 cycles each on

@@ -140,7 +140,7 @@ std::string shape_type(SolidKind kind) {
 std::span<const char* const> kernel_order() { return order; }
 
 bool inlines_everywhere(std::string_view kernel) {
-  constexpr std::array<std::string_view, 8> small{"convex",  "box",   "trd",  "trap",
+  constexpr std::array<std::string_view, 9> small{"convex",  "box",   "trd",  "trap", "cone",
                                                   "boolean", "wedge", "tube", "orb"};
   return std::find(small.begin(), small.end(), kernel) != small.end();
 }

@@ -31,6 +31,11 @@ std::string row(const double* r, const char* a, const char* b, const char* c) {
   return text.empty() ? "0.0" : text;
 }
 
+/// Boxes have their sizes beside their positions.
+bool boxes_from_table(const DaughterClass& c) {
+  return c.from_table() && c.kind() == SolidKind::box;
+}
+
 std::string rows(const double* r, const char* a, const char* b, const char* c) {
   return row(r, a, b, c) + ", " + row(r + 3, a, b, c) + ", " + row(r + 6, a, b, c);
 }
@@ -100,17 +105,49 @@ std::string SceneText::frame() const {
   return text;
 }
 
+/// The shapes of a class, and where it matters their boxes with a margin.
+std::string SceneText::shape_table(const DaughterClass& c, std::size_t number_of_class) const {
+  const std::string n = std::to_string(number_of_class);
+  std::string text =
+      "constexpr decltype(" + shapes_.constant(c.shapes[0].solid) + ") shapes_" + n + "[] = {";
+  std::string boxes;
+  for (const DaughterClass::Shape& s : c.shapes) {
+    text += shapes_.constant(s.solid) + ", ";
+    boxes += "  {" + margin_box(s.extent) + "},\n";
+  }
+  text += "};\n";
+  if (c.box_first) text += "constexpr Vec3<double> boxes_" + n + "[][2] = {\n" + boxes + "};\n";
+  return text;
+}
+
+/// The corners of a solid's box, inflated by far more than any rounding, far less than any
+/// dimension.
+std::string SceneText::margin_box(const Extent& e) const {
+  const double scale = std::max(1.0, largest_coordinate(e));
+  const double margin =
+      2 * geometry_.tolerance() + 1e-9 * std::max(scale, geometry_.tolerance() * 1e9);
+  return "{" + number(e.min.x - margin) + ", " + number(e.min.y - margin) + ", " +
+         number(e.min.z - margin) + "}, {" + number(e.max.x + margin) + ", " +
+         number(e.max.y + margin) + ", " + number(e.max.z + margin) + "}";
+}
+
 std::string SceneText::tables() const {
   std::string text =
       "struct Daughter {\n  double x, y, z;\n  unsigned long long offset;\n  unsigned volume;\n"
       "  unsigned short kind;\n  unsigned rotation;\n";
-  const bool sizes = std::any_of(plan_.classes.begin(), plan_.classes.end(),
-                                 [](const DaughterClass& c) { return c.sizes; });
-  if (sizes) text += "  Box<double> box;\n";
+  text += "  unsigned short shape;\n";
+  const bool boxes = std::any_of(plan_.classes.begin(), plan_.classes.end(), boxes_from_table);
+  if (boxes) text += "  Box<double> box;\n";
   text += "};\nconstexpr Daughter daughters[] = {\n";
-  std::vector<std::uint32_t> kind(scene_.daughters.size());
+  std::vector<std::uint32_t> kind(scene_.daughters.size()), shape(scene_.daughters.size());
+  std::string tables;
   for (std::uint32_t c = 0; c < plan_.classes.size(); ++c) {
-    for (const std::uint32_t k : plan_.classes[c].members) kind[k] = c;
+    const DaughterClass& of = plan_.classes[c];
+    for (std::size_t i = 0; i < of.members.size(); ++i) {
+      kind[of.members[i]] = c;
+      shape[of.members[i]] = of.shape_of[i];
+    }
+    if (of.from_table() && !boxes_from_table(of)) tables += shape_table(of, c);
   }
   std::string rotations;
   std::vector<std::array<double, 9>> distinct;
@@ -132,16 +169,17 @@ std::string SceneText::tables() const {
     }
     text += "  {" + number(t.translation[0]) + ", " + number(t.translation[1]) + ", " +
             number(t.translation[2]) + ", " + std::to_string(d.offset) + "ULL, " + id(d.volume) +
-            ", " + std::to_string(kind[k]) + ", " + std::to_string(rotation);
-    if (sizes && d.solid.kind == SolidKind::box) {
+            ", " + std::to_string(kind[k]) + ", " + std::to_string(rotation) + ", " +
+            std::to_string(shape[k]);
+    if (boxes && d.solid.kind == SolidKind::box) {
       const auto& box = *static_cast<const kernels::Box<double>*>(d.solid.shape);
       text += ", {" + number(box.hx) + ", " + number(box.hy) + ", " + number(box.hz) + "}";
-    } else if (sizes) {
+    } else if (boxes) {
       text += ", {0, 0, 0}";
     }
     text += "},\n";
   }
-  text += "};\n";
+  text += "};\n" + tables;
   if (!rotations.empty()) text += "constexpr double rotations[][9] = {\n" + rotations + "};\n";
   return text;
 }
@@ -171,17 +209,15 @@ std::string SceneText::daughter_case(const DaughterClass& c, const char* call, c
         "r[2] * d.z, r[3] * d.x + r[4] * d.y + r[5] * d.z, r[6] * d.x + r[7] * d.y + r[8] * "
         "d.z);\n";
   }
-  const std::string solid = c.sizes ? "at.box" : shapes_.constant(c.solid);
+  const std::string n = std::to_string(&c - plan_.classes.data());
+  const std::string solid = boxes_from_table(c) ? "at.box"
+                            : c.from_table()    ? "shapes_" + n + "[at.shape]"
+                                                : shapes_.constant(c.shapes[0].solid);
   if (c.box_first) {
-    const Extent& e = c.extent;
-    const double scale = std::max(1.0, largest_coordinate(e));
-    // As for buckets: far above any rounding, far below any dimension.
-    const double margin =
-        2 * geometry_.tolerance() + 1e-9 * std::max(scale, geometry_.tolerance() * 1e9);
-    const std::string box = "{" + number(e.min.x - margin) + ", " + number(e.min.y - margin) +
-                            ", " + number(e.min.z - margin) + "}, {" + number(e.max.x + margin) +
-                            ", " + number(e.max.y + margin) + ", " + number(e.max.z + margin) +
-                            "}, q";
+    const std::string box =
+        (c.from_table() ? "boxes_" + n + "[at.shape][0], boxes_" + n + "[at.shape][1]"
+                        : margin_box(c.shapes[0].extent)) +
+        ", q";
     text += std::string_view(call) == "distance_to_in"
                 ? "      if (!may_meet_box(" + box + ", e, reach)) return infinity<double>();\n"
                 : "      if (!is_in_box(" + box + ")) return false;\n";

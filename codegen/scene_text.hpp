@@ -33,6 +33,8 @@ class SceneText {
 
  private:
   std::string frame() const;
+  std::string margin_box(const Extent& extent) const;
+  std::string shape_table(const DaughterClass& c, std::size_t number_of_class) const;
   std::string tables() const;
   std::string daughter_case(const DaughterClass& c, const char* call, const std::string& x,
                             const std::string& y, const std::string& z,

@@ -86,8 +86,12 @@ bool within_tolerance_of_nappe(const ConicalForm<Real>& q, Real tol) {
 
 template <class Real>
 bool in_cone(const ConicalFace<Real>& f, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  const ConicalForm<Real> q = conical_form(f, p, v);
-  return within_tolerance_of_nappe(q, tol) && heads_into_nappe(q, tol);
+  // Most points are far from the face; the direction matters to those that are on it.
+  const Real x = f.cosine * p.x, y = f.cosine * p.y, radius = f.radius + f.slope * p.z;
+  const Real r2 = x * x + y * y, outer = radius + tol, inner = radius - tol;
+  if (!(outer >= 0 && r2 <= outer * outer)) return false;
+  if (inner > 0 && r2 < inner * inner) return true;
+  return heads_into_nappe(conical_form(f, p, v), tol);
 }
 
 /// Exit from the nappe, for points known to be in it.
