@@ -18,6 +18,9 @@ constexpr std::size_t spell_out_limit = 4;
 /// With more daughters than this, tables of boxes would be most of the code.
 constexpr std::size_t most_boxes = 2048;
 
+/// All boxes are looked at for safety: beyond this the generic navigator's tree is faster.
+constexpr std::size_t most_boxes_near = 128;
+
 /// Single precision tells boxes apart in scenes that are not larger than this, mm.
 constexpr double largest_float_scene = 1e7;
 
@@ -85,9 +88,25 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
   plan.buckets = make_buckets(extent, placed, margin, BucketUse::blocks, apart);
   plan.mean_candidates = mean_candidates(plan.buckets);
   const double inflate = margin + float_margin(largest);
-  for (const Extent& box : boxes) {
-    plan.boxes.push_back({{box.min.x - inflate, box.min.y - inflate, box.min.z - inflate},
-                          {box.max.x + inflate, box.max.y + inflate, box.max.z + inflate}});
+  for (const Extent& box : boxes) plan.boxes.push_back(inflated(box, inflate));
+}
+
+void choose_safety(const Geometry& geometry, ScenePlan& plan) {
+  const Scene& scene = geometry.scene(plan.volume);
+  switch (scene.search) {
+    case Search::none:
+    case Search::all:
+      plan.safety = SafetyFrom::all;
+      return;
+    case Search::linear_boxes:
+    case Search::bvh:
+      if (scene.daughters.size() > most_boxes_near) return;
+      plan.safety = SafetyFrom::boxes;
+      for (const Daughter& d : scene.daughters) {
+        const Extent box =
+            placed_extent(geometry.world().volumes[d.volume].solid, d.transformation);
+        plan.tree_boxes.push_back(inflated(box, geometry.tolerance()));
+      }
   }
 }
 

@@ -11,4 +11,7 @@ namespace navjit {
 /// kind that somebody outside wants.
 void choose_candidates(const Geometry& geometry, std::optional<Candidates> forced, ScenePlan& plan);
 
+/// Fills in how the scene's safety is found.
+void choose_safety(const Geometry& geometry, ScenePlan& plan);
+
 }  // namespace navjit

@@ -109,6 +109,7 @@ ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId
                     forced == facts.forced_candidates.end() ? std::optional<Candidates>()
                                                             : std::optional(forced->second),
                     plan);
+  choose_safety(geometry, plan);
   return plan;
 }
 
@@ -174,6 +175,11 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
         << (c.from_table() ? ", " + std::to_string(c.shapes.size()) + " sizes from a table" : "")
         << "\n";
   }
+  out << "  safety       "
+      << (plan.safety == SafetyFrom::all     ? "every daughter's"
+          : plan.safety == SafetyFrom::boxes ? "by boxes, eight at once"
+                                             : "generic")
+      << "\n";
   if (plan.surroundings) {
     const Surroundings& around = geometry.scene(plan.volume).surroundings;
     std::size_t listed = 0, within = 0;

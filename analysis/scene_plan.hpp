@@ -57,6 +57,12 @@ enum class Candidates : std::uint8_t {
   boxes,    ///< of those, the ones whose boxes it passes
 };
 
+enum class SafetyFrom : std::uint8_t {
+  generic,  ///< left to the generic navigator
+  all,      ///< mother and every daughter
+  boxes,    ///< mother and the daughters whose boxes are near
+};
+
 /// Daughters that are tested by the same code: the same solid, or solids of one kind that a table
 /// holds, placed with or without rotation.
 struct DaughterClass {
@@ -82,7 +88,9 @@ struct ScenePlan {
   Buckets buckets;            ///< for buckets and boxes
   std::vector<Extent> boxes;  ///< by daughter, with a margin for single precision
   Plates plates;
-  bool surroundings = false;  ///< on leaving a daughter only her neighbours are asked
+  SafetyFrom safety = SafetyFrom::generic;
+  std::vector<Extent> tree_boxes;  ///< for safety: by daughter, as the generic navigator inflates
+  bool surroundings = false;       ///< on leaving a daughter only her neighbours are asked
   std::vector<DaughterClass> classes;
   double mean_candidates = 0;  ///< expected candidates per bucket, by volume
   std::string pattern;         ///< in words: "leaf", "stack of 70 along z", "grid 4 x 4", ...

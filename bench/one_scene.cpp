@@ -1,5 +1,6 @@
 // One scene by the method of Wenzel et al., section 2.5: rays that start at random points of one
-// volume, each makes one step to the next boundary and is relocated behind it.
+// volume, each makes one step to the next boundary and is relocated behind it. Or, with --safety,
+// asks for the safety at its start.
 //
 // Every engine gets its own located states, as a simulation would hold them after the step before:
 // VecGeom its navigation states, navjit navigators that stand in the touchable. Time is taken over
@@ -44,8 +45,8 @@ struct Engine {
 /// A navigator for every ray of a chunk.
 class SceneRunner {
  public:
-  SceneRunner(const std::shared_ptr<const World>& world, const RuntimeOptions& options)
-      : runtime_(world, options) {
+  SceneRunner(const std::shared_ptr<const World>& world, const RuntimeOptions& options, bool safety)
+      : runtime_(world, options), safety_(safety) {
     for (std::size_t i = 0; i < chunk; ++i) navigators_.push_back(runtime_.navigator());
   }
 
@@ -59,10 +60,7 @@ class SceneRunner {
         navigators_[i].step(part[i].state, part[i].ray.position, {0.6, 0, 0.8}, 0.0);
       }
       const std::uint64_t start = bench::ticks();
-      for (std::size_t i = 0; i < part.size(); ++i) {
-        sums.length +=
-            navigators_[i].step(part[i].state, part[i].ray.position, part[i].ray.direction).length;
-      }
+      for (std::size_t i = 0; i < part.size(); ++i) sums.length += ask(navigators_[i], part[i]);
       ticks_.push_back(static_cast<double>(bench::ticks() - start) /
                        static_cast<double>(part.size()));
     }
@@ -80,9 +78,7 @@ class SceneRunner {
   Sums run_from_states(std::span<const bench::SceneRay> rays) {
     Sums sums;
     const double start = bench::thread_ns();
-    for (const bench::SceneRay& r : rays) {
-      sums.length += navigators_[0].step(r.state, r.ray.position, r.ray.direction).length;
-    }
+    for (const bench::SceneRay& r : rays) sums.length += ask(navigators_[0], r);
     sums.ns = bench::thread_ns() - start;
     return sums;
   }
@@ -96,7 +92,13 @@ class SceneRunner {
   }
 
  private:
+  double ask(Navigator& navigator, const bench::SceneRay& r) const {
+    return safety_ ? navigator.safety(r.state, r.ray.position)
+                   : navigator.step(r.state, r.ray.position, r.ray.direction).length;
+  }
+
   Runtime runtime_;
+  bool safety_;
   std::vector<Navigator> navigators_;
   std::vector<double> ticks_;  ///< by chunk, a ray
 };
@@ -128,7 +130,7 @@ int main(int argc, char** argv) try {
   std::uint64_t seed = 1;
   int repetitions = 3;
   std::size_t blocks = 10;
-  bool without_peers = false, perf_map = false;
+  bool without_peers = false, perf_map = false, safety = false;
   std::vector<InstructionSet> sets{InstructionSet::native};
   app.add_option("detector", detector, "GDML file")->required();
   app.add_option("--volume", volumes, "logical volumes, each a table")->required()->delimiter(',');
@@ -139,6 +141,7 @@ int main(int argc, char** argv) try {
       ->check(CLI::PositiveNumber);
   app.add_option("--json", json_file, "write the figures");
   app.add_flag("--without-peers", without_peers, "navjit alone");
+  app.add_flag("--safety", safety, "safety at the starts instead of steps");
   app.add_flag("--perf-map", perf_map, "name generated functions for perf");
   bench::add_isa_option(app, sets);
   CLI11_PARSE(app, argc, argv);
@@ -148,13 +151,13 @@ int main(int argc, char** argv) try {
   off.jit = JitMode::off;
   Runtime generic(world, off);
   std::vector<std::unique_ptr<SceneRunner>> runners;
-  runners.push_back(std::make_unique<SceneRunner>(world, off));
+  runners.push_back(std::make_unique<SceneRunner>(world, off, safety));
   for (const InstructionSet set : sets) {
     RuntimeOptions wait;
     wait.jit = JitMode::wait;
     wait.specialiser.instruction_set = set;
     wait.specialiser.perf_map = perf_map;
-    runners.push_back(std::make_unique<SceneRunner>(world, wait));
+    runners.push_back(std::make_unique<SceneRunner>(world, wait, safety));
   }
 #ifdef NAVJIT_VECGEOM
   std::unique_ptr<peers::VecGeomPeer> peer;
@@ -217,8 +220,10 @@ int main(int argc, char** argv) try {
         engines.push_back({label, [&, n = navigator](std::size_t b) {
                              peer->use(n);
                              const double start = bench::thread_ns();
-                             const auto t = peer->one_step(of_peer.states[b], of_peer.rays[b]);
-                             return Sums{bench::thread_ns() - start, t.length};
+                             const double sum =
+                                 safety ? peer->safety(of_peer.states[b], of_peer.rays[b])
+                                        : peer->one_step(of_peer.states[b], of_peer.rays[b]).length;
+                             return Sums{bench::thread_ns() - start, sum};
                            }});
       }
     }
@@ -238,7 +243,7 @@ int main(int argc, char** argv) try {
                 runners[1]->specialised(name) ? "" : ", left generic", per_block * blocks,
                 repetitions, blocks);
     std::printf(
-        "| engine | ns/ray (quartiles) | mean length, mm | speed-up over navjit generic "
+        "| engine | ns/ray (quartiles) | mean answer, mm | speed-up over navjit generic "
         "(quartiles) | of navjit specialised over this (quartiles) |\n|---|--:|--:|--:|--:|\n");
     nlohmann::ordered_json table{{"volume", name}, {"rays", per_block * blocks}};
     for (const Engine& engine : engines) {
@@ -252,7 +257,7 @@ int main(int argc, char** argv) try {
       table["engines"].push_back({{"name", engine.name},
                                   {"ns_per_ray", engine.ns_per_ray},
                                   {"median_ns", ns.median},
-                                  {"mean_length_mm", engine.length / double(per_block * blocks)},
+                                  {"mean_answer_mm", engine.length / double(per_block * blocks)},
                                   {"specialised_over_this", lead.median}});
     }
     std::printf("\n");

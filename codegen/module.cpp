@@ -99,8 +99,13 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
       const std::string step = "navjit_step_" + id + "_" + identifier(name);
       const std::string settle = "navjit_settle_" + id + "_" + identifier(name);
       bodies += text.step(step) + text.settle(settle);
+      std::string safety;
+      if (plan.safety != SafetyFrom::generic) {
+        safety = "navjit_safety_" + id + "_" + identifier(name);
+        bodies += text.safety(safety);
+      }
       for (const VolumeId equal : facts.equals[volume]) {
-        module.entries.push_back({equal, step, settle});
+        module.entries.push_back({equal, step, settle, safety});
       }
     }
   }

@@ -16,6 +16,7 @@ struct Entry {
   VolumeId volume;
   std::string step;
   std::string settle;
+  std::string safety;  ///< empty where the scene has none of its own
 };
 
 struct Module {

@@ -6,6 +6,7 @@
 #include "analysis/axis.hpp"
 #include "codegen/scene_text.hpp"
 #include "codegen/text.hpp"
+#include "geometry/bvh/rounding.hpp"
 
 namespace navjit::codegen {
 namespace {
@@ -66,32 +67,31 @@ std::string searches(const std::string& visit_at, const std::string& walk) {
 
 }  // namespace
 
+/// The body of a function of a daughter's number k: `call` for her solid.
+std::string SceneText::daughter_switch(const char* call) const {
+  const bool one = plan_.classes.size() == 1;
+  std::string text = "  const Daughter& at = daughters[k];\n";
+  if (!one) text += "  switch (at.kind) {\n";
+  for (std::size_t c = 0; c < plan_.classes.size(); ++c) {
+    if (!one) {
+      text +=
+          c + 1 == plan_.classes.size() ? "    default: " : "    case " + std::to_string(c) + ": ";
+    } else {
+      text += "    ";
+    }
+    text += daughter_case(plan_.classes[c], call, "at.x", "at.y", "at.z", "at.rotation");
+  }
+  return text + (one ? "}\n" : "  }\n}\n");
+}
+
 /// Whether a daughter holds a point, and how far along a ray she is.
 std::string SceneText::daughter_tests() const {
-  std::string text;
-  const bool one = plan_.classes.size() == 1;
-  for (const char* call : {"contains", "distance_to_in"}) {
-    const bool distance = std::string_view(call) == "distance_to_in";
-    text += std::string(distance ? "[[gnu::always_inline]] static inline double distance(unsigned "
-                                   "k, const Vec3<double>& p, "
-                                   "const Direction<double>& d, [[maybe_unused]] double reach) {\n"
-                                 : "[[gnu::always_inline]] static inline bool holds(unsigned k, "
-                                   "const Vec3<double>& p, const "
-                                   "Direction<double>& d) {\n");
-    text += "  const Daughter& at = daughters[k];\n";
-    if (!one) text += "  switch (at.kind) {\n";
-    for (std::size_t c = 0; c < plan_.classes.size(); ++c) {
-      if (!one) {
-        text += c + 1 == plan_.classes.size() ? "    default: "
-                                              : "    case " + std::to_string(c) + ": ";
-      } else {
-        text += "    ";
-      }
-      text += daughter_case(plan_.classes[c], call, "at.x", "at.y", "at.z", "at.rotation");
-    }
-    text += one ? "}\n" : "  }\n}\n";
-  }
-  return text;
+  return "[[gnu::always_inline]] static inline bool holds(unsigned k, const Vec3<double>& p, const "
+         "Direction<double>& d) {\n" +
+         daughter_switch("contains") +
+         "[[gnu::always_inline]] static inline double distance(unsigned k, const Vec3<double>& p, "
+         "const Direction<double>& d, [[maybe_unused]] double reach) {\n" +
+         daughter_switch("distance_to_in");
 }
 
 /// Spelled-out daughters unroll: the index is a constant at each call.
@@ -153,34 +153,38 @@ std::string SceneText::search_buckets() const {
          searches("visit_bucket_at", "walk_buckets");
 }
 
+std::string box_block(const std::function<const Extent*(std::size_t)>& box) {
+  std::string text = "{";
+  for (const bool upper : {false, true}) {
+    text += upper ? "}, {" : "{";
+    for (int axis = 0; axis < 3; ++axis) {
+      text += axis == 0 ? "{" : ", {";
+      for (std::size_t lane = 0; lane < box_lanes; ++lane) {
+        const Extent* e = box(lane);
+        text += (lane == 0 ? "" : ", ") + float_number(e == nullptr ? (upper ? -INFINITY : INFINITY)
+                                                       : upper ? bvh::float_above(high(*e, axis))
+                                                               : bvh::float_below(low(*e, axis)));
+      }
+      text += "}";
+    }
+  }
+  return text + "}},\n";
+}
+
 std::string SceneText::search_boxes() const {
-  constexpr std::size_t lanes = 8;
   const Buckets& b = plan_.buckets;
   const char* index = index_type(scene_.daughters.size());
   std::string blocks = "constexpr BoxBlock blocks[] = {\n", daughters;
   std::vector<std::uint32_t> first{0};
   for (std::size_t bucket = 0; bucket < b.size(); ++bucket) {
     std::uint32_t count = first.back();
-    for (std::uint32_t m = b.first[bucket]; m < b.first[bucket + 1]; m += lanes, ++count) {
-      const std::size_t used = std::min<std::size_t>(lanes, b.first[bucket + 1] - m);
-      blocks += "{";
-      for (const bool upper : {false, true}) {
-        blocks += upper ? "}, {" : "{";
-        for (int axis = 0; axis < 3; ++axis) {
-          blocks += axis == 0 ? "{" : ", {";
-          for (std::size_t i = 0; i < lanes; ++i) {
-            const float empty = upper ? -INFINITY : INFINITY;
-            const Extent* box = i < used ? &plan_.boxes[b.members[m + i]] : nullptr;
-            blocks += (i == 0 ? "" : ", ") + float_number(box == nullptr ? empty
-                                                          : upper ? float_above(high(*box, axis))
-                                                                  : float_below(low(*box, axis)));
-          }
-          blocks += "}";
-        }
-      }
-      blocks += "}},\n";
+    for (std::uint32_t m = b.first[bucket]; m < b.first[bucket + 1]; m += box_lanes, ++count) {
+      const std::size_t used = std::min<std::size_t>(box_lanes, b.first[bucket + 1] - m);
+      blocks += box_block([&](std::size_t lane) {
+        return lane < used ? &plan_.boxes[b.members[m + lane]] : nullptr;
+      });
       daughters += daughters.empty() ? "{" : ",\n  {";
-      for (std::size_t i = 0; i < lanes; ++i) {
+      for (std::size_t i = 0; i < box_lanes; ++i) {
         daughters += (i == 0 ? "" : ", ") + std::to_string(i < used ? b.members[m + i] : 0);
       }
       daughters += "}";

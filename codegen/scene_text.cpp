@@ -190,29 +190,35 @@ std::string SceneText::daughter_case(const DaughterClass& c, const char* call, c
                                      const std::string& rotation) const {
   std::string text =
       "{\n      const double dx = p.x - " + x + ", dy = p.y - " + y + ", dz = p.z - " + z + ";\n";
+  const bool directed = std::string_view(call) != "safety_to_in";
   const std::string make = std::string_view(call) == "contains" ? "make_heading" : "make_direction";
   if (!c.rotated) {
-    text += "      const Vec3<double> q{dx, dy, dz};\n      const Direction<double>& e = d;\n";
+    text += "      const Vec3<double> q{dx, dy, dz};\n";
+    if (directed) text += "      const Direction<double>& e = d;\n";
   } else if (c.members.size() == 1) {
     const double* r = scene_.daughters[c.members[0]].transformation.rotation;
     text += "      const Vec3<double> q{" + rows(r, "dx", "dy", "dz") + "};\n";
-    text += "      const Direction<double> e = " + make + "<double>(" +
-            rows(r, "d.x", "d.y", "d.z") + ");\n";
+    if (directed) {
+      text += "      const Direction<double> e = " + make + "<double>(" +
+              rows(r, "d.x", "d.y", "d.z") + ");\n";
+    }
   } else {
     text += "      const double* r = rotations[" + rotation + "];\n";
     text +=
         "      const Vec3<double> q{r[0] * dx + r[1] * dy + r[2] * dz, r[3] * dx + r[4] * dy "
-        "+ r[5] * dz, r[6] * dx + r[7] * dy + r[8] * dz};\n"
-        "      const Direction<double> e = " +
-        make +
-        "<double>(r[0] * d.x + r[1] * d.y + "
-        "r[2] * d.z, r[3] * d.x + r[4] * d.y + r[5] * d.z, r[6] * d.x + r[7] * d.y + r[8] * "
-        "d.z);\n";
+        "+ r[5] * dz, r[6] * dx + r[7] * dy + r[8] * dz};\n";
+    if (directed) {
+      text += "      const Direction<double> e = " + make +
+              "<double>(r[0] * d.x + r[1] * d.y + "
+              "r[2] * d.z, r[3] * d.x + r[4] * d.y + r[5] * d.z, r[6] * d.x + r[7] * d.y + r[8] * "
+              "d.z);\n";
+    }
   }
   const std::string n = std::to_string(&c - plan_.classes.data());
   const std::string solid = boxes_from_table(c) ? "at.box"
                             : c.from_table()    ? "shapes_" + n + "[at.shape]"
                                                 : shapes_.constant(c.shapes[0].solid);
+  if (!directed) return text + "      return safety_to_in(" + solid + ", q);\n    }\n";
   if (c.box_first) {
     const std::string box =
         (c.from_table() ? "boxes_" + n + "[at.shape][0], boxes_" + n + "[at.shape][1]"

@@ -1,6 +1,7 @@
 // The functions of one scene as C++ text.
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
 
@@ -16,6 +17,12 @@ struct Neighbours {
   std::set<VolumeId> reenter;  ///< out of a daughter
 };
 
+/// Boxes in a block of the kernel "boxes".
+constexpr std::size_t box_lanes = 8;
+
+/// A BoxBlock of `box(lane)`, rounded outwards; null: an empty lane.
+std::string box_block(const std::function<const Extent*(std::size_t)>& box);
+
 /// Writes what the plan says. All text is inside namespace navjit::kernels.
 class SceneText {
  public:
@@ -30,6 +37,8 @@ class SceneText {
   std::string reenter() const;
   std::string step(const std::string& symbol) const;
   std::string settle(const std::string& symbol) const;
+  /// Where the plan has one.
+  std::string safety(const std::string& symbol) const;
 
  private:
   std::string frame() const;
@@ -39,6 +48,7 @@ class SceneText {
   std::string daughter_case(const DaughterClass& c, const char* call, const std::string& x,
                             const std::string& y, const std::string& z,
                             const std::string& rotation) const;
+  std::string daughter_switch(const char* call) const;
   std::string daughter_tests() const;
   std::string search_all() const;
   std::string search_plates() const;

@@ -18,13 +18,6 @@ std::string float_number(float value) {
   return number(static_cast<double>(value)) + "f";
 }
 
-float float_below(double value) {
-  const float near = static_cast<float>(value);
-  return static_cast<double>(near) <= value ? near : std::nextafterf(near, -INFINITY);
-}
-
-float float_above(double value) { return -float_below(-value); }
-
 std::string identifier(std::string_view name) {
   std::string out;
   for (const char c : name.substr(0, 60)) {

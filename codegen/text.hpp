@@ -10,9 +10,6 @@ namespace navjit::codegen {
 std::string number(double value);
 /// The same for a float.
 std::string float_number(float value);
-/// The float next to a double, not above or not below it.
-float float_below(double value);
-float float_above(double value);
 /// A name from a file made harmless: letters, digits and underscores, at most 60 characters.
 std::string identifier(std::string_view name);
 

@@ -44,7 +44,11 @@ double Navigator::safety(const State& from, const Vec3& point) {
   require_finite(point, "point");
   const Stack& stack = own_->stack;
   if (stack.depth < 0 || stack.levels[stack.depth].touchable != from.touchable()) restore(from);
-  return generic::safety(shared_->geometry, stack, point);
+  own_->presence->enter();
+  const double safety = kernels::navigators_of(context_, stack.levels[stack.depth].volume)
+                            ->safety(&stack, context_, point.x, point.y, point.z);
+  own_->presence->leave();
+  return safety;
 }
 
 void Navigator::require_numbers(const Vec3& point, const Vec3& direction, double limit) {

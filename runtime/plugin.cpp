@@ -6,6 +6,7 @@
 #include <set>
 #include <string_view>
 
+#include "geometry/navigation/generic.hpp"
 #include "jit/sha256.hpp"
 #include "jit/trust.hpp"
 #include "runtime/fingerprint.hpp"
@@ -118,8 +119,9 @@ jit::Expected<std::shared_ptr<const Plugin>> Plugin::load_checked(const std::str
   const auto* volumes = symbol<unsigned>(library, "navjit_plugin_volumes");
   const auto* steps = symbol<kernels::StepFunction>(library, "navjit_plugin_steps");
   const auto* settles = symbol<kernels::SettleFunction>(library, "navjit_plugin_settles");
+  const auto* safeties = symbol<kernels::SafetyFunction>(library, "navjit_plugin_safeties");
   if (count == nullptr || volumes == nullptr || steps == nullptr || settles == nullptr ||
-      *count > geometry.size()) {
+      safeties == nullptr || *count > geometry.size()) {
     return fail("it is no complete plugin");
   }
   std::set<VolumeId> seen;
@@ -128,7 +130,9 @@ jit::Expected<std::shared_ptr<const Plugin>> Plugin::load_checked(const std::str
         settles[i] == nullptr) {
       return fail("it is no complete plugin");
     }
-    plugin->entries_.push_back({volumes[i], {steps[i], settles[i]}});
+    const kernels::SafetyFunction safety =
+        safeties[i] != nullptr ? safeties[i] : generic::navigators.safety;
+    plugin->entries_.push_back({volumes[i], {steps[i], settles[i], safety}});
   }
   return std::shared_ptr<const Plugin>(std::move(plugin));
 }

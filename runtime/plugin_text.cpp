@@ -19,11 +19,12 @@ std::string constant(const std::string& type, const std::string& name, const std
 std::string plugin_source(const Geometry& geometry, const WorldFacts& facts,
                           std::span<const VolumeId> volumes) {
   const codegen::Module module = codegen::generate(geometry, facts, volumes);
-  std::string numbers, steps, settles;
+  std::string numbers, steps, settles, safeties;
   for (const codegen::Entry& entry : module.entries) {
     numbers += std::to_string(entry.volume) + ", ";
     steps += entry.step + ", ";
     settles += entry.settle + ", ";
+    safeties += (entry.safety.empty() ? "nullptr" : entry.safety) + ", ";
   }
   // The preprocessor says what the compiler was allowed to use, whoever calls it.
   std::string features = "\"\"";
@@ -47,6 +48,7 @@ std::string plugin_source(const Geometry& geometry, const WorldFacts& facts,
   text += "using namespace navjit::kernels;\n";
   array("const navjit::kernels::StepFunction", "steps", "{" + steps + "}");
   array("const navjit::kernels::SettleFunction", "settles", "{" + settles + "}");
+  array("const navjit::kernels::SafetyFunction", "safeties", "{" + safeties + "}");
   return text + "}\n";
 }
 

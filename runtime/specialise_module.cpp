@@ -25,11 +25,15 @@ struct Installed {
   std::vector<kernels::Navigators> records;
 };
 
-/// Both functions of an entry; null where the code has them not.
+/// The functions of an entry; null where the code has them not. A safety need not be there.
 kernels::Navigators find_entry(const jit::Code& code, const codegen::Entry& entry) {
   const auto step = code.function<std::remove_pointer_t<kernels::StepFunction>>(entry.step);
   const auto settle = code.function<std::remove_pointer_t<kernels::SettleFunction>>(entry.settle);
-  return {step ? *step : nullptr, settle ? *settle : nullptr};
+  const auto safety = code.function<std::remove_pointer_t<kernels::SafetyFunction>>(entry.safety);
+  return {step ? *step : nullptr, settle ? *settle : nullptr,
+          entry.safety.empty() ? generic::navigators.safety
+          : safety             ? *safety
+                               : nullptr};
 }
 
 /// What people see of a module in the cache: how many scenes, and the first of them.
@@ -97,7 +101,7 @@ bool Specialiser::install(const codegen::Module& module, jit::Code code, bool ca
     report.origin = cached ? CodeOrigin::cache : CodeOrigin::compiler;
     std::string problem = "the generated function is missing";
     const kernels::Navigators record = find_entry(installed->code, entry);
-    if (record.step == nullptr || record.settle == nullptr ||
+    if (record.step == nullptr || record.settle == nullptr || record.safety == nullptr ||
         !install_scene(entry.volume, installed->records.emplace_back(record), installed,
                        shared_->options.specialiser.keep_only_faster, report, problem)) {
       if (cached) return false;

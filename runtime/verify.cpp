@@ -67,6 +67,14 @@ std::string verify_settle(const Geometry& geometry, const kernels::Context& cont
              : describe(s, "relocation", stacks.generic.depth, stacks.specialised.depth);
 }
 
+std::string verify_safety(const Geometry& geometry, const kernels::Context& context,
+                          const kernels::Navigators& specialised, const Sample& s, Stack& stack) {
+  generic::restore(geometry, stack, s.touchable);
+  const double right = generic::safety(geometry, stack, s.point);
+  const double wrong = specialised.safety(&stack, &context, s.point.x, s.point.y, s.point.z);
+  return std::memcmp(&right, &wrong, sizeof right) == 0 ? "" : describe(s, "safety", right, wrong);
+}
+
 }  // namespace
 
 std::string verify(const Geometry& geometry, const kernels::Context& context,
@@ -81,6 +89,9 @@ std::string verify(const Geometry& geometry, const kernels::Context& context,
     std::string problem = verify_step(geometry, context, specialised, s, *stacks);
     if (problem.empty()) {
       problem = verify_settle(geometry, context, specialised, s, -1, *stacks);
+    }
+    if (problem.empty()) {
+      problem = verify_safety(geometry, context, specialised, s, stacks->generic);
     }
     if (problem.empty() && daughters > 0) {
       problem = verify_settle(geometry, context, specialised, s, static_cast<int>(n++ % daughters),

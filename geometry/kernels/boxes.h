@@ -82,6 +82,57 @@ inline unsigned lanes_around(const BoxBlock& block, const Vec3<double>& p) {
                   (y <= block.high[1]) & (block.low[2] <= z) & (z <= block.high[2]));
 }
 
+/// Floats strictly below and above a double, as the generic navigator's boxes have them
+/// (geometry/bvh/rounding.hpp).
+inline float strictly_below(double x) {
+  if (absolute(x) == infinity<double>()) {
+    return x < 0 ? -__builtin_inff() : __FLT_MAX__;
+  }
+  const double shifted = x - (absolute(x) * 0x1p-23 + 0x1p-100);
+  return static_cast<float>(shifted < __FLT_MAX__ ? shifted : double(__FLT_MAX__));
+}
+inline float strictly_above(double x) { return -strictly_below(-x); }
+
+inline Floats root_of_lanes(Floats x) {
+#ifdef __clang__
+  return __builtin_elementwise_sqrt(x);
+#else
+  for (int i = 0; i < box_lanes; ++i) x[i] = __builtin_sqrtf(x[i]);
+  return x;
+#endif
+}
+
+/// `safety` or the smallest max(bound, away(k)) of what is `count` blocks of daughters in file
+/// order, where that is less. `bound` is the distance to the box as the generic navigator has it,
+/// bit by bit (bvh::BoxTree::near): with it the answer does not depend on who is asked.
+template <class Away>
+inline double safety_among_boxes(const BoxBlock* blocks, unsigned count, const Vec3<double>& p,
+                                 double safety, Away away) {
+  const Floats below[3] = {all_lanes(strictly_below(p.x)), all_lanes(strictly_below(p.y)),
+                           all_lanes(strictly_below(p.z))};
+  const Floats above[3] = {all_lanes(strictly_above(p.x)), all_lanes(strictly_above(p.y)),
+                           all_lanes(strictly_above(p.z))};
+  for (unsigned m = 0; m < count; ++m) {
+    Floats square = all_lanes(0);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Floats outside = larger_lanes(
+          larger_lanes(blocks[m].low[axis] - above[axis], below[axis] - blocks[m].high[axis]),
+          all_lanes(0));
+      square += outside * outside;
+    }
+    square = smaller_lanes(square, all_lanes(__FLT_MAX__));
+    const Floats distance = root_of_lanes(square) * all_lanes(1 - 0x1p-21f);
+    for (unsigned lanes = lanes_of(distance < all_lanes(strictly_above(safety))); lanes != 0;
+         lanes &= lanes - 1) {
+      const unsigned lane = static_cast<unsigned>(__builtin_ctz(lanes));
+      const double bound = static_cast<double>(distance[lane]);
+      if (!(bound < safety)) continue;
+      safety = smaller(larger(away(m * box_lanes + lane), bound), safety);
+    }
+  }
+  return safety;
+}
+
 /// Calls visit(daughter) for those whose box may hold the point, last in file order first, until it
 /// returns false.
 template <class Index, class Visit>

@@ -3,7 +3,7 @@
 // of their binary interface (abi_version).
 namespace navjit::kernels {
 
-constexpr unsigned abi_version = 2;
+constexpr unsigned abi_version = 3;
 constexpr int stack_levels = 64;
 
 /// One level: a placed volume and its frame in the world, local = rotation * (global -
@@ -55,10 +55,15 @@ using StepFunction = double (*)(Stack*, const Context*, double x, double y, doub
 using SettleFunction = void (*)(Stack*, const Context*, double x, double y, double z, double u,
                                 double v, double w, int blocked);
 
+/// A lower bound (mm, >= 0) of the distance from a global point to the nearest boundary of the
+/// innermost volume or of its daughters.
+using SafetyFunction = double (*)(const Stack*, const Context*, double x, double y, double z);
+
 /// What navigates one volume: immutable, published by one atomic pointer.
 struct Navigators {
   StepFunction step;
   SettleFunction settle;
+  SafetyFunction safety;
 };
 
 /// What navigators need besides the stack; generated code reaches everything through it.
@@ -105,7 +110,10 @@ inline Direction<double> ray_direction(RayConstants& ray, double u, double v, do
     ray.given[0] = u;
     ray.given[1] = v;
     ray.given[2] = w;
-    ray.direction = make_direction<double>(u, v, w);
+    // Not read back: a load of what several stores have just written would wait for them.
+    const Direction<double> direction = make_direction<double>(u, v, w);
+    ray.direction = direction;
+    return direction;
   }
   return ray.direction;
 }
@@ -121,8 +129,10 @@ inline Direction<double> turned_direction(TurnedRay& turned, unsigned rotation, 
     ray.given[0] = u;
     ray.given[1] = v;
     ray.given[2] = w;
-    ray.direction = turn();
     turned.rotation = rotation;
+    const Direction<double> direction = turn();
+    ray.direction = direction;
+    return direction;
   }
   return ray.direction;
 }

@@ -344,8 +344,13 @@ void settle_record(Stack* stack, const kernels::Context* context, double x, doub
   settle(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z}, {u, v, w}, blocked);
 }
 
+double safety_record(const Stack* stack, const kernels::Context* context, double x, double y,
+                     double z) {
+  return safety(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z});
+}
+
 }  // namespace
 
-const kernels::Navigators navigators{step_record, settle_record};
+const kernels::Navigators navigators{step_record, settle_record, safety_record};
 
 }  // namespace navjit::generic

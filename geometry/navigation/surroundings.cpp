@@ -12,11 +12,6 @@ namespace {
 /// With more neighbours the boxes' hierarchy is the better search.
 constexpr std::size_t most_neighbours = 12;
 
-Extent inflated(const Extent& e, double margin) {
-  return {{e.min.x - margin, e.min.y - margin, e.min.z - margin},
-          {e.max.x + margin, e.max.y + margin, e.max.z + margin}};
-}
-
 bool meet(const Extent& a, const Extent& b) {
   return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
          a.min.z <= b.max.z && b.min.z <= a.max.z;

@@ -17,4 +17,10 @@ inline double largest_coordinate(const Extent& e) {
   return largest;
 }
 
+/// The box with `margin` (mm) more on every side.
+inline Extent inflated(const Extent& e, double margin) {
+  return {{e.min.x - margin, e.min.y - margin, e.min.z - margin},
+          {e.max.x + margin, e.max.y + margin, e.max.z + margin}};
+}
+
 }  // namespace navjit
