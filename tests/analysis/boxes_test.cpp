@@ -149,13 +149,15 @@ TEST(BoxBlocks, OfferEveryObliqueBoxThatAPointOrARayMeets) {
 }
 
 TEST(Plan, HollowDaughtersAreNotWhereTheirHolesAre) {
-  // Rings around an axis: what is on the axis meets none of them.
+  // Rings around an axis, and rods on a circle: what is on the axis meets none of them.
   World world;
   world.top = tests::add_volume(world, "world", make_box("world", 100, 100, 100));
   const VolumeId ring = tests::add_volume(world, "ring", make_tube("ring", 80, 82, 1, 0, 7));
   const VolumeId rod = tests::add_volume(world, "rod", make_tube("rod", 0, 1, 90, 0, 7));
   for (int i = 0; i < 40; ++i) tests::place(world, world.top, ring, {0, 0, -90.0 + 4.5 * i});
-  for (int i = 0; i < 10; ++i) tests::place(world, world.top, rod, {-60.0 + 12 * i, 95, 0});
+  for (int i = 0; i < 150; ++i) {
+    tests::place(world, world.top, rod, {90 * std::cos(0.04 * i), 90 * std::sin(0.04 * i), 0});
+  }
   finish(world);
   const Geometry geometry(std::make_shared<const World>(std::move(world)));
   const ScenePlan plan = plan_scene(geometry, analyse_world(geometry), geometry.world().top);
