@@ -123,6 +123,11 @@ bool worth_compiling(const Geometry& geometry, const ScenePlan& plan, std::strin
       plan.mean_candidates > 0.25 * static_cast<double>(daughters)) {
     return no("no partition leaves few candidates");
   }
+  // The walk through many faces is the same code with tables, specialised or not; a copy for every
+  // scene only drives other code out of the instruction cache.
+  if (geometry.scene(plan.volume).solid.kind == SolidKind::facets) {
+    return no("its own faces take the time");
+  }
   if (plan.classes.size() > most_classes) return no("too many different solids to spell out");
   std::size_t numbers = solid_key(geometry.scene(plan.volume).solid).size() / 8;
   for (const DaughterClass& c : plan.classes) {
