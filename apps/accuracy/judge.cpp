@@ -160,14 +160,7 @@ class RayJudge {
     const double error = static_cast<double>(kernels::absolute(Quad(length) - right));
     double across = error;
     // Most steps are right to the last bits: what is more is worth another look.
-    if (error > ulp) {
-      // The reference's end need not be 0 from all surfaces: along a face it is as far as the ray.
-      const auto away = [&](Quad t) {
-        return reference_.nearest_surface(chain, moved(start, ray_.direction, t));
-      };
-      across =
-          std::min(error, static_cast<double>(kernels::absolute(away(Quad(length)) - away(right))));
-    }
+    if (error > ulp) across = reference_.across(chain, start, ray_.direction, Quad(length), right);
     return {i,      volume_of(world_, chain),   answer.surface, true, error, ulp,
             across, static_cast<double>(right), false,          false};
   }
