@@ -27,22 +27,7 @@ double diagonal_of(const Extent& e) {
   return std::hypot(e.max.x - e.min.x, e.max.y - e.min.y, e.max.z - e.min.z);
 }
 
-/// How far from orthonormal a placement's rotation is: the norm of r r' - 1, and what computing it
-/// may have hidden.
-double skew_of(const Transformation& t) {
-  if (!t.rotated) return 0;
-  double sum = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      long double product = i == j ? -1 : 0;
-      for (int k = 0; k < 3; ++k) {
-        product += static_cast<long double>(t.rotation[3 * i + k]) * t.rotation[3 * j + k];
-      }
-      sum += static_cast<double>(product * product);
-    }
-  }
-  return std::sqrt(sum) * slack + 1e-17;
-}
+double skew_at(const Transformation& t) { return t.rotated ? skew_of(t.rotation) : 0; }
 
 /// How far the frame of a volume in the world, as it is composed, may be from what the file says:
 /// the worst of all its touchables.
@@ -66,11 +51,10 @@ struct FrameError {
 
 /// From a mother's frame into that of a daughter whose points are up to `reach` from her origin.
 FrameError into_daughter(const FrameError& mother, const Transformation& t, double reach) {
-  const double away = length(t.translation), skew = skew_of(t);
+  const double away = length(t.translation), skew = skew_at(t);
   // R' = r R, rounded.
-  const double turn = t.rotated && mother.rotated
-                          ? 3 * rounding(3) * (1 + skew) * (1 + mother.skew)
-                          : 0.0;
+  const double turn =
+      t.rotated && mother.rotated ? 3 * rounding(3) * (1 + skew) * (1 + mother.skew) : 0.0;
   // T' = T + R' t, rounded.
   const double shift = mother.rotated
                            ? rounding(4) * (mother.origin + root3 * (1 + mother.skew) * away)
@@ -144,7 +128,7 @@ ErrorBound bound_of(const World& world, VolumeId volume, const Extent& box,
   // A start within the tolerance of a face is on it, and a corner or a graze less deep is passed.
   bound.tolerance = 2 * world.tolerance;
   const auto add = [&](const Solid& solid, double displaced, double from) {
-    const auto kernel = kernel_error(solid, from, path);
+    const auto kernel = kernel_error(solid.any(), {from, path, world.tolerance});
     if (!kernel && bound.unknown.empty()) bound.unknown = kind_name(solid.kind);
     bound.frame = std::max(bound.frame, displaced * slack);
     bound.kernel = std::max(bound.kernel, kernel.value_or(0) * slack);
@@ -152,7 +136,7 @@ ErrorBound bound_of(const World& world, VolumeId volume, const Extent& box,
   add(scene.solid, own, reach);
   for (const Placement& d : scene.daughters) {
     const Transformation& t = d.transformation;
-    const double skew = skew_of(t), from = reach + length(t.translation);
+    const double skew = skew_at(t), from = reach + length(t.translation);
     add(world.volumes[d.volume].solid,
         (1 + skew) * own + applied(t.rotated, skew, from) + path * turned(t.rotated, skew),
         (1 + skew) * from);

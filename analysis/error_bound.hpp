@@ -9,9 +9,10 @@
 
 namespace navjit {
 
-/// Of the steps made in a volume, by the generic navigator and by any of level `exact`: how far from
-/// the surface of the exact detector that ends it a step may end, measured across the surface, mm.
-/// For starts in the volume, directions of unit length to 1e-5 and anything that the file places.
+/// Of the steps made in a volume, by the generic navigator and by any of level `exact`: how far
+/// from the surface of the exact detector that ends it a step may end, measured across the surface,
+/// mm. For starts in the volume, directions of unit length to 1e-5 and anything that the file
+/// places.
 struct ErrorBound {
   double tolerance = 0;  ///< what counts as on a face (docs/tolerance.md)
   double frame = 0;      ///< frames composed and applied, directions turned

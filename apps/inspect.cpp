@@ -37,10 +37,11 @@ VolumeId find_volume(const World& world, const std::string& name) {
 void print_level(const ErrorBound& bound) {
   std::printf("  level        exact, as fast and single, too: neither is faster\n");
   if (bound.known()) {
-    std::printf("  error bound  %.3g mm: tolerance %.2g, frames %.2g, surfaces %.2g\n", bound.total(),
-                bound.tolerance, bound.frame, bound.kernel);
+    std::printf("  error bound  %.3g mm: tolerance %.2g, frames %.2g, surfaces %.2g\n",
+                bound.total(), bound.tolerance, bound.frame, bound.kernel);
   } else {
-    std::printf("  error bound  none: no bound is known of surfaces of %s\n", bound.unknown.c_str());
+    std::printf("  error bound  none: no bound is known of surfaces of %s\n",
+                bound.unknown.c_str());
   }
 }
 

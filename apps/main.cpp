@@ -62,7 +62,9 @@ void add_runtime_options(CLI::App* command, RuntimeOptions& options) {
       ->option_text("MODE");
   command->add_option("--plugin", options.plugin, "made by navjit specialise; used from the start")
       ->option_text("FILE");
-  command->add_option("--level", options.level, "accuracy: exact, fast or single (at present all exact)")
+  command
+      ->add_option("--level", options.level,
+                   "accuracy: exact, fast or single (at present all exact)")
       ->transform(CLI::CheckedTransformer(levels).description(""))
       ->option_text("LEVEL");
   command->add_option("--opt", options.specialiser.optimisation, "compiler's optimisation, 0 to 3")

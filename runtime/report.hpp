@@ -44,7 +44,7 @@ struct SceneReport {
   double swapped_at_s = 0;  ///< since the runtime was made
   SceneStatus status = SceneStatus::generic;
   CodeOrigin origin = CodeOrigin::none;
-  std::string note;  ///< why it failed or does not pay
+  std::string note;                      ///< why it failed or does not pay
   std::optional<BudgetReport> budget{};  ///< of final_report() alone, where one is asked for
 };
 

@@ -26,7 +26,8 @@ Runtime::Runtime(std::shared_ptr<const World> world, RuntimeOptions options)
     : shared_(std::make_shared<detail::Shared>(std::move(world), std::move(options))),
       specialiser_(std::make_unique<Specialiser>(shared_)) {
   if (shared_->options.level != Level::exact) {
-    spdlog::warn("level {}: all scenes run exact, which is as fast", level_name(shared_->options.level));
+    spdlog::warn("level {}: all scenes run exact, which is as fast",
+                 level_name(shared_->options.level));
   }
   if (!shared_->options.plugin.empty()) specialiser_->install_plugin(shared_->options.plugin);
   if (shared_->options.jit == JitMode::wait) {
