@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 
 #include "geometry/gdml/reader.hpp"
@@ -82,7 +84,23 @@ TEST(Budget, IsKeptBySpecialisedNavigators) {
   EXPECT_GT(expect_budgets_kept(world, JitMode::wait, 1000, 3), 10);
 }
 
+/// Those of the data folder: a few, or all if NAVJIT_BUDGET_RAYS says how many rays each shall
+/// have.
 TEST(Budget, IsKeptInPublishedDetectors) {
+  if (const char* rays = std::getenv("NAVJIT_BUDGET_RAYS")) {
+    int promises = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(NAVJIT_DATA_DIR)) {
+      if (entry.path().extension() != ".gdml") continue;
+      SCOPED_TRACE(entry.path());
+      const auto world = std::make_shared<const World>(read_gdml(entry.path()));
+      const int made = expect_budgets_kept(world, JitMode::off, std::atoi(rays));
+      std::printf("%s: %d promises kept\n", entry.path().filename().c_str(), made);
+      std::fflush(stdout);
+      promises += made;
+    }
+    EXPECT_GT(promises, 1000);
+    return;
+  }
   int found = 0;
   for (const char* name :
        {"testem3/testEm3.gdml", "celeritas/simple-cms.gdml", "scenes/cutube.gdml",
