@@ -92,7 +92,13 @@ TEST(Budget, IsKeptInPublishedDetectors) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(NAVJIT_DATA_DIR)) {
       if (entry.path().extension() != ".gdml") continue;
       SCOPED_TRACE(entry.path());
-      const auto world = std::make_shared<const World>(read_gdml(entry.path()));
+      std::shared_ptr<const World> world;
+      try {
+        world = std::make_shared<const World>(read_gdml(entry.path()));
+      } catch (const GdmlError& refused) {
+        std::printf("refused: %s\n", refused.what());
+        continue;
+      }
       const int made = expect_budgets_kept(world, JitMode::off, std::atoi(rays));
       std::printf("%s: %d promises kept\n", entry.path().filename().c_str(), made);
       std::fflush(stdout);
