@@ -66,7 +66,7 @@ int accuracy(const AccuracyOptions& options) {
   for (const accuracy::EngineReport& engine : report.engines) {
     if (engine.name == "VecGeom") continue;
     const accuracy::EngineFigures& f = engine.figures;
-    if (f.stuck + f.lost + f.all.wrong_volume + f.all.wrong_end > 0) return 1;
+    if (f.stuck + f.lost + f.all.wrong_volume + f.all.wrong_end + f.beyond_bound > 0) return 1;
     if (engine.name == "exact" && f.equal != f.made) return 1;
   }
   return 0;

@@ -4,6 +4,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "analysis/error_bound.hpp"
 #include "analysis/plan.hpp"
 #include "apps/commands.hpp"
 #include "codegen/module.hpp"
@@ -32,6 +33,18 @@ VolumeId find_volume(const World& world, const std::string& name) {
                            "'; navjit inspect without --scene lists them");
 }
 
+/// Which level the scene's navigators have, and what they promise.
+void print_level(const ErrorBound& bound) {
+  std::printf("  level        exact, as fast and single, too: neither is faster\n");
+  if (bound.known()) {
+    std::printf("  error bound  %.3g mm: tolerance %.2g, frames %.2g, surfaces %.2g\n",
+                bound.total(), bound.tolerance, bound.frame, bound.kernel);
+  } else {
+    std::printf("  error bound  none: no bound is known of surfaces of %s\n",
+                bound.unknown.c_str());
+  }
+}
+
 void print_scene(const Geometry& geometry, const std::string& name, bool emit) {
   const VolumeId volume = find_volume(geometry.world(), name);
   const WorldFacts facts = analyse_world(geometry);
@@ -45,6 +58,7 @@ void print_scene(const Geometry& geometry, const std::string& name, bool emit) {
     std::printf(", %zu bytes", boxes.bytes());
   }
   std::printf("\n");
+  print_level(error_bounds(geometry.world())[volume]);
   if (emit) {
     std::printf("\n%s", codegen::generate(geometry, facts, std::array{volume}).source.c_str());
   }

@@ -19,7 +19,8 @@ const std::map<std::string, JitMode> jit_modes{{"off", JitMode::off},
                                                {"on", JitMode::on},
                                                {"wait", JitMode::wait},
                                                {"shadow", JitMode::shadow}};
-const std::map<std::string, Level> levels{{"exact", Level::exact}};
+const std::map<std::string, Level> levels{
+    {"exact", Level::exact}, {"fast", Level::fast}, {"single", Level::single}};
 const std::map<std::string, InstructionSet> instruction_sets{{"native", InstructionSet::native},
                                                              {"sse4.2", InstructionSet::sse42},
                                                              {"avx2", InstructionSet::avx2},
@@ -61,7 +62,9 @@ void add_runtime_options(CLI::App* command, RuntimeOptions& options) {
       ->option_text("MODE");
   command->add_option("--plugin", options.plugin, "made by navjit specialise; used from the start")
       ->option_text("FILE");
-  command->add_option("--level", options.level, "accuracy: exact")
+  command
+      ->add_option("--level", options.level,
+                   "accuracy: exact, fast or single (at present all exact)")
       ->transform(CLI::CheckedTransformer(levels).description(""))
       ->option_text("LEVEL");
   command->add_option("--opt", options.specialiser.optimisation, "compiler's optimisation, 0 to 3")
@@ -147,6 +150,11 @@ int parse_and_run(int argc, char** argv) {
   std::string origin, eta;
   CLI::App* run_command = app.add_subcommand("run", "Transport rays with the JIT on");
   add_detector(run_command, run.detector, run.setup);
+  run_command
+      ->add_option("--budget", run.runtime.budget,
+                   "how far from its surface a step may end: told scene by scene")
+      ->check(CLI::PositiveNumber)
+      ->option_text("MM");
   run_command->add_option("--rays", run.rays, "number of rays")->check(CLI::PositiveNumber);
   run_command->add_option("--seed", run.source.seed, "of the random rays");
   add_source(run_command, origin, eta);

@@ -176,6 +176,8 @@ int run(const RunOptions& options) {
   report.rays = options.rays;
   report.threads = options.threads;
   report.jit = options.runtime.jit;
+  report.level = options.runtime.level;
+  report.budget = options.runtime.budget;
   for (const ChunkTotals& chunk : totals) {
     report.steps += chunk.steps;
     report.stuck += chunk.stuck;

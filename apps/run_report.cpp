@@ -1,6 +1,7 @@
 #include "apps/run_report.hpp"
 
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -33,6 +34,36 @@ std::string figure(double value, const char* format) {
   char text[32];
   std::snprintf(text, sizeof text, format, value);
   return text;
+}
+
+/// Which scenes keep the budget, and the hottest that cannot promise to.
+void print_budget(const RunReport& report) {
+  double kept = 0;
+  std::size_t scenes = 0, all = 0;
+  const SceneReport* first = nullptr;
+  for (const SceneReport& s : report.runtime.scenes) {
+    if (!s.budget) continue;
+    ++all;
+    if (s.budget->met) {
+      ++scenes;
+      kept += s.share;
+    } else if (first == nullptr) {
+      first = &s;
+    }
+  }
+  std::printf("budget %g mm: promised in %zu of %zu scenes, %.2f%% of the steps", *report.budget,
+              scenes, all, 100 * kept);
+  if (first != nullptr) {
+    std::printf("; not in %s: %s", first->volume.c_str(), first->budget->why.c_str());
+  }
+  std::printf("\n");
+}
+
+nlohmann::ordered_json to_json(const BudgetReport& b) {
+  nlohmann::ordered_json json{{"promised", b.met}, {"bound_mm", nullptr}};
+  if (std::isfinite(b.bound_mm)) json["bound_mm"] = b.bound_mm;
+  json.update({{"measured_mm", b.measured_mm}, {"states", b.states}, {"why", b.why}});
+  return json;
 }
 
 }  // namespace
@@ -86,6 +117,7 @@ void print_table(const RunReport& report) {
         report.runtime.modules, report.runtime.cached_modules, report.runtime.compile_ms,
         report.runtime.code_bytes / 1024, static_cast<unsigned long long>(report.declined));
   }
+  if (report.budget) print_budget(report);
 }
 
 void write_json(const RunReport& report, const std::string& path) {
@@ -98,7 +130,8 @@ void write_json(const RunReport& report, const std::string& path) {
       {"seconds", report.seconds},
       {"steps_per_second", report.steps_per_second},
       {"warm_steps_per_second", report.warm_steps_per_second},
-      {"level", "exact"},
+      {"level", level_name(report.level)},
+      {"level_taken", "exact"},
       {"threads", report.threads},
       {"jit", jit_name(report.jit)},
       {"declined", report.declined},
@@ -114,6 +147,7 @@ void write_json(const RunReport& report, const std::string& path) {
       {"compile_ms", report.runtime.compile_ms},
       {"code_bytes", report.runtime.code_bytes},
   };
+  if (report.budget) json["budget_mm"] = *report.budget;
   auto& scenes = json["scenes"] = nlohmann::ordered_json::array();
   for (const SceneReport& s : report.runtime.scenes) {
     scenes.push_back({{"volume", s.volume},
@@ -126,6 +160,7 @@ void write_json(const RunReport& report, const std::string& path) {
                       {"code", origin_name(s.origin)},
                       {"status", status_name(s.status)},
                       {"note", s.note}});
+    if (s.budget) scenes.back()["budget"] = to_json(*s.budget);
   }
   std::ofstream out(path);
   out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "runtime/options.hpp"
@@ -18,6 +19,8 @@ struct RunReport {
   double warm_steps_per_second = 0;  ///< after the last swap
   unsigned threads = 1;
   JitMode jit = JitMode::on;
+  Level level = Level::exact;      ///< asked for
+  std::optional<double> budget{};  ///< asked for, mm
   std::uint64_t declined = 0, differences = 0;
   /// The first rays again, in turn with and without specialised navigators, one thread; 0: not
   /// made.

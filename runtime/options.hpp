@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "geometry/navigation/geometry.hpp"
@@ -10,10 +11,15 @@
 
 namespace navjit {
 
-/// What specialised navigators may do to the answers; docs/numerics.md.
+/// What specialised navigators may do to the answers; docs/numerics.md. A level is a permission:
+/// what keeps within it and is fastest is taken. At present that is `exact` for all three, since
+/// neither other rounding nor single precision was measured to be faster (docs/accuracy.md).
 enum class Level : std::uint8_t {
-  exact,  ///< every bit as the generic navigator's
+  exact,   ///< every bit as the generic navigator's
+  fast,    ///< double precision, rounding at liberty
+  single,  ///< single precision where extents allow it, else as `fast`
 };
+const char* level_name(Level level);
 
 enum class JitMode : std::uint8_t {
   off,     ///< generic navigators only; scenes are still profiled
@@ -53,6 +59,9 @@ struct Faults {
 
 struct RuntimeOptions {
   Level level = Level::exact;
+  /// How far from the surface a step may end, mm. Every scene is held to it, by a bound and by
+  /// measurement; Runtime::final_report() says which keep it. Nothing: none are.
+  std::optional<double> budget{};
   JitMode jit = JitMode::on;
   Cache cache{};  ///< of compiled code; none unless asked for
   /// Installed before the first step, whatever `jit` says; what is wrong with it is a warning in

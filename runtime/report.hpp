@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,15 @@ enum class CodeOrigin : std::uint8_t { none, compiler, cache, plugin };
 
 const char* origin_name(CodeOrigin origin);
 
+/// A scene held to the error that RuntimeOptions::budget allows; lengths in mm.
+struct BudgetReport {
+  bool met = false;        ///< promised: the bound and the error measured are both within it
+  double bound_mm = 0;     ///< infinite where none is known
+  double measured_mm = 0;  ///< the largest on recorded states, against 113 bits
+  std::size_t states = 0;  ///< so many
+  std::string why;
+};
+
 /// One scene; times are 0 where not measured.
 struct SceneReport {
   std::uint32_t volume_id = 0;
@@ -34,7 +44,8 @@ struct SceneReport {
   double swapped_at_s = 0;  ///< since the runtime was made
   SceneStatus status = SceneStatus::generic;
   CodeOrigin origin = CodeOrigin::none;
-  std::string note;  ///< why it failed or does not pay
+  std::string note;                      ///< why it failed or does not pay
+  std::optional<BudgetReport> budget{};  ///< of final_report() alone, where one is asked for
 };
 
 struct RuntimeReport {

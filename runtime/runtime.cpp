@@ -1,9 +1,23 @@
 #include "runtime/runtime.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include "runtime/shared.hpp"
 #include "runtime/specialiser.hpp"
 
 namespace navjit {
+
+const char* level_name(Level level) {
+  switch (level) {
+    case Level::exact:
+      return "exact";
+    case Level::fast:
+      return "fast";
+    case Level::single:
+      return "single";
+  }
+  return "";
+}
 
 Runtime::Runtime(World world, RuntimeOptions options)
     : Runtime(std::make_shared<const World>(std::move(world)), std::move(options)) {}
@@ -11,6 +25,10 @@ Runtime::Runtime(World world, RuntimeOptions options)
 Runtime::Runtime(std::shared_ptr<const World> world, RuntimeOptions options)
     : shared_(std::make_shared<detail::Shared>(std::move(world), std::move(options))),
       specialiser_(std::make_unique<Specialiser>(shared_)) {
+  if (shared_->options.level != Level::exact) {
+    spdlog::warn("level {}: all scenes run exact, which is as fast",
+                 level_name(shared_->options.level));
+  }
   if (!shared_->options.plugin.empty()) specialiser_->install_plugin(shared_->options.plugin);
   if (shared_->options.jit == JitMode::wait) {
     specialiser_->specialise_all();
@@ -34,6 +52,7 @@ RuntimeReport Runtime::report() const { return specialiser_->report(); }
 RuntimeReport Runtime::final_report() {
   specialiser_->stop();
   specialiser_->time_generic();
+  if (shared_->options.budget) specialiser_->hold_to_budget();
   return specialiser_->report();
 }
 

@@ -30,7 +30,7 @@ class Runtime {
   /// Steps and specialisations so far. Thread-safe; cheap enough for a progress line.
   RuntimeReport report() const;
   /// As report(), and times the generic navigator on recorded states of scenes that were not
-  /// specialised. Takes some milliseconds a scene. No scene is specialised after it.
+  /// specialised, and holds scenes to the budget. Takes some milliseconds a scene. No scene is specialised after it.
   RuntimeReport final_report();
   /// How often each volume was used, to be kept for `navjit specialise`. After final_report().
   StepProfile step_profile();

@@ -35,6 +35,8 @@ class Specialiser {
   RuntimeReport report() const;
   /// Times scenes that have samples and no timing yet. After stop().
   void time_generic();
+  /// Holds scenes that made steps to options.budget, which is given (budget.cpp). After stop().
+  void hold_to_budget();
   /// What was counted so far, for a file. After stop().
   StepProfile step_profile();
 

@@ -38,6 +38,7 @@ void compare_levels(const reference::WideGeometry& reference, std::vector<LevelE
                     const std::vector<Ray>& rays, unsigned threads, ExperimentReport& report) {
   const World& world = reference.world();
   const Tolerances tolerances = own_tolerances(world);
+  const std::vector<ErrorBound> bounds = error_bounds(world);
   struct Kept {
     std::vector<Navigator> navigators;
     std::vector<EngineFigures> figures;
@@ -55,12 +56,14 @@ void compare_levels(const reference::WideGeometry& reference, std::vector<LevelE
         const JudgedRay judged = judge_ray(reference, rays[i], first, tolerances);
         kept.figures[0].equal += first.steps.size();
         kept.figures[0].add(world, rays[i], first, judged);
+        kept.figures[0].hold_against(bounds, judged);
         for (std::size_t l = 1; l < levels.size(); ++l) {
           const MadeRay made = make_ray_steps(kept.navigators[l], world, rays[i], i);
           kept.figures[l].equal += equal_steps(first, made);
-          kept.figures[l].add(
-              world, rays[i], made,
-              identical(first, made) ? judged : judge_ray(reference, rays[i], made, tolerances));
+          const JudgedRay other =
+              identical(first, made) ? judged : judge_ray(reference, rays[i], made, tolerances);
+          kept.figures[l].add(world, rays[i], made, other);
+          kept.figures[l].hold_against(bounds, other);
         }
       },
       [&](const Kept& kept) {

@@ -112,6 +112,16 @@ void EngineFigures::add(const World& world, const Ray& ray, const MadeRay& ray_m
   }
 }
 
+void EngineFigures::hold_against(const std::vector<ErrorBound>& bounds, const JudgedRay& judged) {
+  for (const JudgedStep& step : judged.steps) {
+    const ErrorBound& bound = bounds[step.volume];
+    if (!step.measured || !bound.known()) continue;
+    ++bounded;
+    beyond_bound += step.across > bound.total() ? 1 : 0;
+    largest_part = std::max(largest_part, step.across / bound.total());
+  }
+}
+
 void EngineFigures::append(const EngineFigures& o) {
   rays += o.rays;
   outside += o.outside;
@@ -121,6 +131,9 @@ void EngineFigures::append(const EngineFigures& o) {
   lost += o.lost;
   skipped += o.skipped;
   arguable += o.arguable;
+  bounded += o.bounded;
+  beyond_bound += o.beyond_bound;
+  largest_part = std::max(largest_part, o.largest_part);
   all.append(o.all);
   for (const auto& [volume, figures] : o.scenes) scenes[volume].append(figures);
   for (const auto& [kind, figures] : o.surfaces) surfaces[kind].append(figures);

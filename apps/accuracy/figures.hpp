@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/error_bound.hpp"
 #include "apps/accuracy/judge.hpp"
 
 namespace navjit::accuracy {
@@ -57,6 +58,9 @@ struct EngineFigures {
   std::uint64_t lost = 0;     ///< rays
   std::uint64_t skipped = 0;  ///< steps too short to judge
   std::uint64_t arguable = 0;
+  std::uint64_t bounded = 0;       ///< steps in scenes whose error is bounded (error_bounds)
+  std::uint64_t beyond_bound = 0;  ///< of these, off by more than the bound: there must be none
+  double largest_part = 0;         ///< of a bound that an error took
   StepFigures all;
   std::map<VolumeId, StepFigures> scenes;              ///< by the volume they were made in
   std::map<kernels::SolidKind, StepFigures> surfaces;  ///< by the solid whose surface ended them
@@ -65,6 +69,8 @@ struct EngineFigures {
       given_up;  ///< the last steps of rays that are stuck or lost, the first few
 
   void add(const World& world, const Ray& ray, const MadeRay& made, const JudgedRay& judged);
+  /// Counts the steps that are off by more than their scenes promise.
+  void hold_against(const std::vector<ErrorBound>& bounds, const JudgedRay& judged);
   /// Adds what another thread found.
   void append(const EngineFigures& other);
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace navjit::accuracy {
 namespace {
@@ -121,14 +122,47 @@ class RayJudge {
     if (judged.error > tolerances_.surface) judged.measured = false;
   }
 
+  bool is_called(const Chain& chain, const std::string& name) const {
+    return same_volume(world_.volumes[volume_of(world_, chain)].name, name);
+  }
+
+  /// A touchable of this name with the point, among those about the one that the ray was in last.
+  /// What sticks out of its mother is found only by those who were in her.
+  std::optional<Chain> find_nearby(const std::string& name, const WidePoint& p) {
+    for (Chain chain = last_;; chain.pop_back()) {
+      if (is_called(chain, name) && !refuted(chain, p)) return chain;
+      const auto& daughters = world_.volumes[volume_of(world_, chain)].daughters;
+      for (std::uint32_t k = 0; k < daughters.size(); ++k) {
+        if (!same_volume(world_.volumes[daughters[k].volume].name, name)) continue;
+        Chain inner = chain;
+        inner.push_back(k);
+        if (!refuted(inner, p)) return inner;
+      }
+      if (chain.empty()) return std::nullopt;
+    }
+  }
+
   void judge_named(std::size_t i) {
     const MadeStep& made = made_.steps[i];
     Chain chain;
     const WidePoint p = middle(i);
-    const bool found = reference_.locate(p, direction_, chain);
+    // Where volumes overlap or stick out it matters where the ray came from.
+    bool found = true;
+    if (expected_ && is_called(*expected_, made.volume) && !refuted(*expected_, p)) {
+      chain = *expected_;
+    } else {
+      found = reference_.locate(p, direction_, chain);
+      if (!found || !is_called(chain, made.volume)) {
+        if (std::optional<Chain> other = find_nearby(made.volume, p)) {
+          chain = *std::move(other);
+          found = true;
+        }
+      }
+    }
+    expected_.reset();
     const bool sure = found && reference_.judge(chain, p, tolerances_.surface) == Verdict::right;
     const VolumeId volume = volume_of(world_, chain);
-    if (!found || !same_volume(world_.volumes[volume].name, made.volume)) {
+    if (!found || !is_called(chain, made.volume)) {
       const bool outside =
           !found && reference_.side_of_world(p, tolerances_.surface) == Side::outside;
       if (!sure && !outside) {
@@ -139,6 +173,8 @@ class RayJudge {
       return;
     }
     const WideAnswer right = reference_.step(chain, p, direction_);
+    last_ = chain;
+    if (right.inside) expected_ = right.next;
     const Quad length = Quad(made.length) / 2 + right.length;
     JudgedStep judged = measure(i, chain, made.point, made.length, length, right);
     if (judged.error > tolerances_.surface) {
@@ -160,14 +196,7 @@ class RayJudge {
     const double error = static_cast<double>(kernels::absolute(Quad(length) - right));
     double across = error;
     // Most steps are right to the last bits: what is more is worth another look.
-    if (error > ulp) {
-      // The reference's end need not be 0 from all surfaces: along a face it is as far as the ray.
-      const auto away = [&](Quad t) {
-        return reference_.nearest_surface(chain, moved(start, ray_.direction, t));
-      };
-      across =
-          std::min(error, static_cast<double>(kernels::absolute(away(Quad(length)) - away(right))));
-    }
+    if (error > ulp) across = reference_.across(chain, start, ray_.direction, Quad(length), right);
     return {i,      volume_of(world_, chain),   answer.surface, true, error, ulp,
             across, static_cast<double>(right), false,          false};
   }
@@ -205,6 +234,10 @@ class RayJudge {
   const MadeRay& made_;
   const Tolerances& tolerances_;
   WideDirection direction_;
+  // Of judge_named: the touchable that the ray was in last, as far as is known, and the one that
+  // comes next by the reference.
+  Chain last_;
+  std::optional<Chain> expected_;
   JudgedRay result_;
 };
 

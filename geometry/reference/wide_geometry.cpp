@@ -311,6 +311,16 @@ Quad WideGeometry::nearest_surface(const Chain& chain, const WidePoint& point) c
   return nearest;
 }
 
+double WideGeometry::across(const Chain& chain, const Vec3& start, const Vec3& direction,
+                            Quad length, Quad right) const {
+  // The right end need not be 0 from all surfaces: along a face it is as far as the ray.
+  const auto away = [&](Quad t) {
+    return nearest_surface(chain, kernels::advance(widen(start), widen_direction(direction), t));
+  };
+  return static_cast<double>(kernels::smaller(kernels::absolute(length - right),
+                                              kernels::absolute(away(length) - away(right))));
+}
+
 Quad WideGeometry::exit(const Vec3& point, const Vec3& direction) const {
   return distance_to_out(scenes_[world_->top].solid, widen(point), widen_direction(direction),
                          Quad(world_->tolerance));

@@ -87,6 +87,12 @@ class WideGeometry {
   /// is the distance from that.
   Quad nearest_surface(const Chain& chain, const WidePoint& point) const;
 
+  /// How much farther from a surface a step of `length` from `start` in the touchable ends than the
+  /// right one of `right` does, mm, and no more than the difference of the two. Where the ray
+  /// grazes, this is what rounding can be blamed for.
+  double across(const Chain& chain, const Vec3& start, const Vec3& direction, Quad length,
+                Quad right) const;
+
   /// How far from a point in the world to its outer surface.
   Quad exit(const Vec3& point, const Vec3& direction) const;
   /// Where a point is with respect to the world's outer surface.

@@ -139,6 +139,30 @@ TEST(Judge, JudgesByNamesAlone) {
   EXPECT_EQ(told, spoilt);
 }
 
+TEST(Judge, FollowsRaysIntoWhatSticksOut) {
+  // The core sticks out of its mother, where a sister of the mother is: who comes from within is
+  // in the core, who comes from outside in the sister.
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 100, 100, 100));
+  const VolumeId mother = tests::add_volume(world, "mother", make_box("mother", 10, 10, 10));
+  const VolumeId core = tests::add_volume(world, "core", make_box("core", 5, 5, 5));
+  const VolumeId sister = tests::add_volume(world, "sister", make_box("sister", 5, 10, 10));
+  tests::place(world, world.top, mother, {0, 0, 0});
+  tests::place(world, mother, core, {8, 0, 0});
+  tests::place(world, world.top, sister, {15, 0, 0});
+  finish(world);
+  Bench bench(std::move(world));
+  const Ray ray{{-50, 0.5, 0.25}, {1, 0, 0}};
+  MadeRay made = make_ray_steps(bench.navigator, *bench.world, ray, 0);
+  ASSERT_EQ(made.steps.size(), 5U);
+  ASSERT_EQ(made.steps[2].volume, "core");
+  ASSERT_EQ(made.steps[2].length, 10);
+  for (MadeStep& step : made.steps) step.touchable.reset();
+  const JudgedRay judged = judge_named_ray(bench.reference, ray, made, {1e-9, 1e-5});
+  EXPECT_EQ(wrong_steps(judged), 0U);
+  EXPECT_EQ(judged.steps.size(), made.steps.size());
+}
+
 TEST(Judge, AgreesWithTheReferencesOwnTrace) {
   Bench bench(tests::random_world(5, 3));
   std::mt19937_64 random(5);

@@ -1,0 +1,80 @@
+// Levels and budgets as a user asks for them.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/command.hpp"
+
+namespace navjit::tests {
+namespace {
+
+constexpr auto npos = std::string::npos;
+const std::string detector = std::string(NAVJIT_DETECTORS_DIR) + "/shashlik.gdml";
+
+TEST(BudgetCommand, SaysOfEverySceneWhetherItKeepsTheBudget) {
+  const std::string file =
+      (std::filesystem::path(::testing::TempDir()) / "navjit_budget.json").string();
+  const Output output = run_navjit("run " + detector +
+                                   " --rays 3000 --origin 0,0,0 --eta 2,5 --jit off --cache off "
+                                   "--level single --budget 1e-6 --report " +
+                                   file);
+  ASSERT_EQ(output.status, 0) << output.text;
+  EXPECT_NE(output.text.find("level single: all scenes run exact"), npos) << output.text;
+  EXPECT_NE(output.text.find("budget 1e-06 mm: promised in "), npos) << output.text;
+  const auto report = nlohmann::json::parse(read_file(file));
+  std::filesystem::remove(file);
+  EXPECT_EQ(report.at("level"), "single");
+  EXPECT_EQ(report.at("level_taken"), "exact");
+  EXPECT_EQ(report.at("budget_mm"), 1e-6);
+  int promised = 0, without_bound = 0;
+  for (const auto& scene : report.at("scenes")) {
+    const auto& budget = scene.at("budget");
+    EXPECT_FALSE(budget.at("why").get<std::string>().empty());
+    if (budget.at("promised").get<bool>()) {
+      ++promised;
+      EXPECT_LE(budget.at("bound_mm"), 1e-6);
+      EXPECT_LE(budget.at("measured_mm"), budget.at("bound_mm"));
+    } else {
+      EXPECT_TRUE(budget.at("bound_mm").is_null());
+      ++without_bound;
+    }
+  }
+  EXPECT_GT(promised, 10);
+  EXPECT_GT(without_bound, 0);  // those with the beam pipe, a cone
+}
+
+TEST(BudgetCommand, TakesBudgetsAboveZeroAndThreeLevels) {
+  EXPECT_EQ(run_navjit("run " + detector + " --budget 0").status, 2);
+  EXPECT_EQ(run_navjit("run " + detector + " --budget much").status, 2);
+  EXPECT_EQ(run_navjit("run " + detector + " --level wrong").status, 2);
+}
+
+TEST(BudgetCommand, TracesAreTheSameAtEveryLevel) {
+  const auto trace = [](const char* level) {
+    const auto file = std::filesystem::path(::testing::TempDir()) /
+                      (std::string("navjit_level_") + level + ".csv");
+    const Output output = run_navjit("trace " + detector + " --rays 300 --jit off --level " +
+                                     level + " --out " + file.string());
+    EXPECT_EQ(output.status, 0) << output.text;
+    const std::string text = read_file(file.string());
+    std::filesystem::remove(file);
+    return text;
+  };
+  const std::string exact = trace("exact");
+  EXPECT_GT(exact.size(), 1000U);
+  EXPECT_EQ(trace("fast"), exact);
+  EXPECT_EQ(trace("single"), exact);
+}
+
+TEST(BudgetCommand, InspectTellsTheBound) {
+  const Output bounded = run_navjit("inspect " + detector + " --scene InnerLead");
+  EXPECT_EQ(bounded.status, 0);
+  EXPECT_NE(bounded.text.find("level        exact"), npos) << bounded.text;
+  EXPECT_NE(bounded.text.find(" mm: tolerance "), npos) << bounded.text;
+  const Output none = run_navjit("inspect " + detector + " --scene Pipe");
+  EXPECT_NE(none.text.find("no bound is known of surfaces of "), npos) << none.text;
+}
+
+}  // namespace
+}  // namespace navjit::tests
