@@ -300,6 +300,7 @@ RuntimeReport Specialiser::report() const {
   }
   const std::lock_guard lock(mutex_);
   RuntimeReport report = totals_;
+  report.seconds = seconds();
   const World& world = shared_->geometry.world();
   for (std::size_t v = 0; v < world.volumes.size(); ++v) {
     const auto volume = static_cast<VolumeId>(v);
