@@ -64,6 +64,9 @@ void add_code_options(CLI::App* command, RuntimeOptions& options) {
                    "instructions of generated code: native, sse4.2, avx2 or avx512")
       ->transform(CLI::CheckedTransformer(instruction_sets).description(""))
       ->option_text("SET");
+  command->add_option("--nice", options.specialiser.nice, "priority of the compiler's thread")
+      ->check(CLI::Range(0, 19))
+      ->option_text("0..19");
 }
 
 void add_runtime_options(CLI::App* command, RuntimeOptions& options) {
@@ -371,7 +374,7 @@ int parse_and_run(int argc, char** argv) {
     set_source(one_run.source, one_run_origin, one_run_eta);
     warmup.words =
         words_given(warmup_command, {"detector", "--setup", "--threads", "--seed", "--origin",
-                                     "--eta", "--interval", "--level", "--isa"});
+                                     "--eta", "--interval", "--level", "--isa", "--nice"});
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::Error& error) {
