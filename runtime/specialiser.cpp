@@ -130,6 +130,7 @@ void Specialiser::run() {
     lock.lock();
     totals_.waiting_to_be_freed = waiting;
     ++looks_;
+    if (batch.empty()) idle_look_ = looks_;
     wake_.notify_all();
     if (batch.empty()) {
       wake_.wait_for(
@@ -141,15 +142,8 @@ void Specialiser::run() {
 void Specialiser::wait_until_idle() {
   if (!thread_.joinable()) return;
   std::unique_lock lock(mutex_);
-  // Two looks from now the counts of this moment were seen; compiling may have to follow.
-  for (std::uint64_t target = looks_ + 2;;) {
-    wake_.wait(lock, [&] { return stop_ || looks_ >= target; });
-    const bool busy = std::any_of(scenes_.begin(), scenes_.end(), [](const auto& entry) {
-      return entry.second.status == SceneStatus::compiling;
-    });
-    if (stop_ || !busy) return;
-    target = looks_ + 1;
-  }
+  // Two looks from now the counts of this moment were seen; what is due on them comes first.
+  wake_.wait(lock, [&, target = looks_ + 2] { return stop_ || idle_look_ >= target; });
 }
 
 void Specialiser::gather() {

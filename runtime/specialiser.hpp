@@ -107,7 +107,8 @@ class Specialiser {
   mutable std::mutex mutex_;  ///< guards what follows
   std::condition_variable wake_;
   bool stop_ = false;
-  std::uint64_t looks_ = 0;  ///< completed passes over the profile
+  std::uint64_t looks_ = 0;      ///< completed passes over the profile
+  std::uint64_t idle_look_ = 0;  ///< the last that found nothing to do
   std::map<VolumeId, SceneReport> scenes_;
   RuntimeReport totals_;
 
