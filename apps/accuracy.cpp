@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "apps/accuracy/gnuplot.hpp"
 #include "apps/accuracy/picture.hpp"
 #include "apps/accuracy/report.hpp"
 #include "apps/commands.hpp"

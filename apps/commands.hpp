@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/rays.hpp"
+#include "apps/warmup/one_run.hpp"
 #include "geometry/navigation/geometry.hpp"
 #include "runtime/make_plugin.hpp"
 #include "runtime/options.hpp"
@@ -62,6 +63,27 @@ struct AccuracyOptions {
 };
 /// Exit status 1 if one of navjit's own levels is wrong anywhere.
 int accuracy(const AccuracyOptions& options);
+
+struct WarmupOptions {
+  std::string detector;
+  std::string setup;
+  /// Of the command line of every run: detector, rays, threads.
+  std::vector<std::string> words;
+  unsigned threads = 1;
+  double seconds = 5;         ///< of a run
+  double prime_seconds = 10;  ///< of the run that fills the cache
+  double interval = 0.02;     ///< between points of the series, s
+  int repetitions = 5;
+  std::vector<std::string> modes{"cold", "cache", "plugin"};
+  std::vector<int> optimisations{2};
+  std::string report;   ///< JSON file; empty: none
+  std::string csv;      ///< every point; empty: none
+  std::string picture;  ///< SVG or PNG file; empty: none
+};
+/// Throws also if the same rays had different steps in different runs.
+int warmup(const WarmupOptions& options);
+/// One run of it, whose record goes to standard output.
+int warmup_run(const warmup::RunSetup& setup);
 
 struct CheckOptions {
   std::string detector;

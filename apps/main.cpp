@@ -55,6 +55,21 @@ void add_cache(CLI::App* command, Cache& cache, bool may_be_off) {
       ->option_text(may_be_off ? "DIR|off" : "DIR");
 }
 
+/// What the answers and the code shall be like.
+void add_code_options(CLI::App* command, RuntimeOptions& options) {
+  command->add_option("--level", options.level, "accuracy: exact")
+      ->transform(CLI::CheckedTransformer(levels).description(""))
+      ->option_text("LEVEL");
+  command
+      ->add_option("--isa", options.specialiser.instruction_set,
+                   "instructions of generated code: native, sse4.2, avx2 or avx512")
+      ->transform(CLI::CheckedTransformer(instruction_sets).description(""))
+      ->option_text("SET");
+  command->add_option("--nice", options.specialiser.nice, "priority of the compiler's thread")
+      ->check(CLI::Range(0, 19))
+      ->option_text("0..19");
+}
+
 void add_runtime_options(CLI::App* command, RuntimeOptions& options) {
   add_cache(command, options.cache, true);
   command->add_option("--jit", options.jit, "off, on, wait (specialise first) or shadow (compare)")
@@ -67,14 +82,10 @@ void add_runtime_options(CLI::App* command, RuntimeOptions& options) {
                    "accuracy: exact, fast or single (at present all exact)")
       ->transform(CLI::CheckedTransformer(levels).description(""))
       ->option_text("LEVEL");
+  add_code_options(command, options);
   command->add_option("--opt", options.specialiser.optimisation, "compiler's optimisation, 0 to 3")
       ->check(CLI::Range(0, 3))
       ->option_text("N");
-  command
-      ->add_option("--isa", options.specialiser.instruction_set,
-                   "instructions of generated code: native, sse4.2, avx2 or avx512")
-      ->transform(CLI::CheckedTransformer(instruction_sets).description(""))
-      ->option_text("SET");
   command->add_flag("--perf-map", options.specialiser.perf_map,
                     "name generated functions for perf (/tmp/perf-PID.map)");
   add_boxes(command, options.geometry);
@@ -129,6 +140,63 @@ void set_source(apps::RaySource& source, const std::string& origin, const std::s
     const auto v = numbers("--eta", eta, 2);
     source.eta = {v[0], v[1]};
   }
+}
+
+/// CLI::Range lets through what is no number.
+CLI::Validator within(double low, double high) {
+  return CLI::Validator(
+      [low, high](std::string& text) {
+        double value = 0;
+        const bool good = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+        return good
+                   ? std::string()
+                   : text + " is not within " + std::to_string(low) + " to " + std::to_string(high);
+      },
+      "");
+}
+
+/// The options of a command that were given, as they were given.
+std::vector<std::string> words_given(const CLI::App* command,
+                                     const std::vector<std::string>& names) {
+  std::vector<std::string> words;
+  for (const std::string& name : names) {
+    const CLI::Option* option = command->get_option(name);
+    if (option->count() == 0) continue;
+    if (name[0] == '-') words.push_back(name);
+    words.push_back(option->results().at(0));
+  }
+  return words;
+}
+
+void add_warmup(CLI::App* command, apps::WarmupOptions& options) {
+  add_detector(command, options.detector, options.setup);
+  command->add_option("--seconds", options.seconds, "of each run")
+      ->check(within(0.05, 3600.0))
+      ->option_text("S");
+  command
+      ->add_option("--prime", options.prime_seconds,
+                   "seconds of the run that fills the cache and makes the\nplugin's profile")
+      ->check(within(0.05, 3600.0))
+      ->option_text("S");
+  command->add_option("--repetitions", options.repetitions, "of each run, in turn")
+      ->check(CLI::Range(1, 1000))
+      ->option_text("N");
+  command->add_option("--interval", options.interval, "between points of the series, s")
+      ->check(within(0.001, 10.0))
+      ->option_text("S");
+  command->add_option("--modes", options.modes, "of cold, cache and plugin; off is always there")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"cold", "cache", "plugin"}).description(""))
+      ->option_text("LIST");
+  command->add_option("--opt", options.optimisations, "compiler's optimisations to compare")
+      ->delimiter(',')
+      ->check(CLI::Range(0, 3))
+      ->option_text("LIST");
+  command->add_option("--report", options.report, "write a JSON report")->option_text("FILE");
+  command->add_option("--csv", options.csv, "write every point")->option_text("FILE");
+  command->add_option("--picture", options.picture, "speed and share against time; by gnuplot")
+      ->option_text("FILE.svg|.png");
+  add_threads(command, options.threads);
 }
 
 int parse_and_run(int argc, char** argv) {
@@ -281,6 +349,30 @@ int parse_and_run(int argc, char** argv) {
   add_threads(accuracy_command, accuracy.threads);
   add_boxes(accuracy_command, accuracy.geometry);
 
+  apps::WarmupOptions warmup;
+  apps::RaySource warmup_source;
+  RuntimeOptions warmup_code;
+  std::string warmup_origin, warmup_eta;
+  CLI::App* warmup_command =
+      app.add_subcommand("warmup", "What the JIT costs before it pays: steps/s against time");
+  add_warmup(warmup_command, warmup);
+  warmup_command->add_option("--seed", warmup_source.seed, "of the random rays");
+  add_source(warmup_command, warmup_origin, warmup_eta);
+  add_code_options(warmup_command, warmup_code);
+
+  warmup::RunSetup one_run;
+  std::string one_run_origin, one_run_eta;
+  CLI::App* one_run_command = app.add_subcommand("warmup-run", "One run of navjit warmup");
+  one_run_command->group("");  // for navjit itself
+  add_detector(one_run_command, one_run.detector, one_run.setup);
+  add_threads(one_run_command, one_run.threads);
+  one_run_command->add_option("--seed", one_run.source.seed);
+  add_source(one_run_command, one_run_origin, one_run_eta);
+  one_run_command->add_option("--seconds", one_run.seconds)->check(within(0.05, 3600.0));
+  one_run_command->add_option("--interval", one_run.interval)->check(within(0.001, 10.0));
+  one_run_command->add_option("--save-profile", one_run.save_profile);
+  add_runtime_options(one_run_command, one_run.runtime);
+
   try {
     app.parse(argc, argv);
     if (*specialise_command && specialise.scenes.empty() && specialise.profile.empty()) {
@@ -289,6 +381,11 @@ int parse_and_run(int argc, char** argv) {
     specialise.source_only = emit == "cpp";
     set_source(run.source, origin, eta);
     set_source(accuracy.source, accuracy_origin, accuracy_eta);
+    set_source(warmup_source, warmup_origin, warmup_eta);
+    set_source(one_run.source, one_run_origin, one_run_eta);
+    warmup.words =
+        words_given(warmup_command, {"detector", "--setup", "--threads", "--seed", "--origin",
+                                     "--eta", "--interval", "--level", "--isa", "--nice"});
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::Error& error) {
@@ -305,6 +402,8 @@ int parse_and_run(int argc, char** argv) {
   if (*profile_command) return apps::merge_profiles(merge);
   if (*plugin_command) return apps::seal_plugin(library);
   if (*accuracy_command) return apps::accuracy(accuracy);
+  if (*warmup_command) return apps::warmup(warmup);
+  if (*one_run_command) return apps::warmup_run(one_run);
   return apps::trace(trace);
 }
 

@@ -47,7 +47,9 @@ void make_floating_point_strict(llvm::Module& module) {
 void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level) {
   llvm::PipelineTuningOptions tuning;
   tuning.LoopVectorization = level >= 2;
-  tuning.SLPVectorization = level >= 2;
+  // Packing neighbouring numbers into vectors made navigators slower, and compiling them too
+  // (docs/experiments.md).
+  tuning.SLPVectorization = false;
   llvm::PassBuilder builder(&machine, tuning);
 
   llvm::LoopAnalysisManager loop_analyses;

@@ -12,7 +12,7 @@ namespace navjit::jit {
 
 /// What machine to compile for, and how hard to try.
 struct CompileOptions {
-  /// Optimisation level, 0 to 3. The loop and SLP vectorisers run from 2 on.
+  /// Optimisation level, 0 to 3. The loop vectoriser runs from 2 on.
   int optimisation = 2;
   /// Processor name as LLVM spells it ("x86-64-v3", "znver4"). Empty: the host's processor, with
   /// exactly the features the host reports.

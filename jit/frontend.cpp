@@ -77,7 +77,7 @@ std::vector<std::string> frontend_flags(const CompileOptions& options) {
                                     "20",
                                     "-O" + std::to_string(options.optimisation)};
   if (options.optimisation >= 2) {
-    flags.insert(flags.end(), {"-vectorize-loops", "-vectorize-slp"});
+    flags.push_back("-vectorize-loops");
   }
   if (options.debug_info) {
     flags.insert(flags.end(), {"-debug-info-kind=standalone", "-dwarf-version=4",

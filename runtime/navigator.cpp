@@ -23,12 +23,13 @@ Navigator::Navigator(std::shared_ptr<detail::Shared> shared)
       context_(&shared_->table.context()),
       shadow_(shared_->options.jit == JitMode::shadow) {
   own_->presence = shared_->table.add_thread();
-  const std::lock_guard lock(shared_->profiles_mutex);
-  shared_->profiles.push_back(std::shared_ptr<Profile>(own_, &own_->profile));
+  shared_->add(std::shared_ptr<Profile>(own_, &own_->profile));
 }
 
 Navigator::~Navigator() {
-  if (own_ && own_->presence) shared_->table.remove_thread(own_->presence);
+  if (!own_ || !own_->presence) return;  // moved from
+  shared_->table.remove_thread(own_->presence);
+  own_->profile.retire();
 }
 
 State Navigator::locate(const Vec3& point) { return locate(point, {0, 0, 0}); }

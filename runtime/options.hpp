@@ -38,12 +38,17 @@ enum class InstructionSet : std::uint8_t {
 
 /// When a scene is worth compiling, and how. Reasons in docs/decisions.md.
 struct SpecialiserOptions {
-  double poll_ms = 5;               ///< between looks at the profile
-  double compile_ms_per_scene = 8;  ///< expected; a scene pays this back before it is compiled
-  double gain_ns_per_step = 60;     ///< expected
-  std::uint64_t min_steps = 2000;   ///< fewer steps in a scene tell nothing
-  std::size_t batch = 12;           ///< scenes in one module at the most
-  int optimisation = 2;             ///< of the compiler
+  double poll_ms = 5;  ///< between looks at the profile
+  /// What a ms of the compiler's thread counts beside one of navigation. Little: it runs on idle
+  /// cores, at low priority, and runs mostly go on for long.
+  double compile_weight = 0.05;
+  std::uint64_t min_steps = 2000;  ///< fewer steps in a scene tell nothing
+  std::size_t batch = 24;          ///< scenes in one module at the most
+  double module_ms = 900;  ///< expected time for a module at the most: the first scenes need
+                           ///< not wait for the last
+  double half_life_s = 2;  ///< of the heat that decides what is compiled first
+  int nice = 5;            ///< priority of the thread that compiles, as of nice(1); 0 to 19
+  int optimisation = 2;    ///< of the compiler
   InstructionSet instruction_set = InstructionSet::native;
   double recheck_ms = 1000;      ///< between looks at what is installed, on fresh states
   bool keep_only_faster = true;  ///< install only what is measured to be no slower

@@ -50,6 +50,10 @@ class Profile {
     head_.store(head + 1, std::memory_order_release);
   }
 
+  /// By the owner, at last: nothing is counted any more.
+  void retire() { retired_.store(true, std::memory_order_release); }
+  bool retired() const { return retired_.load(std::memory_order_acquire); }
+
   /// By the reader.
   std::uint64_t steps(VolumeId volume) const {
     return steps_[volume].load(std::memory_order_relaxed);
@@ -76,6 +80,7 @@ class Profile {
   std::uint32_t countdown_ = 1;
   std::array<Sample, 1024> queue_;
   std::atomic<std::uint32_t> head_{0}, tail_{0};
+  std::atomic<bool> retired_{false};
 };
 
 }  // namespace navjit

@@ -49,6 +49,7 @@ struct SceneReport {
 };
 
 struct RuntimeReport {
+  double seconds = 0;  ///< since the runtime was made
   std::uint64_t steps = 0;
   std::vector<SceneReport> scenes;  ///< by steps, most first; scenes without a step are left out
   std::size_t modules = 0;          ///< compiled, or taken from the cache

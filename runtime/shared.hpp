@@ -9,18 +9,29 @@
 
 namespace navjit::detail {
 
+/// What all navigators counted, by volume.
+struct Counts {
+  std::vector<std::shared_ptr<Profile>> profiles;
+  std::vector<std::uint64_t> past_steps, past_declined;  ///< of profiles that are no more
+
+  std::uint64_t steps(VolumeId volume) const;
+  std::uint64_t declined(VolumeId volume) const;
+};
+
 struct Shared {
-  Shared(std::shared_ptr<const World> world, RuntimeOptions runtime_options)
-      : options(std::move(runtime_options)),
-        geometry(std::move(world), options.geometry),
-        table(geometry) {}
+  Shared(std::shared_ptr<const World> world, RuntimeOptions runtime_options);
+
+  /// A new navigator's profile.
+  void add(std::shared_ptr<Profile> profile);
+  Counts counts() const;
 
   RuntimeOptions options;
   Geometry geometry;
   NavigatorTable table;
-  std::mutex profiles_mutex;
-  /// Of all navigators there ever were: their counts stay part of the totals.
-  std::vector<std::shared_ptr<Profile>> profiles;
+
+ private:
+  mutable std::mutex mutex_;  ///< guards what follows
+  Counts counts_;
 };
 
 }  // namespace navjit::detail

@@ -6,6 +6,7 @@
 
 #include "geometry/navigation/generic.hpp"
 #include "runtime/fingerprint.hpp"
+#include "runtime/log_text.hpp"
 #include "runtime/plugin.hpp"
 #include "runtime/specialiser.hpp"
 #include "runtime/verify.hpp"
@@ -14,6 +15,8 @@ namespace navjit {
 namespace {
 
 constexpr std::size_t states_made_up = 400;  ///< per volume, for verification
+/// A scene that was measured to be no faster is tried again once it is that many times as hot.
+constexpr double try_again_after = 16;
 
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -61,20 +64,31 @@ bool Specialiser::make_module(const std::vector<VolumeId>& batch) {
     return false;
   }
   const jit::CompileReport& report = made->object.report;
+  const double expected = expected_ms(batch), took = (now() - start) * 1e3;
   spdlog::debug(
-      "module of {} scenes: {} kB of source; front end {:.0f}, optimiser {:.0f}, code "
-      "generator {:.0f} ms; {} kB of code",
-      batch.size(), module.source.size() / 1024, report.frontend_ms, report.optimise_ms,
-      report.codegen_ms, report.code_bytes / 1024);
+      "event=compiled at_s={:.3f} scenes={} ms={:.0f} expected_ms={:.0f} source_kb={} "
+      "frontend_ms={:.0f} optimise_ms={:.0f} codegen_ms={:.0f} code_kb={}",
+      seconds(), batch.size(), took, expected, module.source.size() / 1024, report.frontend_ms,
+      report.optimise_ms, report.codegen_ms, report.code_bytes / 1024);
   if (install(module, std::move(made->code), false, start)) {
     maker_->keep(module.source, label_of(shared_->geometry.world(), batch), made->object);
   }
   return true;
 }
 
+double Specialiser::expected_ms(const std::vector<VolumeId>& batch) const {
+  double sum = module_base_ms;
+  for (const VolumeId volume : batch) {
+    const auto known = candidates_.find(volume);
+    if (known == candidates_.end()) return 0;
+    sum += known->second.compile_ms;
+  }
+  return sum;
+}
+
 void Specialiser::no_module(const std::vector<VolumeId>& batch, const std::string& why) {
   if (!maker_->no_compiler().empty() || !maker_->no_linker().empty()) {
-    spdlog::warn("nothing more is specialised in this run: {}", why);
+    spdlog::warn("nothing more is specialised in this run: {}", one_line(why));
     hopeless_ = true;
     for (const VolumeId volume : batch) note(volume, SceneStatus::generic, why);
     return;
@@ -84,7 +98,8 @@ void Specialiser::no_module(const std::vector<VolumeId>& batch, const std::strin
     for (const VolumeId volume : batch) make_module({volume});
     return;
   }
-  spdlog::warn("scene {} stays generic: {}", shared_->geometry.world().volumes[batch[0]].name, why);
+  spdlog::warn("scene {} stays generic: {}", shared_->geometry.world().volumes[batch[0]].name,
+               one_line(why));
   note(batch[0], SceneStatus::failed, why);
 }
 
@@ -118,9 +133,8 @@ bool Specialiser::install(const codegen::Module& module, jit::Code code, bool ca
   totals_.compile_ms += (now() - start) * 1e3;
   totals_.code_bytes += code_bytes;
   if (cached) {
-    spdlog::debug(
-        "module of {} scenes from the cache: {:.1f} ms to generate and link, {:.1f} ms in all",
-        module.entries.size(), compile_ms, (now() - start) * 1e3);
+    spdlog::debug("event=cached at_s={:.3f} scenes={} ms={:.1f} with_verification_ms={:.1f}",
+                  seconds(), module.entries.size(), compile_ms, (now() - start) * 1e3);
   }
   return all_good;
 }
@@ -130,6 +144,7 @@ bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& reco
                                 SceneReport& report, std::string& problem) {
   const Geometry& geometry = shared_->geometry;
   const kernels::Context& context = shared_->table.context();
+  const double begun = now();
   std::vector<Sample> samples = samples_[volume];
   const std::size_t recorded = samples.size();
   const std::vector<Sample> made_up = sampler_.states(volume, states_made_up, volume + 1);
@@ -146,9 +161,15 @@ bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& reco
       facts_.forced_candidates.contains(facts_.first_equal[volume]) || !only_if_faster;
   const bool pays = forced || specialised_ns <= generic_ns || timed.size() < 16;
   if (pays) shared_->table.install(volume, &record, owner);
-  spdlog::debug("scene {}: {:.1f} ns generic, {:.1f} ns specialised{}",
-                geometry.world().volumes[volume].name, generic_ns, specialised_ns,
-                pays ? "" : ": not installed");
+  spdlog::debug(
+      "event={} at_s={:.3f} scene={} generic_ns={:.1f} specialised_ns={:.1f} states={} recorded={} "
+      "verification_ms={:.2f}",
+      pays ? "installed" : "slower", seconds(), quoted(geometry.world().volumes[volume].name),
+      generic_ns, specialised_ns, samples.size(), recorded, (now() - begun) * 1e3);
+  if (!pays) {
+    const VolumeId first = facts_.first_equal[volume];
+    try_again_at_[first] = try_again_after * heat_[first];
+  }
   report.status = pays ? SceneStatus::specialised : SceneStatus::unprofitable;
   report.note = pays ? "" : "measured slower than the generic navigator";
   report.generic_ns_per_step = generic_ns;

@@ -1,15 +1,18 @@
 #include "runtime/specialiser.hpp"
 
 #include <spdlog/spdlog.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 
 #include "analysis/plan.hpp"
 #include "geometry/navigation/generic.hpp"
 #include "runtime/code_maker.hpp"
 #include "runtime/fingerprint.hpp"
+#include "runtime/log_text.hpp"
 #include "runtime/overrides.hpp"
 #include "runtime/verify.hpp"
 
@@ -61,6 +64,8 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
       sampler_(shared_->geometry),
       steps_(shared_->geometry.size(), 0),
       steps_below_(shared_->geometry.size(), 0),
+      heat_(shared_->geometry.size(), 0),
+      recent_(shared_->geometry.size(), 0),
       started_at_(now()) {
   if (shared_->options.jit == JitMode::off) return;
   apply_overrides();
@@ -112,6 +117,8 @@ void Specialiser::start() {
 }
 
 void Specialiser::run() {
+  // Of this thread, and of those that it makes for the compiler.
+  setpriority(PRIO_PROCESS, 0, std::clamp(shared_->options.specialiser.nice, 0, 19));
   if (maker_) install_remembered();
   std::unique_lock lock(mutex_);
   while (!stop_) {
@@ -120,9 +127,11 @@ void Specialiser::run() {
     const std::vector<VolumeId> batch = choose();
     if (!batch.empty()) specialise(batch);
     reconsider();
-    shared_->table.sweep();
+    const std::size_t waiting = shared_->table.sweep();
     lock.lock();
+    totals_.waiting_to_be_freed = waiting;
     ++looks_;
+    if (batch.empty()) idle_look_ = looks_;
     wake_.notify_all();
     if (batch.empty()) {
       wake_.wait_for(
@@ -134,28 +143,15 @@ void Specialiser::run() {
 void Specialiser::wait_until_idle() {
   if (!thread_.joinable()) return;
   std::unique_lock lock(mutex_);
-  // Two looks from now the counts of this moment were seen; compiling may have to follow.
-  for (std::uint64_t target = looks_ + 2;;) {
-    wake_.wait(lock, [&] { return stop_ || looks_ >= target; });
-    const bool busy = std::any_of(scenes_.begin(), scenes_.end(), [](const auto& entry) {
-      return entry.second.status == SceneStatus::compiling;
-    });
-    if (stop_ || !busy) return;
-    target = looks_ + 1;
-  }
+  // Two looks from now the counts of this moment were seen; what is due on them comes first.
+  wake_.wait(lock, [&, target = looks_ + 2] { return stop_ || idle_look_ >= target; });
 }
 
 void Specialiser::gather() {
-  std::vector<std::shared_ptr<Profile>> profiles;
-  {
-    const std::lock_guard lock(shared_->profiles_mutex);
-    profiles = shared_->profiles;
-  }
-  std::fill(steps_.begin(), steps_.end(), 0);
-  for (const auto& profile : profiles) {
-    for (std::size_t v = 0; v < steps_.size(); ++v) {
-      steps_[v] += profile->steps(static_cast<VolumeId>(v));
-    }
+  const detail::Counts counts = shared_->counts();
+  for (std::size_t v = 0; v < steps_.size(); ++v)
+    steps_[v] = counts.steps(static_cast<VolumeId>(v));
+  for (const auto& profile : counts.profiles) {
     for (Sample sample; profile->take(sample);) {
       if (sample.mother != Sample::no_volume) steps_below_[sample.mother] += Profile::period;
       auto& fresh = fresh_[sample.volume];
@@ -171,36 +167,67 @@ void Specialiser::gather() {
   }
 }
 
-/// Scenes whose use so far would have paid for compiling them: what was spent is the estimate of
-/// what is still to come. Relocation in a mother costs about as much as a step.
+void Specialiser::update_heat() {
+  // Volumes of equal structure are hot together. Relocation in a mother costs about as much as a
+  // step.
+  std::vector<double> heat(steps_.size(), 0);
+  for (std::size_t v = 0; v < steps_.size(); ++v) {
+    heat[facts_.first_equal[v]] += static_cast<double>(steps_[v] + steps_below_[v]);
+  }
+  const double t = seconds();
+  const double fades = std::exp2((heat_at_ - t) / shared_->options.specialiser.half_life_s);
+  heat_at_ = t;
+  for (std::size_t v = 0; v < heat.size(); ++v) {
+    recent_[v] = fades * recent_[v] + heat[v] - heat_[v];
+  }
+  heat_ = std::move(heat);
+}
+
 std::vector<VolumeId> Specialiser::choose() {
   if (hopeless_) return {};
-  const SpecialiserOptions& options = shared_->options.specialiser;
-  const double break_even = options.compile_ms_per_scene * 1e6 / options.gain_ns_per_step;
-  // Volumes of equal structure are hot together.
-  std::vector<std::uint64_t> heats(steps_.size(), 0);
-  for (std::size_t v = 0; v < steps_.size(); ++v) {
-    heats[facts_.first_equal[v]] += steps_[v] + steps_below_[v];
-  }
-  const auto heat = [&](VolumeId v) { return heats[v]; };
-  std::vector<VolumeId> hot;
-  {
-    const std::lock_guard lock(mutex_);
-    for (std::size_t v = 0; v < steps_.size(); ++v) {
-      const auto volume = static_cast<VolumeId>(v);
-      if (heat(volume) < options.min_steps || static_cast<double>(heat(volume)) < break_even) {
+  SpecialiserOptions options = shared_->options.specialiser;
+  // Until the first module is there nothing is won: it is to be there soon.
+  if (totals_.modules == 0) options.module_ms /= 2;
+  update_heat();
+  std::vector<Candidate> candidates;
+  for (std::size_t v = 0; v < heat_.size(); ++v) {
+    const auto volume = static_cast<VolumeId>(v);
+    if (heat_[v] * 10 < static_cast<double>(options.min_steps) || !may_be_tried(volume)) continue;
+    Candidate& candidate = candidates_[volume];
+    if (candidate.compile_ms == 0) {
+      const ScenePlan plan = plan_scene(shared_->geometry, facts_, volume);
+      if (std::string why; !worth_compiling(shared_->geometry, plan, &why)) {
+        note(volume, SceneStatus::unprofitable, why);
         continue;
       }
-      if (scenes_.contains(volume)) continue;
-      hot.push_back(volume);
+      candidate = {volume, 0, 0, expected_compile_ms(shared_->geometry, plan),
+                   expected_gain_ns(plan)};
     }
+    candidate.heat = heat_[v];
+    candidate.recent = recent_[v];
+    candidates.push_back(candidate);
   }
-  std::sort(hot.begin(), hot.end(), [&](VolumeId a, VolumeId b) { return heat(a) > heat(b); });
-  if (hot.size() > options.batch) hot.resize(options.batch);
-  return hot;
+  const std::vector<VolumeId> module = next_module(candidates, options);
+  if (!module.empty()) {
+    spdlog::debug("event=chosen at_s={:.3f} scenes={} first={} candidates={}", seconds(),
+                  module.size(), quoted(shared_->geometry.world().volumes[module[0]].name),
+                  candidates.size());
+  }
+  return module;
+}
+
+bool Specialiser::may_be_tried(VolumeId volume) {
+  const std::lock_guard lock(mutex_);
+  if (!scenes_.contains(volume)) return true;
+  // What was slower on the states of its time may be faster on those of another phase.
+  const auto again = try_again_at_.find(volume);
+  return again != try_again_at_.end() && heat_[volume] >= again->second;
 }
 
 void Specialiser::note(VolumeId volume, SceneStatus status, const std::string& why) {
+  spdlog::debug("event=status at_s={:.3f} scene={} status={} why={}", seconds(),
+                quoted(shared_->geometry.world().volumes[volume].name), status_name(status),
+                quoted(why));
   const std::lock_guard lock(mutex_);
   for (const VolumeId equal : facts_.equals[volume]) {
     SceneReport& scene = scenes_[equal];
@@ -210,7 +237,8 @@ void Specialiser::note(VolumeId volume, SceneStatus status, const std::string& w
 }
 
 void Specialiser::note_failure(VolumeId volume, const std::string& why) {
-  spdlog::warn("scene {} stays generic: {}", shared_->geometry.world().volumes[volume].name, why);
+  spdlog::warn("scene {} stays generic: {}", shared_->geometry.world().volumes[volume].name,
+               one_line(why));
   const std::lock_guard lock(mutex_);
   scenes_[volume].status = SceneStatus::failed;
   scenes_[volume].note = why;
@@ -294,20 +322,16 @@ StepProfile Specialiser::step_profile() {
 }
 
 RuntimeReport Specialiser::report() const {
-  std::vector<std::shared_ptr<Profile>> profiles;
-  {
-    const std::lock_guard lock(shared_->profiles_mutex);
-    profiles = shared_->profiles;
-  }
+  const detail::Counts counts = shared_->counts();
   const std::lock_guard lock(mutex_);
   RuntimeReport report = totals_;
+  report.seconds = seconds();
   const World& world = shared_->geometry.world();
   for (std::size_t v = 0; v < world.volumes.size(); ++v) {
     const auto volume = static_cast<VolumeId>(v);
     SceneReport scene;
     if (const auto known = scenes_.find(volume); known != scenes_.end()) scene = known->second;
-    scene.steps = 0;
-    for (const auto& profile : profiles) scene.steps += profile->steps(volume);
+    scene.steps = counts.steps(volume);
     if (scene.steps == 0) continue;
     scene.volume_id = volume;
     scene.volume = world.volumes[v].name;

@@ -12,6 +12,7 @@
 #include "runtime/code_maker.hpp"
 #include "runtime/hot_list.hpp"
 #include "runtime/report.hpp"
+#include "runtime/schedule.hpp"
 #include "runtime/shared.hpp"
 #include "runtime/states.hpp"
 #include "runtime/step_profile.hpp"
@@ -44,7 +45,10 @@ class Specialiser {
   void run();
   void apply_overrides();
   void gather();
+  void update_heat();
   std::vector<VolumeId> choose();
+  /// Not tried yet, or long enough ago that trying again may pay.
+  bool may_be_tried(VolumeId volume);
   /// Those whose plan promises a gain; notes what becomes of each.
   std::vector<VolumeId> worth_trying(const std::vector<VolumeId>& batch);
   void specialise(const std::vector<VolumeId>& batch);
@@ -60,6 +64,8 @@ class Specialiser {
   bool install_scene(VolumeId volume, const kernels::Navigators& record,
                      const std::shared_ptr<const void>& owner, bool only_if_faster,
                      SceneReport& report, std::string& problem);
+  /// What the cost model says of a module, ms; 0 if it was not asked about all of its scenes.
+  double expected_ms(const std::vector<VolumeId>& batch) const;
   void no_module(const std::vector<VolumeId>& batch, const std::string& why);
   /// Installs what earlier runs found hot, as far as the cache has the code.
   void install_remembered();
@@ -85,6 +91,12 @@ class Specialiser {
   std::vector<std::uint64_t> steps_;  ///< by volume, at the last look
   /// By volume: steps made in its daughters, as sampled. Many of those end with a relocation in it.
   std::vector<std::uint64_t> steps_below_;
+  std::vector<double> heat_;    ///< by volume, of all of equal structure in the first of them
+  std::vector<double> recent_;  ///< the same, fading
+  double heat_at_ = 0;          ///< when it was updated, s
+  std::map<VolumeId, Candidate> candidates_;
+  /// By volume that was measured to be slower: the heat at which it is tried again.
+  std::map<VolumeId, double> try_again_at_;
   std::map<VolumeId, std::vector<Sample>> samples_;
   std::map<VolumeId, std::vector<Sample>> fresh_;  ///< a few recorded since the last look
   struct Seen {
@@ -97,7 +109,8 @@ class Specialiser {
   mutable std::mutex mutex_;  ///< guards what follows
   std::condition_variable wake_;
   bool stop_ = false;
-  std::uint64_t looks_ = 0;  ///< completed passes over the profile
+  std::uint64_t looks_ = 0;      ///< completed passes over the profile
+  std::uint64_t idle_look_ = 0;  ///< the last that found nothing to do
   std::map<VolumeId, SceneReport> scenes_;
   RuntimeReport totals_;
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "runtime/log_text.hpp"
 #include "runtime/specialiser.hpp"
 #include "runtime/verify.hpp"
 
@@ -24,14 +25,9 @@ void Specialiser::reconsider() {
       if (scene.status == SceneStatus::specialised) installed.push_back(volume);
     }
   }
-  std::vector<std::shared_ptr<Profile>> profiles;
-  {
-    const std::lock_guard lock(shared_->profiles_mutex);
-    profiles = shared_->profiles;
-  }
+  const detail::Counts counts = shared_->counts();
   for (const VolumeId volume : installed) {
-    Seen now{steps_[volume], 0};
-    for (const auto& profile : profiles) now.declined += profile->declined(volume);
+    const Seen now{steps_[volume], counts.declined(volume)};
     // At the first look only what is counted from then on is known to be the installed one's.
     const auto [last, is_new] = seen_.try_emplace(volume, now);
     const std::uint64_t steps = now.steps - last->second.steps;
@@ -58,7 +54,7 @@ void Specialiser::withdraw(VolumeId volume, SceneStatus status, const std::strin
   shared_->table.reset(volume);
   seen_.erase(volume);
   spdlog::warn("scene {} is generic again: {}", shared_->geometry.world().volumes[volume].name,
-               why);
+               one_line(why));
   const std::lock_guard lock(mutex_);
   scenes_[volume].status = status;
   scenes_[volume].note = why;

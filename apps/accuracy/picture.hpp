@@ -10,7 +10,5 @@ namespace navjit::accuracy {
 /// Writes an SVG or a PNG, by the file's suffix. Throws std::runtime_error if the suffix is
 /// another, if there is no gnuplot, or if it fails.
 void draw(const ExperimentReport& report, const std::string& title, const std::string& file);
-/// Throws as above if such a file cannot be drawn, before anything was measured.
-void check_picture(const std::string& file);
 
 }  // namespace navjit::accuracy

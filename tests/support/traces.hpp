@@ -61,7 +61,7 @@ inline std::vector<Ray> rays_through(const World& world, std::uint64_t seed, int
 inline RuntimeOptions eager_options(JitMode jit) {
   RuntimeOptions o;
   o.jit = jit;
-  o.specialiser.compile_ms_per_scene = 1e-3;
+  o.specialiser.compile_weight = 1e-6;
   o.specialiser.min_steps = 200;
   o.specialiser.optimisation = 1;
   o.specialiser.keep_only_faster = false;

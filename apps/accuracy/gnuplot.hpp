@@ -1,0 +1,19 @@
+// Pictures by gnuplot, called as a program.
+#pragma once
+
+#include <string>
+
+namespace navjit::accuracy {
+
+/// Throws std::runtime_error if the file's suffix is not that of a picture (.svg, .png), or if
+/// there is no gnuplot: to be asked before anything was measured.
+void check_picture(const std::string& file);
+
+/// Runs a script that plots, and writes the file. Throws as above, and if gnuplot fails.
+void plot(const std::string& script, const std::string& file);
+
+/// In gnuplot's double quotes; what could end or steer the text is left out.
+std::string quoted(const std::string& text);
+std::string literal(double value);
+
+}  // namespace navjit::accuracy

@@ -1,0 +1,143 @@
+#include "apps/warmup/experiment.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <stdexcept>
+
+#include "apps/accuracy/child.hpp"
+#include "apps/warmup/private_folder.hpp"
+
+namespace navjit::warmup {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words operator+(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+std::string output_of(const Words& words, double seconds) {
+  accuracy::ChildResult result = accuracy::run_child(words, seconds);
+  if (!result.good()) throw std::runtime_error("a run " + result.words(seconds));
+  if (!result.error.empty()) spdlog::warn("from a run: {}", result.error);
+  return std::move(result.output);
+}
+
+/// What a variant needs before it is timed.
+struct Prepared {
+  std::string cache, plugin;
+};
+
+/// A run that fills a cache, and a plugin of what was hot in it. Variants that differ in nothing
+/// but the mode share both.
+Prepared prepare(const ExperimentOptions& options, const Variant& variant,
+                 const std::string& stem) {
+  const Prepared prepared{stem + ".cache", stem + ".so"};
+  const std::string profile = stem + ".json";
+  const double limit = options.prime_seconds + options.patience;
+  output_of(Words{options.program, "warmup-run"} + options.words + variant.words +
+                Words{"--seconds", std::to_string(options.prime_seconds), "--cache", prepared.cache,
+                      "--save-profile", profile},
+            limit);
+  Words specialise{
+      options.program, "specialise", options.detector, "--profile", profile, "--emit", "so", "-o",
+      prepared.plugin};
+  if (!options.setup.empty()) specialise = specialise + Words{"--setup", options.setup};
+  output_of(specialise, limit);
+  return prepared;
+}
+
+Words words_of(const Variant& variant, const Prepared& prepared) {
+  switch (variant.mode) {
+    case Mode::off:
+      return {"--jit", "off", "--cache", "off"};
+    case Mode::cold:
+      return variant.words + Words{"--cache", "off"};
+    case Mode::cache:
+      return variant.words + Words{"--cache", prepared.cache};
+    case Mode::plugin:
+      return variant.words + Words{"--cache", "off", "--plugin", prepared.plugin};
+  }
+  return {};
+}
+
+}  // namespace
+
+const char* mode_name(Mode mode) {
+  switch (mode) {
+    case Mode::off:
+      return "off";
+    case Mode::cold:
+      return "cold";
+    case Mode::cache:
+      return "cache";
+    case Mode::plugin:
+      return "plugin";
+  }
+  return "";
+}
+
+bool same_rays(const RunRecord& a, const RunRecord& b) {
+  for (std::size_t i = 0; i < chunks_kept; ++i) {
+    if (a.chunks[i].steps > 0 && b.chunks[i].steps > 0 && !(a.chunks[i] == b.chunks[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+RunFigures figures_of(RunRecord record, const RunRecord& off) {
+  RunFigures figures;
+  figures.record = std::move(record);
+  const RunRecord& r = figures.record;
+  figures.break_even_s = break_even(r.series, off.series);
+  figures.half_s = time_of_share(r.swaps, 0.5);
+  figures.most_s = time_of_share(r.swaps, 0.9);
+  const double end = r.series.empty() ? 0 : r.series.back().seconds;
+  figures.share = share_at(r.swaps, end);
+  figures.steps_per_second = rate(r.series, 0, end);
+  figures.last_rate = rate(r.series, 0.75 * end, end);
+  const double off_end = off.series.empty() ? 0 : off.series.back().seconds;
+  const double off_rate = rate(off.series, 0.75 * off_end, off_end);
+  figures.speed_up = off_rate > 0 ? figures.last_rate / off_rate : 0;
+  return figures;
+}
+
+ExperimentReport run_experiment(const ExperimentOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const PrivateFolder folder;
+  ExperimentReport report;
+  std::map<Words, Prepared> all_prepared;
+  for (const Variant& variant : options.variants) {
+    report.variants.push_back({variant, {}});
+    if (variant.mode != Mode::cache && variant.mode != Mode::plugin) continue;
+    if (all_prepared.contains(variant.words)) continue;
+    const std::string stem = folder.path() + "/" + std::to_string(all_prepared.size());
+    all_prepared[variant.words] = prepare(options, variant, stem);
+  }
+  report.prepare_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::optional<RunRecord> first;
+  for (int repetition = 0; repetition < options.repetitions; ++repetition) {
+    std::optional<RunRecord> off;
+    for (VariantReport& each : report.variants) {
+      const Prepared prepared = all_prepared[each.variant.words];
+      RunRecord record =
+          from_text(output_of(Words{options.program, "warmup-run"} + options.words +
+                                  Words{"--seconds", std::to_string(options.seconds)} +
+                                  words_of(each.variant, prepared),
+                              options.seconds + options.patience));
+      if (!off) off = record;
+      if (!first) first = record;
+      report.same_rays = report.same_rays && same_rays(*first, record);
+      each.runs.push_back(figures_of(std::move(record), *off));
+    }
+  }
+  return report;
+}
+
+}  // namespace navjit::warmup

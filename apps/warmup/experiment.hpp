@@ -1,0 +1,64 @@
+// The experiment "JIT warm-up versus speed-up": the same rays without the JIT, with it cold, with
+// what an earlier run left in the cache, and with a plugin; each run in a process of its own, in
+// turn.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/warmup/one_run.hpp"
+
+namespace navjit::warmup {
+
+enum class Mode : std::uint8_t { off, cold, cache, plugin };
+const char* mode_name(Mode mode);
+
+/// A way to run, with what the command line of its process has in addition.
+struct Variant {
+  std::string name;  ///< "off", "cold", or with what was varied: "cold -O1"
+  Mode mode = Mode::off;
+  std::vector<std::string> words;
+};
+
+struct ExperimentOptions {
+  std::string program;             ///< navjit
+  std::vector<std::string> words;  ///< of every run: detector, rays, threads, seconds
+  std::string detector, setup;     ///< for the plugin
+  std::vector<Variant> variants;   ///< the first has mode `off`
+  int repetitions = 5;
+  double seconds = 5;         ///< of a run
+  double prime_seconds = 10;  ///< of the run that fills the cache and makes the plugin's profile
+  double patience = 120;      ///< beyond that, until a process is given up, s
+};
+
+/// What follows from one run and the one without JIT of the same repetition.
+struct RunFigures {
+  RunRecord record;
+  std::optional<double> break_even_s, half_s, most_s;  ///< of shares 50% and 90%
+  double share = 0;             ///< of steps in scenes that are specialised in the end
+  double steps_per_second = 0;  ///< whole run
+  double last_rate = 0;         ///< steps per second in the last quarter
+  double speed_up = 0;          ///< of the last quarter
+};
+
+struct VariantReport {
+  Variant variant;
+  std::vector<RunFigures> runs;  ///< by repetition
+};
+
+struct ExperimentReport {
+  std::vector<VariantReport> variants;
+  double prepare_s = 0;   ///< filling caches and making plugins, wall clock
+  bool same_rays = true;  ///< every ray that two runs both made has the same steps and lengths
+};
+
+/// Throws std::runtime_error if a process fails, with its last line.
+ExperimentReport run_experiment(const ExperimentOptions& options);
+
+/// From the records alone; `off` is the run without JIT of the same repetition.
+RunFigures figures_of(RunRecord record, const RunRecord& off);
+/// No chunk of rays that both have complete differs.
+bool same_rays(const RunRecord& a, const RunRecord& b);
+
+}  // namespace navjit::warmup

@@ -1,0 +1,52 @@
+// One run of the experiment, in this process, and its record as text.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "apps/rays.hpp"
+#include "apps/warmup/series.hpp"
+#include "runtime/options.hpp"
+
+namespace navjit::warmup {
+
+struct RunSetup {
+  std::string detector, setup;
+  apps::RaySource source;
+  unsigned threads = 1;
+  double seconds = 5;        ///< how long rays are transported
+  double interval = 0.02;    ///< between points of the series, s
+  std::string save_profile;  ///< file for `navjit specialise`; empty: none
+  RuntimeOptions runtime;
+};
+
+/// Rays are dealt to threads in chunks; the first chunks are kept to compare runs.
+constexpr std::uint64_t rays_per_chunk = 64;
+constexpr std::size_t chunks_kept = 64;
+
+struct Chunk {
+  std::uint64_t steps = 0;  ///< 0: the run ended before it
+  double length = 0;        ///< mm
+  friend bool operator==(const Chunk&, const Chunk&) = default;
+};
+
+struct RunRecord {
+  Series series;  ///< begins with the making of the Runtime: plugins and lists of hot scenes count
+  std::vector<Swap> swaps;  ///< of scenes that are specialised in the end
+  std::uint64_t rays = 0, steps = 0, stuck = 0;
+  double navigating_s = 0;  ///< processor time of the navigating threads
+  double other_s = 0;       ///< and of all others: profile, compiler, verification
+  std::size_t modules = 0, cached_modules = 0, withdrawn = 0, code_bytes = 0;
+  std::array<Chunk, chunks_kept> chunks{};
+};
+
+/// Reads the detector, then transports rays for the given time. Throws what reading throws.
+RunRecord run_once(const RunSetup& setup);
+
+std::string to_text(const RunRecord& record);
+/// Throws std::runtime_error for what to_text has not made, and for series that go back.
+RunRecord from_text(const std::string& text);
+
+}  // namespace navjit::warmup

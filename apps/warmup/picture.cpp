@@ -1,0 +1,68 @@
+#include "apps/warmup/picture.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "apps/accuracy/gnuplot.hpp"
+
+namespace navjit::warmup {
+namespace {
+
+using accuracy::literal;
+using accuracy::quoted;
+
+constexpr int bins = 80;
+
+/// Lines "time rate share", medians over the repetitions; empty if there is nothing to draw.
+std::string lines_of(const VariantReport& each, double end) {
+  std::string lines;
+  for (int i = 0; i < bins; ++i) {
+    const double from = end * i / bins, to = end * (i + 1) / bins;
+    std::vector<double> rates, shares;
+    for (const RunFigures& run : each.runs) {
+      rates.push_back(rate(run.record.series, from, to) / 1e6);
+      shares.push_back(100 * share_at(run.record.swaps, to));
+    }
+    lines += literal((from + to) / 2) + ' ' + literal(spread(rates).median) + ' ' +
+             literal(spread(shares).median) + '\n';
+  }
+  return lines;
+}
+
+}  // namespace
+
+void draw(const ExperimentReport& report, const std::string& title, const std::string& file) {
+  double end = 0;
+  for (const VariantReport& each : report.variants) {
+    for (const RunFigures& run : each.runs) {
+      const double last = run.record.series.empty() ? 0 : run.record.series.back().seconds;
+      end = end == 0 ? last : std::min(end, last);
+    }
+  }
+  if (end == 0) throw std::runtime_error(file + ": nothing was measured that could be drawn");
+  std::string data, rates, shares;
+  for (std::size_t i = 0; i < report.variants.size(); ++i) {
+    const VariantReport& each = report.variants[i];
+    const std::string block = "$v" + std::to_string(i);
+    data += block + " << EOD\n" + lines_of(each, end) + "EOD\n";
+    const std::string look = " with lines lw 2 lc " + std::to_string(i + 1) + " title ";
+    rates += (rates.empty() ? "plot " : ", ") + block + " using 1:2" + look +
+             quoted(each.variant.name) + " noenhanced";
+    if (each.variant.mode == Mode::off) continue;
+    shares += (shares.empty() ? "plot " : ", ") + block + " using 1:3" + look +
+              quoted(each.variant.name) + " noenhanced";
+  }
+  std::string script = data + "set grid\nset xrange [0:" + literal(end) + "]\n";
+  script += "set multiplot layout " + std::string(shares.empty() ? "1,1" : "2,1") + " title " +
+            quoted(title) + " noenhanced\n";
+  script += "set key bottom right\nset yrange [0:*]\nset ylabel 'million steps a second'\n" + rates;
+  if (!shares.empty()) {
+    script +=
+        "\nset xlabel 'seconds since the start'\nset yrange [0:100]\n"
+        "set ylabel 'steps specialised, %'\n" +
+        shares;
+  }
+  accuracy::plot(script + "\nunset multiplot", file);
+}
+
+}  // namespace navjit::warmup

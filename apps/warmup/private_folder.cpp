@@ -1,0 +1,51 @@
+#include "apps/warmup/private_folder.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+#include "jit/trust.hpp"
+#include "runtime/cache.hpp"
+
+namespace navjit::warmup {
+namespace {
+
+/// Makes a folder in `parent`; empty, and `why`, if it cannot be, or is not trusted.
+std::string make_in(const std::string& parent, std::string& why) {
+  std::string path = parent + "/navjit-warmup-XXXXXX";
+  if (mkdtemp(path.data()) == nullptr) {  // 0700
+    why = parent + ": " + std::strerror(errno);
+    return {};
+  }
+  const auto trusted = jit::open_trusted_directory(path, false);
+  if (trusted) return path;
+  why = trusted.failure().message;
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+  return {};
+}
+
+}  // namespace
+
+PrivateFolder::PrivateFolder() {
+  std::error_code none;
+  std::string why;
+  path_ = make_in(std::filesystem::temp_directory_path(none).string(), why);
+  if (!path_.empty()) return;
+  const std::string user = Cache::user_default().directory;
+  if (!user.empty() && jit::open_trusted_directory(user, true)) {
+    std::string ignored;
+    path_ = make_in(user, ignored);
+  }
+  if (path_.empty()) throw std::runtime_error("no place for temporary files: " + why);
+}
+
+PrivateFolder::~PrivateFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace navjit::warmup

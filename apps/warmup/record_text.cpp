@@ -1,0 +1,75 @@
+// A run's record as JSON: how a run in a process of its own tells the experiment.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "apps/warmup/one_run.hpp"
+
+namespace navjit::warmup {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void fail(const char* what) {
+  throw std::runtime_error(std::string("a run's record is not usable: ") + what);
+}
+
+double amount(const Json& json) {
+  const double value = json.get<double>();
+  if (!std::isfinite(value) || value < 0) fail("a number is negative, or none");
+  return value;
+}
+
+}  // namespace
+
+std::string to_text(const RunRecord& record) {
+  Json json{{"rays", record.rays},
+            {"steps", record.steps},
+            {"stuck", record.stuck},
+            {"navigating_s", record.navigating_s},
+            {"other_s", record.other_s},
+            {"modules", record.modules},
+            {"cached_modules", record.cached_modules},
+            {"withdrawn", record.withdrawn},
+            {"code_bytes", record.code_bytes}};
+  for (const char* list : {"series", "swaps", "chunks"}) json[list] = Json::array();
+  for (const Point& p : record.series) json["series"].push_back({p.seconds, p.steps});
+  for (const Swap& s : record.swaps) json["swaps"].push_back({s.seconds, s.share});
+  for (const Chunk& c : record.chunks) json["chunks"].push_back({c.steps, c.length});
+  return json.dump();
+}
+
+RunRecord from_text(const std::string& text) try {
+  const Json json = Json::parse(text);
+  RunRecord record;
+  json.at("rays").get_to(record.rays);
+  json.at("steps").get_to(record.steps);
+  json.at("stuck").get_to(record.stuck);
+  record.navigating_s = amount(json.at("navigating_s"));
+  record.other_s = amount(json.at("other_s"));
+  json.at("modules").get_to(record.modules);
+  json.at("cached_modules").get_to(record.cached_modules);
+  json.at("withdrawn").get_to(record.withdrawn);
+  json.at("code_bytes").get_to(record.code_bytes);
+  for (const Json& p : json.at("series")) {
+    const Point next{amount(p.at(0)), amount(p.at(1))};
+    if (!record.series.empty() &&
+        (next.seconds <= record.series.back().seconds || next.steps < record.series.back().steps)) {
+      fail("its series goes back");
+    }
+    record.series.push_back(next);
+  }
+  for (const Json& s : json.at("swaps")) {
+    record.swaps.push_back({amount(s.at(0)), amount(s.at(1))});
+  }
+  const Json& chunks = json.at("chunks");
+  if (chunks.size() != record.chunks.size()) fail("it is of another version");
+  for (std::size_t i = 0; i < chunks.size(); ++i) {
+    record.chunks[i] = {chunks[i].at(0).get<std::uint64_t>(), amount(chunks[i].at(1))};
+  }
+  return record;
+} catch (const nlohmann::json::exception& error) {
+  fail(error.what());
+}
+
+}  // namespace navjit::warmup

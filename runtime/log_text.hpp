@@ -1,0 +1,15 @@
+// Texts from elsewhere (compiler, files, names in detectors) within one line of the log.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace navjit {
+
+/// Lines joined by " | ", control characters replaced by '?', cut to `most` bytes.
+std::string one_line(std::string_view text, std::size_t most = 1000);
+
+/// The same as the value of key=value: in double quotes, with quotes and backslashes escaped.
+std::string quoted(std::string_view text, std::size_t most = 200);
+
+}  // namespace navjit

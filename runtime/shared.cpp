@@ -1,0 +1,52 @@
+#include "runtime/shared.hpp"
+
+namespace navjit::detail {
+namespace {
+
+/// Profiles of navigators that are gone are kept for the states recorded in them, up to this many
+/// in all: a run may make any number of navigators.
+constexpr std::size_t most_profiles = 64;
+
+}  // namespace
+
+std::uint64_t Counts::steps(VolumeId volume) const {
+  std::uint64_t sum = past_steps[volume];
+  for (const auto& profile : profiles) sum += profile->steps(volume);
+  return sum;
+}
+
+std::uint64_t Counts::declined(VolumeId volume) const {
+  std::uint64_t sum = past_declined[volume];
+  for (const auto& profile : profiles) sum += profile->declined(volume);
+  return sum;
+}
+
+Shared::Shared(std::shared_ptr<const World> world, RuntimeOptions runtime_options)
+    : options(std::move(runtime_options)),
+      geometry(std::move(world), options.geometry),
+      table(geometry) {
+  counts_.past_steps.resize(geometry.size());
+  counts_.past_declined.resize(geometry.size());
+}
+
+void Shared::add(std::shared_ptr<Profile> profile) {
+  const std::lock_guard lock(mutex_);
+  if (counts_.profiles.size() >= most_profiles) {
+    std::erase_if(counts_.profiles, [this](const std::shared_ptr<Profile>& old) {
+      if (!old->retired()) return false;
+      for (VolumeId v = 0; v < geometry.size(); ++v) {
+        counts_.past_steps[v] += old->steps(v);
+        counts_.past_declined[v] += old->declined(v);
+      }
+      return true;
+    });
+  }
+  counts_.profiles.push_back(std::move(profile));
+}
+
+Counts Shared::counts() const {
+  const std::lock_guard lock(mutex_);
+  return counts_;
+}
+
+}  // namespace navjit::detail

@@ -1,0 +1,144 @@
+// `navjit warmup` as a user runs it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/support/command.hpp"
+#include "tests/support/folder.hpp"
+
+namespace navjit::tests {
+namespace {
+
+constexpr auto npos = std::string::npos;
+const std::string detector = std::string(NAVJIT_DETECTORS_DIR) + "/absorber.gdml";
+
+/// Names of what navjit may have left in the folder for temporary files.
+std::size_t leftovers(const std::string& folder) {
+  std::size_t count = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++count;
+  return count;
+}
+
+TEST(WarmupCommand, ComparesTheWaysToStart) {
+  const TemporaryFolder folder, temporary;
+  const Output output = run_command(
+      "TMPDIR=" + temporary.path() + " " NAVJIT_COMMAND,
+      "warmup " + detector + " --seconds 0.4 --prime 1 --repetitions 2 --interval 0.01 --report " +
+          folder.file("report.json") + " --csv " + folder.file("points.csv"));
+  ASSERT_EQ(output.status, 0) << output.text;
+  for (const char* row : {"| off |", "| cold |", "| cache |", "| plugin |", "break-even"}) {
+    EXPECT_NE(output.text.find(row), npos) << output.text;
+  }
+  EXPECT_EQ(leftovers(temporary.path()), 0U);
+  const auto report = nlohmann::json::parse(read_file(folder.file("report.json")));
+  EXPECT_TRUE(report.at("same_rays"));
+  ASSERT_EQ(report.at("variants").size(), 4U);
+  std::size_t points = 0;
+  for (const auto& variant : report["variants"]) {
+    const std::string mode = variant.at("mode");
+    for (const char* field : {"steps_per_second", "speed_up", "break_even_s", "half_specialised_s",
+                              "most_specialised_s", "specialised_share", "cost_s"}) {
+      EXPECT_TRUE(variant.contains(field)) << field;
+    }
+    EXPECT_GT(variant["steps_per_second"].at("median"), 0);
+    EXPECT_LE(variant["steps_per_second"].at("low"), variant["steps_per_second"].at("high"));
+    ASSERT_EQ(variant.at("runs").size(), 2U);
+    for (const auto& run : variant["runs"]) {
+      EXPECT_EQ(run.at("stuck"), 0);
+      const auto& series = run.at("series");
+      points += series.size();
+      EXPECT_EQ(series.back().at(1), run.at("steps"));
+      for (std::size_t i = 1; i < series.size(); ++i) {
+        EXPECT_GT(series[i].at(0), series[i - 1].at(0));
+        EXPECT_GE(series[i].at(1), series[i - 1].at(1));
+      }
+      double share = 0;
+      for (const auto& swap : run.at("swaps")) share += swap.at(1).get<double>();
+      EXPECT_LE(share, 1 + 1e-9);
+      if (mode == "off") {
+        EXPECT_EQ(run.at("modules"), 0);
+        EXPECT_TRUE(run["swaps"].empty());
+      }
+      if (mode == "plugin" || mode == "cache") {
+        EXPECT_FALSE(run["swaps"].empty()) << mode;
+      }
+      if (mode == "cache") {
+        EXPECT_GT(run.at("cached_modules"), 0);
+      }
+    }
+  }
+  std::istringstream csv(read_file(folder.file("points.csv")));
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line, "variant,repetition,seconds,steps,steps_per_second,specialised_share");
+  std::size_t lines = 0;
+  while (std::getline(csv, line)) {
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 5);
+    ++lines;
+  }
+  EXPECT_EQ(lines, points);
+}
+
+TEST(WarmupCommand, VariesWhatIsAskedFor) {
+  const TemporaryFolder folder;
+  const Output output = run_navjit("warmup " + detector +
+                                   " --seconds 0.2 --repetitions 1 --modes cold --opt 0,1 "
+                                   "--origin 0,0,0 --eta 1,2 --threads 2 --report " +
+                                   folder.file("report.json"));
+  ASSERT_EQ(output.status, 0) << output.text;
+  const auto report = nlohmann::json::parse(read_file(folder.file("report.json")));
+  ASSERT_EQ(report.at("variants").size(), 3U);
+  EXPECT_EQ(report["variants"][1].at("name"), "cold -O0");
+  EXPECT_EQ(report["variants"][2].at("name"), "cold -O1");
+  EXPECT_EQ(report.at("threads"), 2);
+}
+
+TEST(WarmupCommand, DrawsAPictureWhereGnuplotIs) {
+  const TemporaryFolder folder;
+  for (const char* name : {"picture.svg", "picture.png"}) {
+    const Output output =
+        run_navjit("warmup " + detector + " --seconds 0.1 --repetitions 1 --modes cold --picture " +
+                   folder.file(name));
+    if (output.text.find("gnuplot, which is not installed") != npos) {
+      EXPECT_EQ(output.status, 1);
+      GTEST_SKIP() << "no gnuplot";
+    }
+    ASSERT_EQ(output.status, 0) << output.text;
+    const std::string picture = read_file(folder.file(name));
+    EXPECT_NE(picture.find(std::string(name).ends_with("svg") ? "<svg" : "PNG"), npos);
+    EXPECT_GT(picture.size(), 2000U);
+  }
+}
+
+TEST(WarmupCommand, SaysWhatIsWrongBeforeItMeasures) {
+  const TemporaryFolder folder;
+  const auto fails = [](const std::string& arguments, int status, const char* why) {
+    const Output output = run_navjit("warmup " + arguments);
+    EXPECT_EQ(output.status, status) << arguments;
+    EXPECT_NE(output.text.find(why), npos) << output.text;
+    EXPECT_EQ(std::count(output.text.begin(), output.text.end(), '\n'), 1) << output.text;
+  };
+  fails("", 2, "detector");
+  fails("nowhere.gdml", 1, "nowhere.gdml");
+  fails(detector + " --seconds 0", 2, "--seconds");
+  fails(detector + " --seconds -1", 2, "--seconds");
+  fails(detector + " --seconds nan", 2, "--seconds");
+  fails(detector + " --interval 0", 2, "--interval");
+  fails(detector + " --repetitions 0", 2, "--repetitions");
+  fails(detector + " --modes warm", 2, "--modes");
+  fails(detector + " --opt 4", 2, "--opt");
+  fails(detector + " --eta 1", 2, "--eta");
+  fails(detector + " --origin 1,2,inf", 2, "--origin");
+  fails(detector + " --threads 0", 2, "--threads");
+  fails(detector + " --picture " + folder.file("picture.txt"), 1, ".svg or .png");
+}
+
+TEST(WarmupCommand, NeedsACompiler) {
+  const Output output = run_command(NAVJIT_PRODUCTION, "warmup " + detector);
+  EXPECT_EQ(output.status, 1);
+  EXPECT_NE(output.text.find("built without a compiler"), npos) << output.text;
+}
+
+}  // namespace
+}  // namespace navjit::tests
