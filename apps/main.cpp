@@ -57,7 +57,9 @@ void add_cache(CLI::App* command, Cache& cache, bool may_be_off) {
 
 /// What the answers and the code shall be like.
 void add_code_options(CLI::App* command, RuntimeOptions& options) {
-  command->add_option("--level", options.level, "accuracy: exact")
+  command
+      ->add_option("--level", options.level,
+                   "accuracy: exact, fast or single (at present all exact)")
       ->transform(CLI::CheckedTransformer(levels).description(""))
       ->option_text("LEVEL");
   command
@@ -77,11 +79,6 @@ void add_runtime_options(CLI::App* command, RuntimeOptions& options) {
       ->option_text("MODE");
   command->add_option("--plugin", options.plugin, "made by navjit specialise; used from the start")
       ->option_text("FILE");
-  command
-      ->add_option("--level", options.level,
-                   "accuracy: exact, fast or single (at present all exact)")
-      ->transform(CLI::CheckedTransformer(levels).description(""))
-      ->option_text("LEVEL");
   add_code_options(command, options);
   command->add_option("--opt", options.specialiser.optimisation, "compiler's optimisation, 0 to 3")
       ->check(CLI::Range(0, 3))

@@ -81,8 +81,7 @@ struct Watch {
     while (!progress.done.load()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
       const double t = seconds_since(start);
-      const RuntimeReport report = runtime.report();
-      const std::size_t now_swapped = count_scenes(report).swapped;
+      const std::size_t now_swapped = runtime.specialised();
       if (now_swapped != swapped) {
         swapped = now_swapped;
         last_swap_s = t;
@@ -90,7 +89,7 @@ struct Watch {
       }
       if (t - shown < interval) continue;
       const std::uint64_t steps = progress.steps.load();
-      print_progress(progress, rays, report, t,
+      print_progress(progress, rays, runtime.report(), t,
                      static_cast<double>(steps - shown_steps) / (t - shown), terminal);
       shown = t;
       shown_steps = steps;

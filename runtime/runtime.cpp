@@ -49,6 +49,8 @@ std::shared_ptr<const World> Runtime::share_world() const {
 
 RuntimeReport Runtime::report() const { return specialiser_->report(); }
 
+std::size_t Runtime::specialised() const { return specialiser_->specialised(); }
+
 RuntimeReport Runtime::final_report() {
   specialiser_->stop();
   specialiser_->time_generic();

@@ -29,6 +29,8 @@ class Runtime {
   std::shared_ptr<const World> share_world() const;
   /// Steps and specialisations so far. Thread-safe; cheap enough for a progress line.
   RuntimeReport report() const;
+  /// How many scenes have navigators of their own by now. Thread-safe; cheaper than a report.
+  std::size_t specialised() const;
   /// As report(), and times the generic navigator on recorded states of scenes that were not
   /// specialised, and holds scenes to the budget. Takes some milliseconds a scene. No scene is specialised after it.
   RuntimeReport final_report();

@@ -29,7 +29,9 @@ double urgency(const Candidate& c) { return c.recent * c.gain_ns / c.compile_ms;
 
 double expected_compile_ms(const Geometry& geometry, const ScenePlan& plan) {
   std::size_t numbers = solid_key(geometry.scene(plan.volume).solid).size() / 8;
-  for (const DaughterClass& c : plan.classes) numbers += solid_key(c.solid).size() / 8;
+  for (const DaughterClass& c : plan.classes) {
+    for (const DaughterClass::Shape& s : c.shapes) numbers += solid_key(s.solid).size() / 8;
+  }
   return leaf_ms + (plan.classes.empty() ? 0 : daughters_ms) +
          class_ms * static_cast<double>(plan.classes.size()) +
          std::min(most_numbers_ms, number_ms * static_cast<double>(numbers));

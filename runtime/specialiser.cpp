@@ -321,6 +321,13 @@ StepProfile Specialiser::step_profile() {
   return profile;
 }
 
+std::size_t Specialiser::specialised() const {
+  const std::lock_guard lock(mutex_);
+  return static_cast<std::size_t>(std::count_if(scenes_.begin(), scenes_.end(), [](const auto& s) {
+    return s.second.status == SceneStatus::specialised;
+  }));
+}
+
 RuntimeReport Specialiser::report() const {
   const detail::Counts counts = shared_->counts();
   const std::lock_guard lock(mutex_);

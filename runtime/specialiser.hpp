@@ -34,6 +34,7 @@ class Specialiser {
   void stop();
 
   RuntimeReport report() const;
+  std::size_t specialised() const;
   /// Times scenes that have samples and no timing yet. After stop().
   void time_generic();
   /// Holds scenes that made steps to options.budget, which is given (budget.cpp). After stop().
