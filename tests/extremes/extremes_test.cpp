@@ -49,6 +49,11 @@ TEST_P(Extremes, AreNavigatedOrRefused) {
   EXPECT_GT(outcomes.generic.figures.made, 100u);
   EXPECT_GT(outcomes.specialised_scenes, 0u) << "nothing was specialised: nothing was shown";
   expect_right(outcomes.generic);
+  const std::string& name = GetParam().name;
+  const bool bounds_known = !name.starts_with("tori") && !name.starts_with("cones");
+  EXPECT_EQ(outcomes.generic.figures.bounded > 0, bounds_known);
+  EXPECT_EQ(outcomes.generic.figures.beyond_bound, 0u)
+      << outcomes.generic.figures.largest_part << " times its bound";
   expect_right(outcomes.specialised);
 }
 

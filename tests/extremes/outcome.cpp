@@ -87,6 +87,7 @@ Outcomes run_case(const Case& extreme) {
   Runtime wait(world, options);
   Navigator generic = off.navigator(), specialised = wait.navigator();
   const accuracy::Tolerances tolerances = accuracy::own_tolerances(*world);
+  const std::vector<ErrorBound> bounds = error_bounds(*world);
   Outcomes outcomes;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const std::optional<MadeRay> first = try_ray(generic, *world, rays[i], i);
@@ -95,6 +96,7 @@ Outcomes run_case(const Case& extreme) {
     if (first) {
       judged = accuracy::judge_ray(reference, rays[i], *first, tolerances);
       outcomes.generic.figures.add(*world, rays[i], *first, judged);
+      outcomes.generic.figures.hold_against(bounds, judged);
     } else {
       ++outcomes.generic.refused;
     }

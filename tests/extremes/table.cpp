@@ -22,7 +22,8 @@ plain ones, a quarter from points on surfaces and up to 1000 tolerances off them
 
 Each step is held against the reference of 113 bits, from the very same point, direction and touchable
 (docs/accuracy.md). A *fault* is a ray that is stuck or lost, a volume claimed that is not there, or a
-step that ends where no surface is or passes one, by more than four tolerances (docs/tolerance.md). *Ulp*
+step that ends where no surface is or passes one, by more than four tolerances (docs/tolerance.md), or a
+step that is off the surface by more than its scene's bound, where one is known (docs/accuracy.md). *Ulp*
 is the last bit of the largest coordinate of both ends in any frame on the way. Where a ray grazes, its
 path to the surface is badly conditioned, and rounding of the last bit moves the end along the surface by
 much: hence two columns, the distance of the end from the surface, and the error of the length. Steps that
@@ -58,6 +59,7 @@ std::string faults(const EngineFigures& f) {
   add(f.lost, "lost");
   add(f.all.wrong_volume, "wrong volumes");
   add(f.all.wrong_end, "wrong ends");
+  add(f.beyond_bound, "beyond the scene's bound");
   return text.empty() ? "none" : text;
 }
 
@@ -104,7 +106,8 @@ bool right(const extremes::Case& extreme, const extremes::Outcomes& outcomes) {
   const auto good = [&](const extremes::Outcome& o) {
     const EngineFigures& f = o.figures;
     if (extreme.refused) return f.rays == 0;
-    return o.refused + f.stuck + f.lost + f.all.wrong_volume + f.all.wrong_end == 0;
+    return o.refused + f.stuck + f.lost + f.all.wrong_volume + f.all.wrong_end + f.beyond_bound ==
+           0;
   };
   return good(outcomes.generic) && good(outcomes.specialised) &&
          outcomes.specialised.differing == 0;
