@@ -218,7 +218,9 @@ std::vector<VolumeId> Specialiser::choose() {
 
 bool Specialiser::may_be_tried(VolumeId volume) {
   const std::lock_guard lock(mutex_);
-  if (!scenes_.contains(volume)) return true;
+  const auto known = scenes_.find(volume);
+  if (known == scenes_.end()) return true;
+  if (known->second.status != SceneStatus::unprofitable) return false;
   // What was slower on the states of its time may be faster on those of another phase.
   const auto again = try_again_at_.find(volume);
   return again != try_again_at_.end() && heat_[volume] >= again->second;
