@@ -18,6 +18,7 @@ struct WorldFacts {
   std::vector<std::vector<VolumeId>> equals;
   /// Volumes whose candidates are not to be chosen by the analysis, but to be these.
   std::map<VolumeId, Candidates> forced_candidates;
+  bool with_safety = true;  ///< plan a safety for each scene
 };
 
 WorldFacts analyse_world(const Geometry& geometry);

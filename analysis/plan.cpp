@@ -109,7 +109,7 @@ ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId
                     forced == facts.forced_candidates.end() ? std::optional<Candidates>()
                                                             : std::optional(forced->second),
                     plan);
-  choose_safety(geometry, plan);
+  if (facts.with_safety) choose_safety(geometry, plan);
   return plan;
 }
 

@@ -73,6 +73,7 @@ void add_code_options(CLI::App* command, RuntimeOptions& options) {
 }
 
 void add_runtime_options(CLI::App* command, RuntimeOptions& options) {
+  options.specialiser.safety = false;  // the commands' rays never ask for it
   add_cache(command, options.cache, true);
   command->add_option("--jit", options.jit, "off, on, wait (specialise first) or shadow (compare)")
       ->transform(CLI::CheckedTransformer(jit_modes).description(""))

@@ -52,6 +52,7 @@ struct SpecialiserOptions {
   InstructionSet instruction_set = InstructionSet::native;
   double recheck_ms = 1000;      ///< between looks at what is installed, on fresh states
   bool keep_only_faster = true;  ///< install only what is measured to be no slower
+  bool safety = true;            ///< specialise it, too; wasted where nobody asks for it
   bool perf_map = false;         ///< name generated functions for perf
   bool debug_info = false;       ///< line tables of generated code for gdb
 };

@@ -67,6 +67,7 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
       heat_(shared_->geometry.size(), 0),
       recent_(shared_->geometry.size(), 0),
       started_at_(now()) {
+  facts_.with_safety = shared_->options.specialiser.safety;
   if (shared_->options.jit == JitMode::off) return;
   apply_overrides();
   if (!jit::has_compiler()) {
