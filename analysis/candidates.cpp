@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t spell_out_limit = 4;
 
 /// With more daughters than this, tables of boxes would be most of the code.
-constexpr std::size_t most_boxes = 2048;
+constexpr std::size_t most_boxes = 4096;
 
 /// All boxes are looked at for safety: beyond this the generic navigator's tree is faster.
 constexpr std::size_t most_boxes_near = 128;
@@ -28,14 +28,14 @@ constexpr double largest_float_scene = 1e7;
 /// needs a test.
 constexpr double about_one = 1.05;
 
-bool is_grid(const ScenePlan& plan) {
-  return plan.mean_candidates <= about_one && plan.classes.size() == 1 && !plan.classes[0].rotated;
-}
-
 /// What single precision loses of a position, twice over.
 double float_margin(double largest) { return largest * 0x1p-21; }
 
 }  // namespace
+
+bool is_grid(const ScenePlan& plan) {
+  return plan.mean_candidates <= about_one && plan.classes.size() == 1 && !plan.classes[0].rotated;
+}
 
 void choose_candidates(const Geometry& geometry, std::optional<Candidates> forced,
                        ScenePlan& plan) {

@@ -11,6 +11,10 @@
 namespace navjit {
 namespace {
 
+/// Scenes that are no grids have boxes from a few daughters on; with more than this and none, there
+/// were too many.
+constexpr std::size_t most_without_boxes = 64;
+
 /// Each class of daughters is code of its own, each number of a solid a constant: beyond this the
 /// compiler takes longer than any run would gain.
 constexpr std::size_t most_classes = 64;
@@ -119,9 +123,10 @@ bool worth_compiling(const Geometry& geometry, const ScenePlan& plan, std::strin
     return false;
   };
   const std::size_t daughters = geometry.scene(plan.volume).daughters.size();
-  if (plan.candidates == Candidates::buckets && plan.mean_candidates > 24 &&
-      plan.mean_candidates > 0.25 * static_cast<double>(daughters)) {
-    return no("no partition leaves few candidates");
+  // Lone daughters of many buckets, tested one after the other, are no faster than the generic
+  // navigator's tree.
+  if (plan.candidates == Candidates::buckets && daughters > most_without_boxes && !is_grid(plan)) {
+    return no("too many daughters for tables of boxes");
   }
   // The walk through many faces is the same code with tables, specialised or not; a copy for every
   // scene only drives other code out of the instruction cache.
