@@ -32,7 +32,8 @@ class Runtime {
   /// How many scenes have navigators of their own by now. Thread-safe; cheaper than a report.
   std::size_t specialised() const;
   /// As report(), and times the generic navigator on recorded states of scenes that were not
-  /// specialised, and holds scenes to the budget. Takes some milliseconds a scene. No scene is specialised after it.
+  /// specialised, and holds scenes to the budget. Takes some milliseconds a scene. No scene is
+  /// specialised after it.
   RuntimeReport final_report();
   /// How often each volume was used, to be kept for `navjit specialise`. After final_report().
   StepProfile step_profile();
