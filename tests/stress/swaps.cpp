@@ -94,8 +94,12 @@ class Swapper {
     for (const codegen::Entry& entry : module_.entries) {
       linked->records.push_back(
           {check(linked->code.function<std::remove_pointer_t<kernels::StepFunction>>(entry.step)),
-           check(linked->code.function<std::remove_pointer_t<kernels::SettleFunction>>(
-               entry.settle))});
+           check(
+               linked->code.function<std::remove_pointer_t<kernels::SettleFunction>>(entry.settle)),
+           entry.safety.empty()
+               ? generic::navigators.safety
+               : check(linked->code.function<std::remove_pointer_t<kernels::SafetyFunction>>(
+                     entry.safety))});
     }
     // One scene, or now and then all of the module.
     const bool all = random() % 8 == 0;
