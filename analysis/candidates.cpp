@@ -18,7 +18,8 @@ constexpr std::size_t spell_out_limit = 4;
 /// With more daughters than this, tables of boxes would be most of the code.
 constexpr std::size_t most_boxes = 4096;
 
-/// All boxes are looked at for safety: beyond this the generic navigator's tree is faster.
+/// All boxes are looked at for safety. With 65 to 70 daughters that takes as long as the generic
+/// navigator's tree (docs/scenes.md); up to where it may is a guess.
 constexpr std::size_t most_boxes_near = 128;
 
 /// Single precision tells boxes apart in scenes that are not larger than this, mm.
@@ -31,10 +32,15 @@ constexpr double about_one = 1.05;
 /// What single precision loses of a position, twice over.
 double float_margin(double largest) { return largest * 0x1p-21; }
 
+/// What is_grid() asks that is known before there are buckets.
+bool may_be_grid(const ScenePlan& plan) {
+  return plan.classes.size() == 1 && !plan.classes[0].rotated;
+}
+
 }  // namespace
 
 bool is_grid(const ScenePlan& plan) {
-  return plan.mean_candidates <= about_one && plan.classes.size() == 1 && !plan.classes[0].rotated;
+  return may_be_grid(plan) && plan.mean_candidates <= about_one;
 }
 
 void choose_candidates(const Geometry& geometry, std::optional<Candidates> forced,
@@ -77,16 +83,19 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     return safety_to_in(d.solid, to_local(d.transformation, 0.5 * (box.min + box.max))) >
            norm(0.5 * (box.max - box.min)) + 2 * margin;
   };
-  plan.candidates = Candidates::buckets;
-  plan.buckets = make_buckets(extent, placed, margin, BucketUse::daughters, apart);
-  plan.mean_candidates = mean_candidates(plan.buckets);
   double largest = largest_coordinate(extent);
   for (const Extent& box : boxes) largest = std::max(largest, largest_coordinate(box));
-  const bool possible = boxes.size() <= most_boxes && largest <= largest_float_scene;
-  if (!possible || (forced ? *forced != Candidates::boxes : is_grid(plan))) return;
-  plan.candidates = Candidates::boxes;
-  plan.buckets = make_buckets(extent, placed, margin, BucketUse::blocks, apart);
-  plan.mean_candidates = mean_candidates(plan.buckets);
+  const bool boxes_possible = boxes.size() <= most_boxes && largest <= largest_float_scene;
+  const auto make = [&](Candidates candidates, BucketUse use) {
+    plan.candidates = candidates;
+    plan.buckets = make_buckets(extent, placed, margin, use, apart);
+    plan.mean_candidates = mean_candidates(plan.buckets);
+  };
+  if (!boxes_possible || (forced ? *forced != Candidates::boxes : may_be_grid(plan))) {
+    make(Candidates::buckets, BucketUse::daughters);
+    if (!boxes_possible || forced || is_grid(plan)) return;
+  }
+  make(Candidates::boxes, BucketUse::blocks);
   const double inflate = margin + float_margin(largest);
   for (const Extent& box : boxes) plan.boxes.push_back(inflated(box, inflate));
 }

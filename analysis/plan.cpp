@@ -48,7 +48,8 @@ std::vector<DaughterClass> classify(const Geometry& geometry, const Scene& scene
 }
 
 /// From so many different solids of a kind on a table costs less than a branch on which it is,
-/// which processors cannot foresee, and constants that fold.
+/// which processors cannot foresee, and constants that fold. Thirteen cones gained half of their
+/// time; where it begins to pay is a guess, but for boxes.
 std::size_t fewest_in_table(SolidKind kind) {
   switch (kind) {
     case SolidKind::box:
