@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <vector>
 
 #include "analysis/scene_plan.hpp"
@@ -19,6 +20,9 @@ struct WorldFacts {
   /// Volumes whose candidates are not to be chosen by the analysis, but to be these.
   std::map<VolumeId, Candidates> forced_candidates;
   bool with_safety = true;  ///< plan a safety for each scene
+  /// Volumes (each the first of its equals) where many steps begin along faces or within daughters:
+  /// their navigators have to take those.
+  std::set<VolumeId> along_faces;
 };
 
 WorldFacts analyse_world(const Geometry& geometry);

@@ -95,6 +95,14 @@ void merge_classes(std::vector<DaughterClass>& classes, SolidKind kind, bool rot
 /// With more daughters than this the tables of what is around each would be most of the code.
 constexpr std::size_t most_surroundings = 2048;
 
+/// The volume's own solid, or daughters that are not turned.
+bool has_boxes_along_axes(const Scene& scene, const ScenePlan& plan) {
+  return scene.solid.kind == SolidKind::box ||
+         std::any_of(plan.classes.begin(), plan.classes.end(), [](const DaughterClass& c) {
+           return !c.rotated && c.kind() == SolidKind::box;
+         });
+}
+
 }  // namespace
 
 ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId volume) {
@@ -115,6 +123,8 @@ ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId
                                                             : std::optional(forced->second),
                     plan);
   if (facts.with_safety) choose_safety(geometry, plan);
+  plan.decline_rare = !facts.along_faces.contains(volume);
+  plan.oblique_only = plan.decline_rare && has_boxes_along_axes(scene, plan);
   return plan;
 }
 
@@ -155,6 +165,11 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
           : plan.frame.never_rotated  ? "translation only"
           : plan.frame.only_rotation  ? "one rotation"
                                       : "general")
+      << "\n"
+      << "  leaves out   "
+      << (plan.oblique_only   ? "steps along faces, or from within daughters"
+          : plan.decline_rare ? "steps from within daughters"
+                              : "nothing")
       << "\n"
       << "  mother       "
       << (plan.only_mother                      ? geometry.world().volumes[*plan.only_mother].name

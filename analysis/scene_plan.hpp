@@ -90,7 +90,11 @@ struct ScenePlan {
   Plates plates;
   SafetyFrom safety = SafetyFrom::generic;
   std::vector<Extent> tree_boxes;  ///< for safety: by daughter, as the generic navigator inflates
-  bool surroundings = false;       ///< on leaving a daughter only her neighbours are asked
+  /// Steps from within a daughter, and those along faces where oblique_only, are left to the
+  /// generic navigator: without them there is much less code.
+  bool decline_rare = false;
+  bool oblique_only = false;  ///< because of boxes along the axes of the frame
+  bool surroundings = false;  ///< on leaving a daughter only her neighbours are asked
   std::vector<DaughterClass> classes;
   double mean_candidates = 0;  ///< expected candidates per bucket, by volume
   std::string pattern;         ///< in words: "leaf", "stack of 70 along z", "grid 4 x 4", ...

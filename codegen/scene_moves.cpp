@@ -72,7 +72,7 @@ std::string SceneText::enter() const {
       "  const StackLevel& level = stack->levels[stack->depth];\n"
       "  const int k = " +
       ns_ + "::find(" + ns_ + "::point(level, x, y, z), " + ns_ +
-      "::heading(level, u, v, w), -1);\n"
+      "::heading(stack, level, u, v, w), -1);\n"
       "  if (k < 0) return;\n"
       "  " +
       ns_ +
@@ -108,7 +108,7 @@ std::string SceneText::reenter() const {
                      ";\n"
                      "  const StackLevel& level = stack->levels[stack->depth];\n"
                      "  const Vec3<double> p = point(level, x, y, z);\n"
-                     "  const Direction<double> d = heading(level, u, v, w);\n";
+                     "  const Direction<double> d = heading(stack, level, u, v, w);\n";
   if (plan_.surroundings) {
     text +=
         "  const Around& left_from = around[blocked];\n"
@@ -139,18 +139,21 @@ std::string SceneText::step(const std::string& symbol) const {
       "  const Vec3<double> p = " +
       ns_ +
       "::point(level, x, y, z);\n"
-      "  const Direction<double> d = " +
+      "  Direction<double> d;\n"
+      "  if (__builtin_expect(!" +
       ns_ +
-      "::ray(stack, level, u, v, w);\n"
-      "  double best = distance_to_out(" +
+      "::ray(stack, level, u, v, w, d), 0)) return -1.0;\n"
+      "  double best = " +
+      (plan_.decline_rare ? "distance_to_exit" : "distance_to_out") + "(" +
       shapes_.constant(scene_.solid) + ", p, d, tolerance);\n";
   const bool daughters = !scene_.daughters.empty();
   if (daughters)
     text += "  const int hit = " + ns_ +
             "::nearest(p, d, best, limit, stack->levels[stack->depth + 1].daughter);\n";
-  // Steps of length zero are relocated with more care than pays here.
+  // Steps of length zero are relocated with more care than pays here, and those from within a
+  // daughter have a kernel that does not either.
   text +=
-      "  if (best == 0) return -1.0;\n"
+      "  if (__builtin_expect(!(best > 0), 0)) return -1.0;\n"
       "  if (best > limit) {\n    stack->boundary = 0;\n    return limit;\n  }\n"
       "  stack->boundary = 1;\n"
       "  x += best * u;\n  y += best * v;\n  z += best * w;\n";

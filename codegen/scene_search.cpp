@@ -134,15 +134,40 @@ std::string SceneText::search_plates() const {
       "    const int i = static_cast<int>(k);\n"
       "    if (i > found && i != blocked && holds(k, p, d)) found = i;\n"
       "  });\n  return found;\n}\n";
-  text += nearest_head;
-  text += "  walk_plates(plates, p." + axis + ", d." + axis + ", d.inverse_" + axis +
-          ", smaller(limit, best), left, [&](unsigned k) {\n"
-          "    const double t = distance(k, p, d, smaller(limit, best));\n"
-          "    if (t < best || (t == best && hit >= 0 && static_cast<int>(k) < hit)) {\n"
-          "      best = t;\n      hit = static_cast<int>(k);\n      return true;\n    }\n"
-          "    return false;\n"
-          "  });\n  return hit;\n}\n";
-  return text;
+  const std::string along = "p." + axis + ", d." + axis + ", d.inverse_" + axis;
+  const std::string visit =
+      "[&](unsigned k) {\n"
+      "    const double t = distance(k, p, d, smaller(limit, best));\n"
+      "    if (t < best || (t == best && hit >= 0 && static_cast<int>(k) < hit)) {\n"
+      "      best = t;\n      hit = static_cast<int>(k);\n      return true;\n    }\n"
+      "    return false;\n  });\n";
+  if (!plan_.oblique_only) {
+    return text + nearest_head + "  walk_plates(plates, " + along +
+           ", smaller(limit, best), left, " + visit + "  return hit;\n}\n";
+  }
+  // Mostly the first plate is the one; the loop over others would keep registers from it.
+  return text +
+         "struct Found {\n  double best;\n  int hit;\n};\n"
+         "[[gnu::noinline, gnu::cold]] static Found nearest_from(int i, double x, double y, double "
+         "z, double u, double v, double w, double iu, double iv, double iw, double best, double "
+         "limit) {\n"
+         "  const Vec3<double> p{x, y, z};\n  const Direction<double> d{u, v, w, iu, iv, iw};\n"
+         "  int hit = -1;\n  walk_plates_from(plates, i, " +
+         along + ", smaller(limit, best), " + visit + "  return {best, hit};\n}\n" + nearest_head +
+         "  const int i = first_plate<true>(plates, p." + axis + ", d." + axis +
+         ", left);\n"
+         "  if (i == end_of_plates(plates, d." +
+         axis + ") || plate_is_beyond(plates, i, " + along +
+         ", smaller(limit, best))) return hit;\n"
+         "  const unsigned k = plates.daughter[i];\n"
+         "  const double t = distance(k, p, d, smaller(limit, best));\n"
+         "  if (__builtin_expect(t < best, 1)) {\n    best = t;\n    return static_cast<int>(k);\n"
+         "  }\n"
+         "  const Found found = nearest_from(d." +
+         axis +
+         " < 0 ? i - 1 : i + 1, p.x, p.y, p.z, d.x, d.y, d.z, d.inverse_x, d.inverse_y, "
+         "d.inverse_z, best, limit);\n"
+         "  best = found.best;\n  return found.hit;\n}\n";
 }
 
 std::string SceneText::search_buckets() const {

@@ -63,16 +63,23 @@ std::string SceneText::frame() const {
                               : "level.translation[" + std::to_string(i) + "]";
   }
   std::string text;
+  // heading() serves relocation, ray() the step: it says whether the navigator takes the ray.
+  const std::string heading_head =
+      "static inline Direction<double> heading([[maybe_unused]] Stack* stack, [[maybe_unused]] "
+      "const StackLevel& level, double u, double v, double w) {\n";
+  const std::string ray_head =
+      "static inline bool ray([[maybe_unused]] Stack* stack, [[maybe_unused]] const StackLevel& "
+      "level, [[maybe_unused]] double u, [[maybe_unused]] double v, [[maybe_unused]] double w, "
+      "Direction<double>& d) {\n";
+  const auto takes = [&](const char* oblique) {
+    return std::string("  return ") + (plan_.oblique_only ? oblique : "true") + ";\n}\n";
+  };
   if (!f.never_rotated && !f.only_rotation) {
     return "static inline Vec3<double> point(const StackLevel& level, double x, double y, double "
            "z) {\n"
-           "  return to_local(level, x, y, z);\n}\n"
-           "static inline Direction<double> direction(const StackLevel& level, double u, double v, "
-           "double w) {\n  return to_local_direction(level, u, v, w);\n}\n"
-           "static inline Direction<double> heading(const StackLevel& level, double u, double v, "
-           "double w) {\n  return to_local_heading(level, u, v, w);\n}\n"
-           "static inline Direction<double> ray(Stack*, const StackLevel& level, double u, double "
-           "v, double w) {\n  return direction(level, u, v, w);\n}\n";
+           "  return to_local(level, x, y, z);\n}\n" +
+           heading_head + "  return to_local_heading(level, u, v, w);\n}\n" + ray_head +
+           "  d = to_local_direction(level, u, v, w);\n" + takes("is_oblique(d)");
   }
   text +=
       "static inline Vec3<double> point([[maybe_unused]] const StackLevel& level, double x, double "
@@ -81,28 +88,21 @@ std::string SceneText::frame() const {
   if (f.never_rotated) {
     text += "  if (level.rotation != nullptr) __builtin_unreachable();\n";
     text += "  return {x - " + t[0] + ", y - " + t[1] + ", z - " + t[2] + "};\n}\n";
-    text +=
-        "static inline Direction<double> direction(const StackLevel&, double u, double v, double "
-        "w) {\n"
-        "  return make_direction<double>(u, v, w);\n}\n"
-        "static inline Direction<double> heading(const StackLevel&, double u, double v, double "
-        "w) {\n  return make_heading<double>(u, v, w);\n}\n"
-        "static inline Direction<double> ray(Stack* stack, const StackLevel&, double u, double v, "
-        "double w) {\n  return ray_direction(stack->ray, u, v, w);\n}\n";
-    return text;
+    return text + heading_head + "  return make_heading<double>(u, v, w);\n}\n" + ray_head +
+           "  d = stack->ray.direction;\n" + takes("stack->ray.oblique");
   }
+  const double* r = f.only_rotation->data();
+  const std::string number_of_rotation = std::to_string(f.rotation);
   text += "  const double dx = x - " + t[0] + ", dy = y - " + t[1] + ", dz = z - " + t[2] + ";\n";
-  text += "  return {" + rows(f.only_rotation->data(), "dx", "dy", "dz") + "};\n}\n";
-  for (const char* what : {"direction", "heading"}) {
-    text += std::string("static inline Direction<double> ") + what +
-            "(const StackLevel&, double u, double v, double w) {\n  return make_" + what +
-            "<double>(" + rows(f.only_rotation->data(), "u", "v", "w") + ");\n}\n";
-  }
-  text +=
-      "static inline Direction<double> ray(Stack* stack, const StackLevel& level, double u, double "
-      "v, double w) {\n  return turned_direction(stack->turned, " +
-      std::to_string(f.rotation) + ", u, v, w, [&] { return direction(level, u, v, w); });\n}\n";
-  return text;
+  text += "  return {" + rows(r, "dx", "dy", "dz") + "};\n}\n";
+  text += heading_head + "  if (stack->turned.rotation == " + number_of_rotation +
+          ") {\n    const Direction<double>& d = stack->turned.direction;\n"
+          "    return {d.x, d.y, d.z, d.x, d.x, d.x};\n  }\n"
+          "  return make_heading<double>(" +
+          rows(r, "u", "v", "w") + ");\n}\n";
+  return text + ray_head + "  const TurnedRay& turned = turned_ray(stack, " + number_of_rotation +
+         ", [&] { return make_direction<double>(" + rows(r, "u", "v", "w") +
+         "); });\n  d = turned.direction;\n" + takes("turned.oblique");
 }
 
 /// The shapes of a class, and where it matters their boxes with a margin.
@@ -228,7 +228,10 @@ std::string SceneText::daughter_case(const DaughterClass& c, const char* call, c
                 ? "      if (!may_meet_box(" + box + ", e, reach)) return infinity<double>();\n"
                 : "      if (!is_in_box(" + box + ")) return false;\n";
   }
-  return text + "      return " + call + "(" + solid + ", q, e, tolerance);\n    }\n";
+  const bool put_off = plan_.decline_rare && std::string_view(call) == "distance_to_in" &&
+                       !(c.rotated && c.kind() == SolidKind::box);
+  return text + "      return " + (put_off ? "distance_to_entry" : call) + "(" + solid +
+         ", q, e, tolerance);\n    }\n";
 }
 
 /// Pushes daughter `at` placed by translation alone, with what is the same for all daughters and

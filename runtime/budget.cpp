@@ -32,6 +32,7 @@ std::optional<double> error_at(const Geometry& geometry, const kernels::Context&
   if (!(right.length < s.limit)) return std::nullopt;
   generic::restore(geometry, stack, s.touchable);
   const Vec3 &p = s.point, &v = s.direction;
+  kernels::set_ray(stack, v.x, v.y, v.z);
   double length = kernels::navigators_of(&context, s.volume)
                       ->step(&stack, &context, p.x, p.y, p.z, v.x, v.y, v.z, s.limit);
   if (length < 0) length = generic::step(geometry, stack, p, v, s.limit);

@@ -52,11 +52,15 @@ double Navigator::safety(const State& from, const Vec3& point) {
   return safety;
 }
 
-void Navigator::require_numbers(const Vec3& point, const Vec3& direction, double limit) {
+void Navigator::require_numbers(const Vec3& point, double limit) {
   require_finite(point, "point");
-  require_finite(direction, "direction");
   if (!(limit >= 0))
     throw std::invalid_argument("navjit: the step limit is negative, or no number");
+}
+
+void Navigator::begin_ray(const Vec3& direction) {
+  require_finite(direction, "direction");
+  kernels::set_ray(own_->stack, direction.x, direction.y, direction.z);
 }
 
 void Navigator::restore(const State& from) {

@@ -60,9 +60,10 @@ class Navigator {
   };
 
   explicit Navigator(std::shared_ptr<detail::Shared> shared);
-  /// Throws std::invalid_argument unless point and direction are finite and the limit is no less
-  /// than 0.
-  static void require_numbers(const Vec3& point, const Vec3& direction, double limit);
+  /// Throws std::invalid_argument unless the point is finite and the limit is no less than 0.
+  static void require_numbers(const Vec3& point, double limit);
+  /// Steps will be along another direction. Throws std::invalid_argument unless it is finite.
+  void begin_ray(const Vec3& direction);
   void restore(const State& state);
   void record(const Vec3& point, const Vec3& direction, double limit);
   double shadow(const kernels::Navigators& navigators, const Vec3& point, const Vec3& direction,
@@ -83,11 +84,15 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
                             double limit) {
   // 0 times the sum is 0 unless a number is not finite, or the sum is beyond all numbers; then
   // there is time for a closer look. Nothing of the step waits for it.
-  const double sum = 0 * (point.x + point.y + point.z + direction.x + direction.y + direction.z);
+  const double sum = 0 * (point.x + point.y + point.z);
   if (!((sum == 0) & (limit >= 0))) [[unlikely]]
-    require_numbers(point, direction, limit);
+    require_numbers(point, limit);
   Own& own = *own_;
   Stack& stack = own.stack;
+  const double* ray = stack.ray.given;
+  if (!(kernels::same_bits(ray[0], direction.x) && kernels::same_bits(ray[1], direction.y) &&
+        kernels::same_bits(ray[2], direction.z))) [[unlikely]]
+    begin_ray(direction);
   if (stack.depth < 0 || stack.levels[stack.depth].touchable != from.touchable()) restore(from);
   const VolumeId volume = stack.levels[stack.depth].volume;
   own.profile.count(volume);

@@ -48,10 +48,31 @@ std::string label_of(const World& world, const std::vector<VolumeId>& batch) {
   return label;
 }
 
+/// Whether so many of the recorded rays run along planes of the scene's axes that its navigator has
+/// to take them, too.
+bool goes_along_axes(const Geometry& geometry, const std::vector<Sample>& samples) {
+  const auto stack = std::make_unique<Stack>();
+  stack->depth = -1;
+  std::size_t along = 0;
+  for (const Sample& s : samples) {
+    generic::restore(geometry, *stack, s.touchable);
+    along += !kernels::is_oblique(kernels::to_local_heading(
+                 stack->levels[stack->depth], s.direction.x, s.direction.y, s.direction.z))
+                 ? 1
+                 : 0;
+  }
+  return along * declined_share > samples.size();
+}
+
 }  // namespace
 
 bool Specialiser::make_module(const std::vector<VolumeId>& batch) {
   const double start = now();
+  for (const VolumeId volume : batch) {
+    if (goes_along_axes(shared_->geometry, samples_[volume])) {
+      facts_.along_faces.insert(facts_.first_equal[volume]);
+    }
+  }
   codegen::Module module = codegen::generate(shared_->geometry, facts_, batch);
   if (shared_->options.faults.edit_source) shared_->options.faults.edit_source(module.source);
   if (auto found = maker_->find(module.source)) {

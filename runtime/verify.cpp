@@ -30,6 +30,7 @@ std::string verify_step(const Geometry& geometry, const kernels::Context& contex
                         const kernels::Navigators& specialised, const Sample& s, Pair& stacks) {
   generic::restore(geometry, stacks.generic, s.touchable);
   copy(stacks.generic, stacks.specialised);
+  kernels::set_ray(stacks.specialised, s.direction.x, s.direction.y, s.direction.z);
   const double wrong =
       specialised.step(&stacks.specialised, &context, s.point.x, s.point.y, s.point.z,
                        s.direction.x, s.direction.y, s.direction.z, s.limit);
@@ -59,6 +60,7 @@ std::string verify_settle(const Geometry& geometry, const kernels::Context& cont
                           Pair& stacks) {
   generic::restore(geometry, stacks.generic, s.touchable);
   copy(stacks.generic, stacks.specialised);
+  kernels::set_ray(stacks.specialised, s.direction.x, s.direction.y, s.direction.z);
   generic::settle(geometry, stacks.generic, s.point, s.direction, blocked);
   specialised.settle(&stacks.specialised, &context, s.point.x, s.point.y, s.point.z, s.direction.x,
                      s.direction.y, s.direction.z, blocked);
@@ -120,6 +122,7 @@ double time_per_step(const Geometry& geometry, const kernels::Context& context,
     const auto start = Clock::now();
     for (std::size_t i = 0; i < count; ++i) {
       const Sample& s = samples[i];
+      kernels::set_ray(stacks[i], s.direction.x, s.direction.y, s.direction.z);
       navigators.step(&stacks[i], &context, s.point.x, s.point.y, s.point.z, s.direction.x,
                       s.direction.y, s.direction.z, s.limit);
     }

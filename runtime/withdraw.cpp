@@ -32,8 +32,16 @@ void Specialiser::reconsider() {
     const auto [last, is_new] = seen_.try_emplace(volume, now);
     const std::uint64_t steps = now.steps - last->second.steps;
     const std::uint64_t declined = now.declined - last->second.declined;
+    const VolumeId first = facts_.first_equal[volume];
     if (!is_new && steps >= steps_to_judge) {
       last->second = now;
+      if (declined > steps / declined_share && facts_.along_faces.insert(first).second) {
+        // Once more, with code for what it left out.
+        withdraw(volume, SceneStatus::unprofitable, "it leaves out too much");
+        const std::lock_guard lock(mutex_);
+        scenes_.erase(volume);
+        continue;
+      }
       if (declined > steps / 2) {
         withdraw(
             volume, SceneStatus::unprofitable,

@@ -18,11 +18,6 @@ Side inside(const Box<Real>& s, const Vec3<Real>& p, Real tol) {
 // way, with all three axes turned so that the ray ascends. The others give the rules, out of line,
 // where they take no registers from the short way; both give the same bits.
 
-/// The direction runs along none of the faces.
-template <class Real>
-constexpr bool is_oblique(const Direction<Real>& v) {
-  return smaller(absolute(v.x), smaller(absolute(v.y), absolute(v.z))) > along_a_face<Real>();
-}
 /// The coordinate along an axis that ascends with the ray. `v` is never negative zero.
 template <class Real>
 constexpr Real ascending(Real p, Real v) {
@@ -73,10 +68,8 @@ template <class Real>
   return distance_from_within_box(hx, hy, hz, x, y, z, tol);
 }
 template <class Real>
-Real distance_to_in(const Box<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  if (__builtin_expect(!is_oblique(v), 0)) {
-    return distance_along_faces(s.hx, s.hy, s.hz, p.x, p.y, p.z, v.x, v.y, v.z, tol);
-  }
+Real distance_to_entry(const Box<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                       Real tol) {
   const Real x = ascending(p.x, v.x), y = ascending(p.y, v.y), z = ascending(p.z, v.z);
   const Real rate_x = absolute(v.inverse_x), rate_y = absolute(v.inverse_y),
              rate_z = absolute(v.inverse_z);
@@ -87,11 +80,18 @@ Real distance_to_in(const Box<Real>& s, const Vec3<Real>& p, const Direction<Rea
   enter = before_x > tol ? before_x * rate_x : enter;
   enter = before_y > tol ? larger(before_y * rate_y, enter) : enter;
   enter = before_z > tol ? larger(before_z * rate_z, enter) : enter;
-  if (!((enter < until) & (until > 0))) return infinity<Real>();
-  if (__builtin_expect(enter < 0, 0)) {
+  return ((enter < until) & (until > 0)) ? enter : infinity<Real>();
+}
+template <class Real>
+Real distance_to_in(const Box<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  if (__builtin_expect(!is_oblique(v), 0)) {
+    return distance_along_faces(s.hx, s.hy, s.hz, p.x, p.y, p.z, v.x, v.y, v.z, tol);
+  }
+  const Real t = distance_to_entry(s, p, v, tol);
+  if (__builtin_expect(t < 0, 0)) {
     return distance_from_within_box(s.hx, s.hy, s.hz, p.x, p.y, p.z, tol);
   }
-  return enter;
+  return t;
 }
 
 template <class Real>
@@ -104,15 +104,19 @@ template <class Real>
   return smaller(leave_slab(hz, z, d.z, d.inverse_z, tol, leave), leave);
 }
 template <class Real>
-Real distance_to_out(const Box<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  if (__builtin_expect(!is_oblique(v), 0)) {
-    return exit_along_faces(s.hx, s.hy, s.hz, p.x, p.y, p.z, v.x, v.y, v.z, tol);
-  }
+Real distance_to_exit(const Box<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   const Real x = s.hx - ascending(p.x, v.x), y = s.hy - ascending(p.y, v.y),
              z = s.hz - ascending(p.z, v.z);
   const Real leave = smaller(x * absolute(v.inverse_x),
                              smaller(y * absolute(v.inverse_y), z * absolute(v.inverse_z)));
   return smaller(x, smaller(y, z)) <= tol ? Real(0) : leave;
+}
+template <class Real>
+Real distance_to_out(const Box<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  if (__builtin_expect(!is_oblique(v), 0)) {
+    return exit_along_faces(s.hx, s.hy, s.hz, p.x, p.y, p.z, v.x, v.y, v.z, tol);
+  }
+  return distance_to_exit(s, p, v, tol);
 }
 
 template <class Real>

@@ -76,7 +76,7 @@ inline void next_bucket(BucketAxis& a, double p, double v, double inverse, doubl
 
 /// Calls visit(bucket, from, to) for the buckets along the ray, with the path lengths between which
 /// it is in each, until it has passed `reach()`, a path length that visits may shorten. The last
-/// `to` is infinite.
+/// `to` is infinite. Buckets hold what is listed from first[b] to first[b + 1].
 template <class Grid, class Visit, class Reach>
 inline void walk_grid(const Grid& g, const Vec3<double>& p, const Direction<double>& v, Visit visit,
                       Reach reach) {
@@ -91,7 +91,11 @@ inline void walk_grid(const Grid& g, const Vec3<double>& p, const Direction<doub
       (far < 1e30) && ((bucket_along(p.x + far * v.x, g.origin[0], g.per_mm[0], g.count[0]) == i) &
                        (bucket_along(p.y + far * v.y, g.origin[1], g.per_mm[1], g.count[1]) == j) &
                        (bucket_along(p.z + far * v.z, g.origin[2], g.per_mm[2], g.count[2]) == k));
-  if (!ends_here) {
+  if (ends_here) {
+    // Before anything that visits share is worked out.
+    const unsigned b = bucket_of(g, i, j, k);
+    if (g.first[b] == g.first[b + 1]) return;
+  } else {
     x = bucket_axis(p.x, v.x, v.inverse_x, g.origin[0], g.width[0], g.count[0], i);
     y = bucket_axis(p.y, v.y, v.inverse_y, g.origin[1], g.width[1], g.count[1], j);
     z = bucket_axis(p.z, v.z, v.inverse_z, g.origin[2], g.width[2], g.count[2], k);

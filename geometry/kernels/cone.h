@@ -171,7 +171,8 @@ bool contains(const Cone<Real>& s, const Vec3<Real>& p, const Direction<Real>& v
 }
 
 template <class Real>
-Real distance_to_in(const Cone<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+Real distance_to_entry(const Cone<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                       Real tol) {
   Span<Real> body = whole_ray<Real>();
   clip_slab(body, s.hz, p.z, v.z, v.inverse_z, tol);
   if (!is_ahead(body)) return infinity<Real>();
@@ -185,7 +186,11 @@ Real distance_to_in(const Cone<Real>& s, const Vec3<Real>& p, const Direction<Re
   if (s.wedge.kind == 1) clip_to_wedge(s.wedge, p, v, tol, body);
   const Span<Real> bore =
       s.bored != 0 ? shifted(cone_span(s.inner, q, v, tol), shift) : no_span<Real>();
-  const Real t = first_entry(body, bore, gap_span(s.wedge, p, v, tol));
+  return first_entry(body, bore, gap_span(s.wedge, p, v, tol));
+}
+template <class Real>
+Real distance_to_in(const Cone<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Real t = distance_to_entry(s, p, v, tol);
   return t < 0 ? distance_from_within(s, p, tol) : t;
 }
 

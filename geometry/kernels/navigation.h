@@ -3,7 +3,7 @@
 // of their binary interface (abi_version).
 namespace navjit::kernels {
 
-constexpr unsigned abi_version = 3;
+constexpr unsigned abi_version = 4;
 constexpr int stack_levels = 64;
 
 /// One level: a placed volume and its frame in the world, local = rotation * (global -
@@ -19,18 +19,20 @@ struct StackLevel {
 };
 static_assert(sizeof(StackLevel) == 128);
 
-/// The direction of the last step with its reciprocals, kept because a ray's steps share it. No
-/// part of the state: it only saves divisions.
+/// The ray that steps are made along: its direction with reciprocals, kept because its steps share
+/// it.
 struct RayConstants {
-  double given[3] = {0, 0, 0};
+  double given[3] = {0, 0, 0};  ///< as the caller gave it
   Direction<double> direction = make_direction<double>(0, 0, 0);
+  bool oblique = false;  ///< is_oblique(direction)
 };
 
 /// The same in a frame whose rotation all touchables of a volume share; specialised navigators keep
-/// it. `rotation` numbers the rotation (FrameFacts::rotation).
+/// it.
 struct TurnedRay {
-  RayConstants ray;
-  unsigned rotation = 0;
+  Direction<double> direction = make_direction<double>(0, 0, 0);
+  unsigned rotation = 0;  ///< FrameFacts::rotation; 0: none since the ray began
+  bool oblique = false;
 };
 
 /// Not copyable by bytes: rotations point into the stack itself.
@@ -44,9 +46,10 @@ struct Stack {
 
 struct Context;
 
-/// A step from (x, y, z) along the unit direction (u, v, w), all global, at most `limit` long.
-/// Gives its length and leaves the stack at the next touchable. A negative result: this navigator
-/// does not take the state; the stack is unchanged.
+/// A step from (x, y, z) along the unit direction (u, v, w), all global, at most `limit` long. The
+/// direction is the stack's ray (set_ray), also for relocation along a ray. Gives its length and
+/// leaves the stack at the next touchable. A negative result: this navigator does not take the
+/// state; the stack is unchanged.
 using StepFunction = double (*)(Stack*, const Context*, double x, double y, double z, double u,
                                 double v, double w, double limit);
 /// The point has just come into the innermost level: from outside (blocked < 0), then it is known
@@ -104,37 +107,36 @@ inline Direction<double> to_local_heading(const StackLevel& level, double u, dou
                               r[6] * u + r[7] * v + r[8] * w);
 }
 
-/// make_direction(u, v, w), without its divisions where the last step had the same direction.
-inline Direction<double> ray_direction(RayConstants& ray, double u, double v, double w) {
-  if (!((ray.given[0] == u) & (ray.given[1] == v) & (ray.given[2] == w))) {
-    ray.given[0] = u;
-    ray.given[1] = v;
-    ray.given[2] = w;
-    // Not read back: a load of what several stores have just written would wait for them.
-    const Direction<double> direction = make_direction<double>(u, v, w);
-    ray.direction = direction;
-    return direction;
-  }
-  return ray.direction;
+/// Equal bits: cheaper than equal values, and all the same for what is only kept to save work.
+inline bool same_bits(double a, double b) {
+  return __builtin_bit_cast(unsigned long long, a) == __builtin_bit_cast(unsigned long long, b);
 }
 
-/// turn(), a direction with its reciprocals that follows from (u, v, w) and the rotation alone,
-/// without doing it again where the last step had the same.
-template <class Turn>
-inline Direction<double> turned_direction(TurnedRay& turned, unsigned rotation, double u, double v,
-                                          double w, Turn turn) {
-  RayConstants& ray = turned.ray;
-  if (!((turned.rotation == rotation) & (ray.given[0] == u) & (ray.given[1] == v) &
-        (ray.given[2] == w))) {
-    ray.given[0] = u;
-    ray.given[1] = v;
-    ray.given[2] = w;
-    turned.rotation = rotation;
-    const Direction<double> direction = turn();
-    ray.direction = direction;
-    return direction;
+/// To be called before steps along (u, v, w).
+inline void set_ray(Stack& stack, double u, double v, double w) {
+  RayConstants& ray = stack.ray;
+  if (same_bits(ray.given[0], u) && same_bits(ray.given[1], v) && same_bits(ray.given[2], w)) {
+    return;
   }
-  return ray.direction;
+  ray.given[0] = u;
+  ray.given[1] = v;
+  ray.given[2] = w;
+  ray.direction = make_direction<double>(u, v, w);
+  ray.oblique = is_oblique(ray.direction);
+  stack.turned.rotation = 0;
+}
+
+/// turn(), the stack's ray in a frame of the rotation of that number, without doing it again where
+/// the last step was in such a frame, too.
+template <class Turn>
+inline const TurnedRay& turned_ray(Stack* stack, unsigned rotation, Turn turn) {
+  TurnedRay& turned = stack->turned;
+  if (__builtin_expect(turned.rotation != rotation, 0)) {
+    turned.rotation = rotation;
+    turned.direction = turn();
+    turned.oblique = is_oblique(turned.direction);
+  }
+  return turned;
 }
 
 /// Pushes a daughter placed by translation alone.

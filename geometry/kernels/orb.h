@@ -83,10 +83,16 @@ bool contains(const Orb<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
   return in_ball(s.radius, p, v, tol);
 }
 template <class Real>
-Real distance_to_in(const Orb<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+Real distance_to_entry(const Orb<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                       Real tol) {
   const Span<Real> span = ball_span(s.radius, p, v, tol);
   if (!is_ahead(span)) return infinity<Real>();
-  return span.enter >= 0 ? span.enter : distance_from_within(s, p, tol);
+  return span.enter >= 0 ? span.enter : Real(-1);
+}
+template <class Real>
+Real distance_to_in(const Orb<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Real t = distance_to_entry(s, p, v, tol);
+  return t < 0 ? distance_from_within(s, p, tol) : t;
 }
 template <class Real>
 Real distance_to_out(const Orb<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {

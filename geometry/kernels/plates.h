@@ -21,11 +21,11 @@ struct PlateStack {
 
 /// The first position that the ray may meet. `left`: the daughter that the track may have left
 /// last, or any number. If she is just behind, the next one follows, and that is known before the
-/// point is.
-template <class Index>
+/// point is. `oblique`: the ray is known not to run along the plates.
+template <bool oblique, class Index>
 inline int first_plate(const PlateStack<Index>& s, double p, double v, unsigned left) {
   const bool down = v < 0;
-  if (s.skin > 0 && left < static_cast<unsigned>(s.count) && !is_along(v)) {
+  if (s.skin > 0 && left < static_cast<unsigned>(s.count) && (oblique || !is_along(v))) {
     const int at = static_cast<int>(s.position[left]), next = down ? at - 1 : at + 1;
     const bool behind = down ? p <= s.low[at] + s.skin : p >= s.high[at] - s.skin;
     const bool ends = static_cast<unsigned>(next) >= static_cast<unsigned>(s.count);
@@ -35,22 +35,39 @@ inline int first_plate(const PlateStack<Index>& s, double p, double v, unsigned 
   return static_cast<int>((down ? s.descending : s.ascending)[b]);
 }
 
-/// Calls visit(daughter), which says whether the ray meets it, for daughters along the ray until
-/// one is met or the next is beyond `reach`, a path length. `p`, `v` and `inverse` are the ray's
-/// along the axis. What the ray meets first is what is nearest, as those behind begin where it
-/// ends; but a ray along the faces may be on one that two share, and then both are offered. `left`:
-/// see first_plate.
+/// Where positions along the ray end.
+template <class Index>
+inline int end_of_plates(const PlateStack<Index>& s, double v) {
+  return v < 0 ? -1 : s.count;
+}
+
+/// Whether the plate begins beyond `reach`, a path length. Not a number where the ray runs along
+/// the very edge of the margin: then it is offered.
+template <class Index>
+inline bool plate_is_beyond(const PlateStack<Index>& s, int i, double p, double v, double inverse,
+                            double reach) {
+  return ((v < 0 ? s.high : s.low)[i] - p) * inverse > reach;
+}
+
+/// Calls visit(daughter), which says whether the ray meets it, for daughters along the ray from
+/// position `i` on until one is met or the next is beyond `reach`. `p`, `v` and `inverse` are the
+/// ray's along the axis. What the ray meets first is what is nearest, as those behind begin where
+/// it ends; but a ray along the faces may be on one that two share, and then both are offered.
+template <class Index, class Visit>
+inline void walk_plates_from(const PlateStack<Index>& s, int i, double p, double v, double inverse,
+                             double reach, Visit visit) {
+  const int last = end_of_plates(s, v), next = v < 0 ? -1 : 1;
+  for (; i != last; i += next) {
+    if (plate_is_beyond(s, i, p, v, inverse, reach)) return;
+    if (visit(static_cast<unsigned>(s.daughter[i])) && !is_along(v)) return;
+  }
+}
+
+/// The same from the first position on; `left`: see first_plate.
 template <class Index, class Visit>
 inline void walk_plates(const PlateStack<Index>& s, double p, double v, double inverse,
                         double reach, unsigned left, Visit visit) {
-  const bool down = v < 0;
-  const double* const face = down ? s.high : s.low;
-  const int last = down ? -1 : s.count, next = down ? -1 : 1;
-  for (int i = first_plate(s, p, v, left); i != last; i += next) {
-    // Not a number where the ray runs along the very edge of the margin: then it is offered.
-    if ((face[i] - p) * inverse > reach) return;
-    if (visit(static_cast<unsigned>(s.daughter[i])) && !is_along(v)) return;
-  }
+  walk_plates_from(s, first_plate<false>(s, p, v, left), p, v, inverse, reach, visit);
 }
 
 /// Calls visit(daughter) for those that may hold the point.

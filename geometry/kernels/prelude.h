@@ -115,6 +115,12 @@ constexpr bool is_along(Real nv) {
   return absolute(nv) <= along_a_face<Real>();
 }
 
+/// A direction along none of the planes of its frame's axes. It may be along other faces.
+template <class Real>
+constexpr bool is_oblique(const Direction<Real>& v) {
+  return smaller(absolute(v.x), smaller(absolute(v.y), absolute(v.z))) > along_a_face<Real>();
+}
+
 /// The verdict on one face for `contains`: `s` is the signed distance of the point beyond the face
 /// (> 0 outside), `nv` the outward unit normal times the direction. Without branches: where tracks
 /// cross faces, processors cannot foresee the answer.
@@ -131,5 +137,19 @@ constexpr Side worse(Side side, Real s, Real tol) {
   return side;
 }
 constexpr Side worse(Side a, Side b) { return a < b ? a : b; }
+
+// What is rare, put off: the same distances for callers that know another way then.
+
+/// distance_to_in for a direction that is_oblique; solids that have a kernel of their own for it
+/// return a negative number where they contain the start.
+template <class Real, class Solid>
+Real distance_to_entry(const Solid& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return distance_to_in(s, p, v, tol);
+}
+/// distance_to_out for a direction that is_oblique.
+template <class Real, class Solid>
+Real distance_to_exit(const Solid& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return distance_to_out(s, p, v, tol);
+}
 
 }  // namespace navjit::kernels

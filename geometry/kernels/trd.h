@@ -55,14 +55,20 @@ bool contains(const Trd<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
 }
 
 template <class Real>
-Real distance_to_in(const Trd<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+Real distance_to_entry(const Trd<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                       Real tol) {
   Span<Real> span = whole_ray<Real>();
   clip_slab(span, s.hz, p.z, v.z, v.inverse_z, tol);
   if (!is_ahead(span)) return infinity<Real>();
   clip_pair(span, s.x, p.x, p.z, v.x, v.z, tol);
   clip_pair(span, s.y, p.y, p.z, v.y, v.z, tol);
   if (!is_ahead(span)) return infinity<Real>();
-  return span.enter >= 0 ? span.enter : distance_from_within(s, p, tol);
+  return span.enter >= 0 ? span.enter : Real(-1);
+}
+template <class Real>
+Real distance_to_in(const Trd<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Real t = distance_to_entry(s, p, v, tol);
+  return t < 0 ? distance_from_within(s, p, tol) : t;
 }
 
 template <class Real>

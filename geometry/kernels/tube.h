@@ -97,13 +97,18 @@ bool contains(const Tube<Real>& s, const Vec3<Real>& p, const Direction<Real>& v
 }
 
 template <class Real>
-Real distance_to_in(const Tube<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+Real distance_to_entry(const Tube<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                       Real tol) {
   Span<Real> body = cylinder_span(s.rmax, p, v, tol);
   clip_slab(body, s.hz, p.z, v.z, v.inverse_z, tol);
   if (!is_ahead(body)) return infinity<Real>();
   if (s.wedge.kind == 1) clip_to_wedge(s.wedge, p, v, tol, body);
   const Span<Real> bore = s.rmin > 0 ? cylinder_span(s.rmin, p, v, tol) : no_span<Real>();
-  const Real t = first_entry(body, bore, gap_span(s.wedge, p, v, tol));
+  return first_entry(body, bore, gap_span(s.wedge, p, v, tol));
+}
+template <class Real>
+Real distance_to_in(const Tube<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Real t = distance_to_entry(s, p, v, tol);
   return t < 0 ? distance_from_within(s, p, tol) : t;
 }
 

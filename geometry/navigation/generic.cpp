@@ -251,13 +251,13 @@ void settle(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec
 
 double step(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction,
             double limit) {
+  kernels::set_ray(stack, direction.x, direction.y, direction.z);
   const StackLevel& level = stack.levels[stack.depth];
   const Scene& scene = geometry.scene(level.volume);
   const Vec3 p = kernels::to_local(level, point.x, point.y, point.z);
-  const Direction v =
-      level.rotation == nullptr
-          ? kernels::ray_direction(stack.ray, direction.x, direction.y, direction.z)
-          : kernels::to_local_direction(level, direction.x, direction.y, direction.z);
+  const Direction v = level.rotation == nullptr ? stack.ray.direction
+                                                : kernels::to_local_direction(
+                                                      level, direction.x, direction.y, direction.z);
   const double out = distance_out_here(scene.solid, p, v, geometry.tolerance());
   const InOwnFrame in_own_frame{stack, scene, point, direction, geometry.tolerance()};
   const Hit hit = nearest_daughter(scene, p, v, out, limit, geometry.tolerance(), in_own_frame);
