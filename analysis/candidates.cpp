@@ -15,6 +15,9 @@ namespace {
 /// Up to this many daughters every one is spelled out and tested.
 constexpr std::size_t spell_out_limit = 4;
 
+/// So many boxes at the most are all tested, four at once: two times four have no loop yet.
+constexpr std::size_t most_lanes = 8;
+
 /// With more daughters than this, tables of boxes would be most of the code.
 constexpr std::size_t most_boxes = 4096;
 
@@ -35,6 +38,20 @@ double float_margin(double largest) { return largest * 0x1p-21; }
 /// What is_grid() asks that is known before there are buckets.
 bool may_be_grid(const ScenePlan& plan) {
   return plan.classes.size() == 1 && !plan.classes[0].rotated;
+}
+
+/// Several boxes, and nothing but boxes, along the axes.
+bool may_use_lanes(const Geometry& geometry, const ScenePlan& plan) {
+  const auto daughters = geometry.scene(plan.volume).daughters;
+  if (!plan.oblique_only || plan.classes.size() != 1 || plan.classes[0].rotated ||
+      plan.classes[0].kind() != SolidKind::box || daughters.size() < 2 ||
+      daughters.size() > most_lanes) {
+    return false;
+  }
+  return std::all_of(daughters.begin(), daughters.end(), [&](const Daughter& d) {
+    const auto& box = *static_cast<const kernels::Box<double>*>(d.solid.shape);
+    return std::min({box.hx, box.hy, box.hz}) > geometry.tolerance();
+  });
 }
 
 }  // namespace
@@ -59,6 +76,15 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     plan.candidates = Candidates::none;
     return;
   }
+  const bool lanes = (!forced || *forced == Candidates::lanes) && may_use_lanes(geometry, plan);
+  const auto use_lanes = [&] {
+    plan.candidates = Candidates::lanes;
+    plan.mean_candidates = static_cast<double>(boxes.size());
+  };
+  if (lanes && (forced || boxes.size() <= spell_out_limit)) {
+    use_lanes();
+    return;
+  }
   if (forced ? *forced == Candidates::all : boxes.size() <= spell_out_limit) {
     plan.candidates = Candidates::all;
     plan.mean_candidates = static_cast<double>(boxes.size());
@@ -76,6 +102,10 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
       plan.mean_candidates = 1;
       return;
     }
+  }
+  if (lanes) {
+    use_lanes();
+    return;
   }
   // What is in a hole of a daughter, or beside what her box holds of her, is not hers.
   const auto apart = [&](std::uint32_t k, const Extent& box) {

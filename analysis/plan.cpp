@@ -117,14 +117,14 @@ ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId
   }
   plan.surroundings =
       !scene.surroundings.of.empty() && scene.surroundings.of.size() <= most_surroundings;
+  plan.decline_rare = !facts.along_faces.contains(volume);
+  plan.oblique_only = plan.decline_rare && has_boxes_along_axes(scene, plan);
   const auto forced = facts.forced_candidates.find(volume);
   choose_candidates(geometry,
                     forced == facts.forced_candidates.end() ? std::optional<Candidates>()
                                                             : std::optional(forced->second),
                     plan);
   if (facts.with_safety) choose_safety(geometry, plan);
-  plan.decline_rare = !facts.along_faces.contains(volume);
-  plan.oblique_only = plan.decline_rare && has_boxes_along_axes(scene, plan);
   return plan;
 }
 
@@ -183,6 +183,9 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
       break;
     case Candidates::all:
       out << "all, spelled out";
+      break;
+    case Candidates::lanes:
+      out << "all, four boxes at once";
       break;
     case Candidates::plates:
       out << "the next plate along "

@@ -52,6 +52,7 @@ struct Plates {
 enum class Candidates : std::uint8_t {
   none,     ///< no daughters
   all,      ///< every daughter, spelled out
+  lanes,    ///< every daughter, all of them boxes along the axes, four at once
   plates,   ///< those next along an axis
   buckets,  ///< those of the buckets that the ray passes
   boxes,    ///< of those, the ones whose boxes it passes

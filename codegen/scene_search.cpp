@@ -111,6 +111,47 @@ std::string SceneText::search_all() const {
   return text + "  return hit;\n}\n";
 }
 
+/// Boxes alone: see the kernel "four_boxes". Along faces the rules are out of line.
+std::string SceneText::search_lanes() const {
+  const auto daughters = scene_.daughters;
+  std::string text = "constexpr FourBoxes fours[] = {\n";
+  for (std::size_t first = 0; first < daughters.size(); first += lanes_of_four) {
+    text += "  {";
+    for (int field = 0; field < 6; ++field) {
+      text += field == 0 ? "{" : ", {";
+      for (std::size_t k = first; k < first + lanes_of_four; ++k) {
+        text += k == first ? "" : ", ";
+        if (k >= daughters.size()) {
+          text += field < 3 ? "0" : "-__builtin_inf()";
+          continue;
+        }
+        const auto& box = *static_cast<const kernels::Box<double>*>(daughters[k].solid.shape);
+        const double half[3] = {box.hx, box.hy, box.hz};
+        text +=
+            number(field < 3 ? daughters[k].transformation.translation[field] : half[field - 3]);
+      }
+      text += "}";
+    }
+    text += "},\n";
+  }
+  return text +
+         "};\n"
+         "[[gnu::noinline, gnu::cold]] static int find_along(double x, double y, double z, double "
+         "u, double v, double w, int blocked) {\n"
+         "  for (int k = " +
+         std::to_string(daughters.size()) +
+         "; k-- > 0;) {\n"
+         "    if (k != blocked && holds(static_cast<unsigned>(k), {x, y, z}, "
+         "make_heading<double>(u, v, w))) return k;\n"
+         "  }\n  return -1;\n}\n" +
+         find_head +
+         "  if (__builtin_expect(!is_oblique(d), 0)) return find_along(p.x, p.y, p.z, d.x, d.y, "
+         "d.z, blocked);\n"
+         "  return last_box_at(fours, p, d, tolerance, blocked);\n}\n" +
+         nearest_head +
+         "  nearest_of_boxes(fours, p, d, tolerance, best, hit);\n  return hit;\n}\n";
+}
+
 std::string SceneText::search_plates() const {
   const Plates& s = plan_.plates;
   const char* index = index_type(scene_.daughters.size());
@@ -265,6 +306,9 @@ std::string SceneText::search() const {
   text += tables() + daughter_tests();
   switch (plan_.candidates) {
     case Candidates::none:
+      break;
+    case Candidates::lanes:
+      text += search_lanes();
       break;
     case Candidates::all:
       text += search_all();

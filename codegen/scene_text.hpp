@@ -17,8 +17,9 @@ struct Neighbours {
   std::set<VolumeId> reenter;  ///< out of a daughter
 };
 
-/// Boxes in a block of the kernel "boxes".
+/// Boxes in a block of the kernels "boxes" and "four_boxes".
 constexpr std::size_t box_lanes = 8;
+constexpr std::size_t lanes_of_four = 4;
 
 /// A BoxBlock of `box(lane)`, rounded outwards; null: an empty lane.
 std::string box_block(const std::function<const Extent*(std::size_t)>& box);
@@ -51,6 +52,7 @@ class SceneText {
   std::string daughter_switch(const char* call) const;
   std::string daughter_tests() const;
   std::string search_all() const;
+  std::string search_lanes() const;
   std::string search_plates() const;
   std::string search_buckets() const;
   std::string search_boxes() const;
