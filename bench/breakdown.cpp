@@ -146,7 +146,8 @@ int main(int argc, char** argv) try {
   app.add_flag("--forward", forward, "random rays from the origin with eta 2..5");
   app.add_option("--seconds", seconds, "of sampling");
   app.add_option("--scenes", top, "rows of the table by scene");
-  app.add_flag("--instructions", instructions, "count the instructions of some thousand steps, too");
+  app.add_flag("--instructions", instructions,
+               "count the instructions of some thousand steps, too");
   app.add_option("--json", json_file, "write the figures");
   bench::add_isa_option(app, sets);
   CLI11_PARSE(app, argc, argv);
@@ -213,10 +214,9 @@ int main(int argc, char** argv) try {
     for (const Ray& ray : rays) {
       if (counted_steps > steps_counted) break;
       few.push_back(ray);
-      counted_steps +=
-          transport(navigator, ray, tolerance, [&](const State& state, double) {
-            ++counted_in[state.volume()];
-          }).steps;
+      counted_steps += transport(navigator, ray, tolerance, [&](const State& state, double) {
+                         ++counted_in[state.volume()];
+                       }).steps;
     }
     sampler.start_stepping();
     transport_all(navigator, few, tolerance);
@@ -273,7 +273,8 @@ int main(int argc, char** argv) try {
   }
   std::sort(hottest.rbegin(), hottest.rend());
   std::printf(
-      "\n| steps made in | share of steps | share of time | cycles/step | instructions/step | frame | exit | "
+      "\n| steps made in | share of steps | share of time | cycles/step | instructions/step | "
+      "frame | exit | "
       "candidates "
       "| daughters | rest | relocation: frames | candidates | solids | push | rest | dispatch | "
       "generic, elsewhere |\n"

@@ -6,8 +6,8 @@
 namespace navjit::codegen {
 namespace {
 
-const char* const point_arguments = "double x, double y, double z, double u, double v, double w";
-const char* const point_values = "x, y, z, u, v, w";
+const char* const point_arguments = "double x, double y, double z";
+const char* const point_values = "x, y, z";
 
 std::string id(VolumeId volume) { return std::to_string(volume); }
 
@@ -28,7 +28,7 @@ std::string SceneText::descend() const {
   std::string text =
       "static inline void descend([[maybe_unused]] Stack* stack, [[maybe_unused]] const "
       "Context* context, [[maybe_unused]] unsigned k";
-  for (const char* name : {"x", "y", "z", "u", "v", "w"}) {
+  for (const char* name : {"x", "y", "z"}) {
     text += std::string(", [[maybe_unused]] double ") + name;
   }
   text += ") {\n";
@@ -72,7 +72,7 @@ std::string SceneText::enter() const {
       "  const StackLevel& level = stack->levels[stack->depth];\n"
       "  const int k = " +
       ns_ + "::find(" + ns_ + "::point(level, x, y, z), " + ns_ +
-      "::heading(stack, level, u, v, w), -1);\n"
+      "::heading(stack, level), -1);\n"
       "  if (k < 0) return;\n"
       "  " +
       ns_ +
@@ -108,7 +108,7 @@ std::string SceneText::reenter() const {
                      ";\n"
                      "  const StackLevel& level = stack->levels[stack->depth];\n"
                      "  const Vec3<double> p = point(level, x, y, z);\n"
-                     "  const Direction<double> d = heading(stack, level, u, v, w);\n";
+                     "  const Direction<double> d = heading(stack, level);\n";
   if (plan_.surroundings) {
     text +=
         "  const Around& left_from = around[blocked];\n"
@@ -142,7 +142,7 @@ std::string SceneText::step(const std::string& symbol) const {
       "  Direction<double> d;\n"
       "  if (__builtin_expect(!" +
       ns_ +
-      "::ray(stack, level, u, v, w, d), 0)) return -1.0;\n"
+      "::ray(stack, level, d), 0)) return -1.0;\n"
       "  double best = " +
       (plan_.decline_rare ? "distance_to_exit" : "distance_to_out") + "(" +
       shapes_.constant(scene_.solid) + ", p, d, tolerance);\n";
@@ -156,7 +156,8 @@ std::string SceneText::step(const std::string& symbol) const {
       "  if (__builtin_expect(!(best > 0), 0)) return -1.0;\n"
       "  if (best > limit) {\n    stack->boundary = 0;\n    return limit;\n  }\n"
       "  stack->boundary = 1;\n"
-      "  x += best * u;\n  y += best * v;\n  z += best * w;\n";
+      "  x += best * stack->ray.given[0];\n  y += best * stack->ray.given[1];\n"
+      "  z += best * stack->ray.given[2];\n";
   if (daughters) {
     text += "  if (hit >= 0) {\n    const unsigned k = static_cast<unsigned>(hit);\n    " + ns_ +
             "::push(stack, k);\n    " + ns_ + "::descend(stack, context, k, " + point_values +
@@ -170,7 +171,7 @@ std::string SceneText::step(const std::string& symbol) const {
 std::string SceneText::settle(const std::string& symbol) const {
   std::string text = "extern \"C\" void " + symbol +
                      "([[maybe_unused]] Stack* stack, [[maybe_unused]] const Context* context";
-  for (const char* name : {"x", "y", "z", "u", "v", "w"}) {
+  for (const char* name : {"x", "y", "z"}) {
     text += std::string(", [[maybe_unused]] double ") + name;
   }
   text += ", [[maybe_unused]] int blocked) {\n";

@@ -66,11 +66,17 @@ std::string SceneText::frame() const {
   // heading() serves relocation, ray() the step: it says whether the navigator takes the ray.
   const std::string heading_head =
       "static inline Direction<double> heading([[maybe_unused]] Stack* stack, [[maybe_unused]] "
-      "const StackLevel& level, double u, double v, double w) {\n";
+      "const StackLevel& level) {\n";
   const std::string ray_head =
       "static inline bool ray([[maybe_unused]] Stack* stack, [[maybe_unused]] const StackLevel& "
-      "level, [[maybe_unused]] double u, [[maybe_unused]] double v, [[maybe_unused]] double w, "
-      "Direction<double>& d) {\n";
+      "level, Direction<double>& d) {\n";
+  const char* const given =
+      "  const double u = stack->ray.given[0], v = stack->ray.given[1], "
+      "w = stack->ray.given[2];\n";
+  const auto known_heading = [](const char* ray) {
+    return std::string("const Direction<double>& d = stack->") + ray +
+           ".direction;\n  return {d.x, d.y, d.z, d.x, d.x, d.x};\n";
+  };
   const auto takes = [&](const char* oblique) {
     return std::string("  return ") + (plan_.oblique_only ? oblique : "true") + ";\n}\n";
   };
@@ -78,8 +84,8 @@ std::string SceneText::frame() const {
     return "static inline Vec3<double> point(const StackLevel& level, double x, double y, double "
            "z) {\n"
            "  return to_local(level, x, y, z);\n}\n" +
-           heading_head + "  return to_local_heading(level, u, v, w);\n}\n" + ray_head +
-           "  d = to_local_direction(level, u, v, w);\n" + takes("is_oblique(d)");
+           heading_head + given + "  return to_local_heading(level, u, v, w);\n}\n" + ray_head +
+           given + "  d = to_local_direction(level, u, v, w);\n" + takes("is_oblique(d)");
   }
   text +=
       "static inline Vec3<double> point([[maybe_unused]] const StackLevel& level, double x, double "
@@ -88,21 +94,19 @@ std::string SceneText::frame() const {
   if (f.never_rotated) {
     text += "  if (level.rotation != nullptr) __builtin_unreachable();\n";
     text += "  return {x - " + t[0] + ", y - " + t[1] + ", z - " + t[2] + "};\n}\n";
-    return text + heading_head + "  return make_heading<double>(u, v, w);\n}\n" + ray_head +
+    return text + heading_head + "  " + known_heading("ray") + "}\n" + ray_head +
            "  d = stack->ray.direction;\n" + takes("stack->ray.oblique");
   }
   const double* r = f.only_rotation->data();
   const std::string number_of_rotation = std::to_string(f.rotation);
   text += "  const double dx = x - " + t[0] + ", dy = y - " + t[1] + ", dz = z - " + t[2] + ";\n";
   text += "  return {" + rows(r, "dx", "dy", "dz") + "};\n}\n";
-  text += heading_head + "  if (stack->turned.rotation == " + number_of_rotation +
-          ") {\n    const Direction<double>& d = stack->turned.direction;\n"
-          "    return {d.x, d.y, d.z, d.x, d.x, d.x};\n  }\n"
-          "  return make_heading<double>(" +
+  text += heading_head + "  if (stack->turned.rotation == " + number_of_rotation + ") {\n    " +
+          known_heading("turned") + "  }\n" + given + "  return make_heading<double>(" +
           rows(r, "u", "v", "w") + ");\n}\n";
   return text + ray_head + "  const TurnedRay& turned = turned_ray(stack, " + number_of_rotation +
-         ", [&] { return make_direction<double>(" + rows(r, "u", "v", "w") +
-         "); });\n  d = turned.direction;\n" + takes("turned.oblique");
+         ", [&] {\n  " + given + "    return make_direction<double>(" + rows(r, "u", "v", "w") +
+         ");\n  });\n  d = turned.direction;\n" + takes("turned.oblique");
 }
 
 /// The shapes of a class, and where it matters their boxes with a margin.

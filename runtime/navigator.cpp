@@ -38,7 +38,7 @@ State Navigator::locate(const Vec3& point, const Vec3& direction) {
   require_finite(point, "point");
   require_finite(direction, "direction");
   generic::locate(shared_->geometry, own_->stack, point, direction);
-  return state();
+  return state_of(own_->stack);
 }
 
 double Navigator::safety(const State& from, const Vec3& point) {
@@ -69,12 +69,28 @@ void Navigator::restore(const State& from) {
   generic::restore(shared_->geometry, own_->stack, from.touchable());
 }
 
-void Navigator::record(const Vec3& point, const Vec3& direction, double limit) {
-  const Stack& stack = own_->stack;
+Step Navigator::recorded_step(const Vec3& point, const Vec3& direction, double limit) {
+  Own& own = *own_;
+  Stack& stack = own.stack;
   const kernels::StackLevel& level = stack.levels[stack.depth];
-  own_->profile.record(
-      {level.touchable, level.volume, point, direction, limit,
-       stack.depth > 0 ? stack.levels[stack.depth - 1].volume : Sample::no_volume});
+  const VolumeId volume = level.volume;
+  if (!shadow_ || own.shadowed++ % Profile::period == 0) {
+    own.profile.record(
+        {level.touchable, volume, point, direction, limit,
+         stack.depth > 0 ? stack.levels[stack.depth - 1].volume : Sample::no_volume});
+  }
+  if (shadow_) own.profile.come_again();
+  own.presence->enter();
+  const kernels::Navigators& navigators = *kernels::navigators_of(context_, volume);
+  double length;
+  if (shadow_) {
+    length = shadow(navigators, point, direction, limit);
+  } else {
+    length = navigators.step(&stack, context_, point.x, point.y, point.z, limit);
+    if (length < 0) length = decline(point, direction, limit);
+  }
+  own.presence->leave();
+  return {length, stack.boundary != 0, state_of(stack)};
 }
 
 double Navigator::decline(const Vec3& point, const Vec3& direction, double limit) {
@@ -88,8 +104,7 @@ double Navigator::shadow(const kernels::Navigators& navigators, const Vec3& poin
   Stack expected{};
   copy(own_->stack, expected);
   const double right = generic::step(shared_->geometry, expected, point, direction, limit);
-  double length = navigators.step(&own_->stack, context_, point.x, point.y, point.z, direction.x,
-                                  direction.y, direction.z, limit);
+  double length = navigators.step(&own_->stack, context_, point.x, point.y, point.z, limit);
   if (length < 0) length = decline(point, direction, limit);
   if (std::memcmp(&length, &right, sizeof length) != 0 || !identical(own_->stack, expected)) {
     ++own_->counts.differences;

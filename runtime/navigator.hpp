@@ -56,6 +56,7 @@ class Navigator {
     Profile profile;
     std::shared_ptr<Presence> presence;
     NavigatorCounts counts;
+    std::uint64_t shadowed = 0;  ///< steps made in shadow mode
     explicit Own(std::size_t volumes) : profile(volumes) { stack.depth = -1; }
   };
 
@@ -65,12 +66,12 @@ class Navigator {
   /// Steps will be along another direction. Throws std::invalid_argument unless it is finite.
   void begin_ray(const Vec3& direction);
   void restore(const State& state);
-  void record(const Vec3& point, const Vec3& direction, double limit);
+  /// The step, recorded for the specialiser; with shadow mode on, all steps are made here.
+  Step recorded_step(const Vec3& point, const Vec3& direction, double limit);
   double shadow(const kernels::Navigators& navigators, const Vec3& point, const Vec3& direction,
                 double limit);
   double decline(const Vec3& point, const Vec3& direction, double limit);
-  State state() const {
-    const Stack& s = own_->stack;
+  static State state_of(const Stack& s) {
     return s.depth < 0 ? State{} : State{s.levels[s.depth].touchable, s.levels[s.depth].volume};
   }
 
@@ -97,20 +98,14 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
   const VolumeId volume = stack.levels[stack.depth].volume;
   own.profile.count(volume);
   if (own.profile.due()) [[unlikely]]
-    record(point, direction, limit);
+    return recorded_step(point, direction, limit);
   own.presence->enter();
   const kernels::Navigators* navigators = kernels::navigators_of(context_, volume);
-  double length;
-  if (shadow_) [[unlikely]] {
-    length = shadow(*navigators, point, direction, limit);
-  } else {
-    length = navigators->step(&stack, context_, point.x, point.y, point.z, direction.x, direction.y,
-                              direction.z, limit);
-    if (length < 0) [[unlikely]]
-      length = decline(point, direction, limit);
-  }
+  double length = navigators->step(&stack, context_, point.x, point.y, point.z, limit);
+  if (length < 0) [[unlikely]]
+    length = decline(point, direction, limit);
   own.presence->leave();
-  return {length, stack.boundary != 0, state()};
+  return {length, stack.boundary != 0, state_of(stack)};
 }
 
 }  // namespace navjit

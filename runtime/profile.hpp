@@ -41,6 +41,8 @@ class Profile {
   }
   /// By the owner, once a step: true when the step should be recorded.
   bool due() { return --countdown_ == 0; }
+  /// By the owner: the next step is due, too.
+  void come_again() { countdown_ = 1; }
   /// By the owner. A full queue drops the sample.
   void record(const Sample& sample) {
     countdown_ = period;

@@ -32,8 +32,7 @@ std::string verify_step(const Geometry& geometry, const kernels::Context& contex
   copy(stacks.generic, stacks.specialised);
   kernels::set_ray(stacks.specialised, s.direction.x, s.direction.y, s.direction.z);
   const double wrong =
-      specialised.step(&stacks.specialised, &context, s.point.x, s.point.y, s.point.z,
-                       s.direction.x, s.direction.y, s.direction.z, s.limit);
+      specialised.step(&stacks.specialised, &context, s.point.x, s.point.y, s.point.z, s.limit);
   if (wrong < 0) {
     return identical(stacks.generic, stacks.specialised)
                ? ""
@@ -62,8 +61,7 @@ std::string verify_settle(const Geometry& geometry, const kernels::Context& cont
   copy(stacks.generic, stacks.specialised);
   kernels::set_ray(stacks.specialised, s.direction.x, s.direction.y, s.direction.z);
   generic::settle(geometry, stacks.generic, s.point, s.direction, blocked);
-  specialised.settle(&stacks.specialised, &context, s.point.x, s.point.y, s.point.z, s.direction.x,
-                     s.direction.y, s.direction.z, blocked);
+  specialised.settle(&stacks.specialised, &context, s.point.x, s.point.y, s.point.z, blocked);
   return identical(stacks.generic, stacks.specialised)
              ? ""
              : describe(s, "relocation", stacks.generic.depth, stacks.specialised.depth);
@@ -123,8 +121,7 @@ double time_per_step(const Geometry& geometry, const kernels::Context& context,
     for (std::size_t i = 0; i < count; ++i) {
       const Sample& s = samples[i];
       kernels::set_ray(stacks[i], s.direction.x, s.direction.y, s.direction.z);
-      navigators.step(&stacks[i], &context, s.point.x, s.point.y, s.point.z, s.direction.x,
-                      s.direction.y, s.direction.z, s.limit);
+      navigators.step(&stacks[i], &context, s.point.x, s.point.y, s.point.z, s.limit);
     }
     const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count() /
                       static_cast<double>(count);

@@ -46,17 +46,17 @@ struct Stack {
 
 struct Context;
 
-/// A step from (x, y, z) along the unit direction (u, v, w), all global, at most `limit` long. The
-/// direction is the stack's ray (set_ray), also for relocation along a ray. Gives its length and
-/// leaves the stack at the next touchable. A negative result: this navigator does not take the
-/// state; the stack is unchanged.
-using StepFunction = double (*)(Stack*, const Context*, double x, double y, double z, double u,
-                                double v, double w, double limit);
+// The direction of steps, and of relocation behind them, is the stack's ray (set_ray): in memory it
+// takes no registers, all of which a call would have to save.
+
+/// A step from the global point (x, y, z) at most `limit` long. Gives its length and leaves the
+/// stack at the next touchable. A negative result: this navigator does not take the state; the
+/// stack is unchanged.
+using StepFunction = double (*)(Stack*, const Context*, double x, double y, double z, double limit);
 /// The point has just come into the innermost level: from outside (blocked < 0), then it is known
 /// to be in it; or out of its daughter `blocked`, then it may have to leave this level too. Brings
 /// the stack to the deepest touchable with the point.
-using SettleFunction = void (*)(Stack*, const Context*, double x, double y, double z, double u,
-                                double v, double w, int blocked);
+using SettleFunction = void (*)(Stack*, const Context*, double x, double y, double z, int blocked);
 
 /// A lower bound (mm, >= 0) of the distance from a global point to the nearest boundary of the
 /// innermost volume or of its daughters.

@@ -333,15 +333,20 @@ void restore(const Geometry& geometry, Stack& stack, TouchableId touchable) {
 
 namespace {
 
+Vec3 direction_of(const Stack& stack) {
+  return {stack.ray.given[0], stack.ray.given[1], stack.ray.given[2]};
+}
+
 double step_record(Stack* stack, const kernels::Context* context, double x, double y, double z,
-                   double u, double v, double w, double limit) {
-  return step(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z}, {u, v, w},
-              limit);
+                   double limit) {
+  return step(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z},
+              direction_of(*stack), limit);
 }
 
 void settle_record(Stack* stack, const kernels::Context* context, double x, double y, double z,
-                   double u, double v, double w, int blocked) {
-  settle(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z}, {u, v, w}, blocked);
+                   int blocked) {
+  settle(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z}, direction_of(*stack),
+         blocked);
 }
 
 double safety_record(const Stack* stack, const kernels::Context* context, double x, double y,

@@ -110,12 +110,13 @@ TEST(NavigatorTable, FreesReplacedRecordsWhileThreadsNavigate) {
         const auto stack = std::make_unique<Stack>();
         while (!stop) {
           generic::locate(geometry, *stack, {-99, -40, 1}, {1, 0, 0});
+          kernels::set_ray(*stack, 1, 0, 0);
           Vec3 p{-99, -40, 1};
           while (stack->depth >= 0) {
             presence->enter();
             const auto volume = stack->levels[stack->depth].volume;
             const kernels::Navigators* n = kernels::navigators_of(&table.context(), volume);
-            p.x += n->step(stack.get(), &table.context(), p.x, p.y, p.z, 1, 0, 0, 1e9);
+            p.x += n->step(stack.get(), &table.context(), p.x, p.y, p.z, 1e9);
             presence->leave();
           }
         }
