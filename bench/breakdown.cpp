@@ -78,7 +78,7 @@ Phase phase_of(const bench::CodeMap::Place& place) {
     if (begins(f, "push")) return relocation_push;
     if (f == "holds" || begins(f, "contains")) return relocation_solids;
     if (f == "distance" || begins(f, "distance_to_in")) return step_daughters;
-    if (begins(f, "distance_to_out")) return step_exit;
+    if (begins(f, "distance_to_out") || begins(f, "distance_to_exit")) return step_exit;
     candidates |= one_of<5>(f, {"nearest", "find", "find_around", "is_there", "find_elsewhere"});
   }
   // Out of line, and of no scene: the kernels themselves.

@@ -36,6 +36,23 @@ bool boxes_from_table(const DaughterClass& c) {
   return c.from_table() && c.kind() == SolidKind::box;
 }
 
+/// The box beside a position, with the sizes that all share as constants.
+std::string box_from_table(const DaughterClass& c) {
+  const auto half = [](const DaughterClass::Shape& s, int axis) {
+    const auto& box = *static_cast<const kernels::Box<double>*>(s.solid.shape);
+    return axis == 0 ? box.hx : axis == 1 ? box.hy : box.hz;
+  };
+  std::string text = "Box<double>{";
+  for (int axis = 0; axis < 3; ++axis) {
+    const double first = half(c.shapes[0], axis);
+    const bool same = std::all_of(c.shapes.begin(), c.shapes.end(),
+                                  [&](const auto& s) { return half(s, axis) == first; });
+    text +=
+        (axis == 0 ? "" : ", ") + (same ? number(first) : "at.box.h" + std::string(1, "xyz"[axis]));
+  }
+  return text + "}";
+}
+
 std::string rows(const double* r, const char* a, const char* b, const char* c) {
   return row(r, a, b, c) + ", " + row(r + 3, a, b, c) + ", " + row(r + 6, a, b, c);
 }
@@ -192,8 +209,16 @@ std::string SceneText::tables() const {
 std::string SceneText::daughter_case(const DaughterClass& c, const char* call, const std::string& x,
                                      const std::string& y, const std::string& z,
                                      const std::string& rotation) const {
-  std::string text =
-      "{\n      const double dx = p.x - " + x + ", dy = p.y - " + y + ", dz = p.z - " + z + ";\n";
+  // What all members share folds.
+  const auto shared = [&](int axis, const std::string& variable) {
+    const double first = scene_.daughters[c.members[0]].transformation.translation[axis];
+    const bool same = std::all_of(c.members.begin(), c.members.end(), [&](std::uint32_t k) {
+      return scene_.daughters[k].transformation.translation[axis] == first;
+    });
+    return same ? "(" + number(first) + ")" : variable;
+  };
+  std::string text = "{\n      const double dx = p.x - " + shared(0, x) + ", dy = p.y - " +
+                     shared(1, y) + ", dz = p.z - " + shared(2, z) + ";\n";
   const bool directed = std::string_view(call) != "safety_to_in";
   const std::string make = std::string_view(call) == "contains" ? "make_heading" : "make_direction";
   if (!c.rotated) {
@@ -219,7 +244,7 @@ std::string SceneText::daughter_case(const DaughterClass& c, const char* call, c
     }
   }
   const std::string n = std::to_string(&c - plan_.classes.data());
-  const std::string solid = boxes_from_table(c) ? "at.box"
+  const std::string solid = boxes_from_table(c) ? box_from_table(c)
                             : c.from_table()    ? "shapes_" + n + "[at.shape]"
                                                 : shapes_.constant(c.shapes[0].solid);
   if (!directed) return text + "      return safety_to_in(" + solid + ", q);\n    }\n";
