@@ -6,6 +6,8 @@
 #include "analysis/buckets.hpp"
 #include "analysis/pattern.hpp"
 #include "analysis/plates.hpp"
+#include "analysis/rings.hpp"
+#include "analysis/shells.hpp"
 #include "geometry/model/vector.hpp"
 #include "geometry/solids/extent.hpp"
 
@@ -25,6 +27,10 @@ constexpr std::size_t most_boxes_near = 128;
 /// Single precision tells boxes apart in scenes that are not larger than this, mm.
 constexpr double largest_float_scene = 1e7;
 
+/// A nest is walked where there is at most one other daughter for so many shells: with three for
+/// four shells that was no faster than boxes, with none two to five times (docs/scenes.md).
+constexpr std::size_t most_others = 3;
+
 /// So little more than one daughter a bucket, and of one solid, is what grids have: there no box
 /// needs a test.
 constexpr double about_one = 1.05;
@@ -35,6 +41,34 @@ double float_margin(double largest) { return largest * 0x1p-21; }
 /// What is_grid() asks that is known before there are buckets.
 bool may_be_grid(const ScenePlan& plan) {
   return plan.classes.size() == 1 && !plan.classes[0].rotated;
+}
+
+/// Stacks and grids are called just that.
+bool is_regular(const std::string& pattern) {
+  return pattern.starts_with("stack") || pattern.starts_with("grid");
+}
+
+/// Patterns about an axis or a centre.
+bool choose_round(const Geometry& geometry, std::optional<Candidates> forced, double margin,
+                  ScenePlan& plan) {
+  const World& world = geometry.world();
+  const Scene& scene = geometry.scene(plan.volume);
+  if (!forced || forced == Candidates::shells) {
+    auto shells = find_shells(world, world.volumes[plan.volume].solid, scene.daughters, margin);
+    if (shells && (forced || most_others * shells->others.size() <= shells->members.size())) {
+      plan.candidates = Candidates::shells;
+      plan.shells = std::move(*shells);
+      return true;
+    }
+  }
+  if (forced == Candidates::rings) {
+    if (auto rings = find_rings(world, world.volumes[plan.volume].solid, scene.daughters, margin)) {
+      plan.candidates = Candidates::rings;
+      plan.rings = std::move(*rings);
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -59,12 +93,34 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     plan.candidates = Candidates::none;
     return;
   }
-  if (forced ? *forced == Candidates::all : boxes.size() <= spell_out_limit) {
+  const double margin = search_margin(extent, geometry.tolerance());
+  double largest = largest_coordinate(extent);
+  for (const Extent& box : boxes) largest = std::max(largest, largest_coordinate(box));
+  // Daughters may stick out of their mother.
+  const double round_margin = 2 * geometry.tolerance() + 1e-9 * largest;
+  if (boxes.size() <= most_boxes && !is_regular(plan.pattern)) {
+    std::string round = describe_round_pattern(world, world.volumes[plan.volume].solid,
+                                               scene.daughters, round_margin);
+    if (!round.empty()) plan.pattern = std::move(round);
+  }
+  const bool boxes_possible = boxes.size() <= most_boxes && largest <= largest_float_scene;
+  const auto make_boxes = [&] {
+    const double inflate = margin + float_margin(largest);
+    for (const Extent& box : boxes) plan.boxes.push_back(inflated(box, inflate));
+  };
+  const auto make_round = [&] {
+    if (!boxes_possible || !choose_round(geometry, forced, round_margin, plan)) return false;
+    make_boxes();
+    plan.mean_candidates = 1;
+    return true;
+  };
+  const bool few = boxes.size() <= spell_out_limit;
+  if (few && make_round()) return;
+  if (forced ? *forced == Candidates::all : few) {
     plan.candidates = Candidates::all;
     plan.mean_candidates = static_cast<double>(boxes.size());
     return;
   }
-  const double margin = search_margin(extent, geometry.tolerance());
   if (!forced || *forced == Candidates::plates) {
     if (auto plates = find_plates(extent, boxes, geometry.tolerance(), margin)) {
       plan.candidates = Candidates::plates;
@@ -77,27 +133,24 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
       return;
     }
   }
+  if (!few && make_round()) return;
   // What is in a hole of a daughter, or beside what her box holds of her, is not hers.
   const auto apart = [&](std::uint32_t k, const Extent& box) {
     const Daughter& d = scene.daughters[k];
     return safety_to_in(d.solid, to_local(d.transformation, 0.5 * (box.min + box.max))) >
            norm(0.5 * (box.max - box.min)) + 2 * margin;
   };
-  double largest = largest_coordinate(extent);
-  for (const Extent& box : boxes) largest = std::max(largest, largest_coordinate(box));
-  const bool boxes_possible = boxes.size() <= most_boxes && largest <= largest_float_scene;
   const auto make = [&](Candidates candidates, BucketUse use) {
     plan.candidates = candidates;
     plan.buckets = make_buckets(extent, placed, margin, use, apart);
     plan.mean_candidates = mean_candidates(plan.buckets);
   };
-  if (!boxes_possible || (forced ? *forced != Candidates::boxes : may_be_grid(plan))) {
+  if (!boxes_possible || (forced ? *forced == Candidates::buckets : may_be_grid(plan))) {
     make(Candidates::buckets, BucketUse::daughters);
     if (!boxes_possible || forced || is_grid(plan)) return;
   }
   make(Candidates::boxes, BucketUse::blocks);
-  const double inflate = margin + float_margin(largest);
-  for (const Extent& box : boxes) plan.boxes.push_back(inflated(box, inflate));
+  make_boxes();
 }
 
 void choose_safety(const Geometry& geometry, ScenePlan& plan) {

@@ -52,6 +52,8 @@ class SceneText {
   std::string daughter_tests() const;
   std::string search_all() const;
   std::string search_plates() const;
+  std::string search_shells() const;
+  std::string search_rings() const;
   std::string search_buckets() const;
   std::string search_boxes() const;
   std::string search_around() const;
