@@ -192,6 +192,7 @@ AxialExtent axial_extent(const Solid& solid, const Transformation& t, int axis) 
   result.around = false;
   result.first = first;
   result.span = span;
+  result.segment = true;
   return result;
 }
 

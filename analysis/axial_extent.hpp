@@ -13,6 +13,7 @@ struct AxialExtent {
   bool around = true;        ///< the azimuth is not limited
   double first = 0;          ///< azimuth where she begins, in [-pi, pi]
   double span = 0;           ///< and how far she reaches from there, < 2 pi
+  bool segment = false;      ///< she is cut to just that, about the axis
 };
 
 /// As seen from the mother's axis 0, 1, 2 for x, y, z through her origin. The azimuth is from y, z

@@ -5,7 +5,12 @@
 #include <numbers>
 
 #include "analysis/axial_extent.hpp"
-#include "geometry/solids/extent.hpp"
+#include "geometry/solids/kernels.hpp"
+
+// clang-format off
+#include "geometry/kernels/shells.h"
+#include "geometry/kernels/rings.h"
+// clang-format on
 
 namespace navjit {
 namespace {
@@ -54,14 +59,14 @@ int steps_of(std::vector<double> azimuths) {
 
 /// Daughters by sector. One belongs to those into which she reaches by more than the margin, across
 /// the edge: seen from the axis at her far end that is the smallest angle.
-void fill(Ring& ring, const std::vector<AxialExtent>& extents,
+void fill(Ring& ring, double start, const std::vector<AxialExtent>& extents,
           const std::vector<std::uint32_t>& members, double margin) {
   const double width = 2 * pi / ring.steps;
   std::vector<std::vector<std::uint32_t>> lists(static_cast<std::size_t>(ring.steps));
   for (const std::uint32_t k : members) {
     const AxialExtent& e = extents[k];
     const double shrink = margin / e.far;
-    const double begin = turn(e.first - ring.start + shrink);
+    const double begin = turn(e.first - start + shrink);
     const double end = begin + std::max(e.span - 2 * shrink, 0.0);
     const int last =
         std::min(static_cast<int>(end / width), static_cast<int>(begin / width) + ring.steps - 1);
@@ -77,17 +82,40 @@ void fill(Ring& ring, const std::vector<AxialExtent>& extents,
   }
 }
 
+/// Sectors from `start` on, and the tables by which a point's is found.
+void lay_edges(Ring& ring, double start) {
+  std::vector<std::pair<double, std::uint32_t>> angles;
+  for (int s = 0; s <= ring.steps; ++s) {
+    const double phi = start + 2 * pi / ring.steps * (s == ring.steps ? 0 : s);
+    ring.edges.push_back({std::cos(phi), std::sin(phi)});
+    if (s == ring.steps) break;
+    angles.emplace_back(kernels::square_angle(ring.edges.back()[0], ring.edges.back()[1]),
+                        static_cast<std::uint32_t>(s));
+  }
+  std::sort(angles.begin(), angles.end());
+  // Steps of the square angle are at least half of those of the azimuth: no cell has two edges.
+  const int cells = 4 * ring.steps;
+  for (int cell = 0; cell < cells; ++cell) {
+    const std::pair begin{4.0 * cell / cells, ~0U};
+    const auto beyond = std::upper_bound(angles.begin(), angles.end(), begin);
+    ring.at_angle.push_back(beyond == angles.begin() ? angles.back().second
+                                                     : std::prev(beyond)->second);
+  }
+}
+
 std::optional<Ring> make_ring(const std::vector<AxialExtent>& extents,
                               const std::vector<std::uint32_t>& members, const AxialExtent& mother,
                               double margin) {
   std::vector<double> azimuths;
   Ring ring;
+  ring.segments = true;
   ring.near = INFINITY;
   ring.low = INFINITY;
   ring.high = -INFINITY;
   for (const std::uint32_t k : members) {
     const AxialExtent& e = extents[k];
     azimuths.push_back(middle(e));
+    ring.segments &= e.segment;
     ring.near = std::min(ring.near, e.near);
     ring.far = std::max(ring.far, e.far);
     ring.low = std::min(ring.low, e.low);
@@ -108,9 +136,10 @@ std::optional<Ring> make_ring(const std::vector<AxialExtent>& extents,
   ring.far += margin;
   ring.low -= margin;
   ring.high += margin;
-  ring.start = turn(azimuths[0] - width / 2);
   ring.reach = 4 * margin;
-  fill(ring, extents, members, margin);
+  const double start = turn(azimuths[0] - width / 2);
+  lay_edges(ring, start);
+  fill(ring, start, extents, members, margin);
   return ring;
 }
 

@@ -65,12 +65,14 @@ struct Ring {
   double near = 0, far = 0, low = 0, high = 0;  ///< with the margin, mm
   /// Whether a ray in the mother may be nearer to the axis, farther from it, or beyond the ends.
   bool hole = false, outside = false, ends = false;
-  int steps = 0;                       ///< in a full turn
-  int present = 0;                     ///< daughters
-  double start = 0;                    ///< azimuth of the lower edge of sector 0, rad
-  double reach = 0;                    ///< how near to an edge the sector beyond it counts, too, mm
-  std::vector<std::uint32_t> first;    ///< by sector, and one more: start in `members`
-  std::vector<std::uint32_t> members;  ///< daughter indices, ascending within a sector
+  bool segments = false;  ///< all are cut to a segment of azimuth about the ring's own axis
+  int steps = 0;          ///< in a full turn, a sector each
+  int present = 0;        ///< daughters
+  double reach = 0;       ///< how near to an edge the sector beyond it counts, too, mm
+  std::vector<std::array<double, 2>> edges;  ///< unit vectors along lower edges; the first again
+  std::vector<std::uint32_t> at_angle;  ///< by cell of kernels::square_angle: sector of its start
+  std::vector<std::uint32_t> first;     ///< by sector, and one more: start in `members`
+  std::vector<std::uint32_t> members;   ///< daughter indices, ascending within a sector
 };
 
 struct Rings {

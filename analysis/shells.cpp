@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <numbers>
 
 #include "analysis/axial_extent.hpp"
 
@@ -14,6 +14,8 @@ constexpr double most_overlap = 1.5;
 
 /// Beside so few layers it is no nest.
 constexpr std::size_t fewest = 3;
+
+constexpr double half_turn = std::numbers::pi;
 
 AxialExtent extent_about(const World& world, const Daughter& d, int axis) {
   const Solid& solid = world.volumes[d.volume].solid;
@@ -63,8 +65,8 @@ std::optional<Shells> find_shells(const World& world, const Solid& mother,
       extents.push_back(extent_about(world, daughters[k], axis));
       const AxialExtent& e = extents.back();
       largest = std::max(largest, e.far);
-      // Layers go around the axis; what does not is elsewhere.
-      (e.around ? shells.members : shells.others).push_back(k);
+      // Layers go around the axis, if not all of the way; what does not is elsewhere.
+      (e.around || e.span > half_turn ? shells.members : shells.others).push_back(k);
     }
     std::sort(shells.members.begin(), shells.members.end(), [&](std::uint32_t a, std::uint32_t b) {
       return extents[a].near + extents[a].far < extents[b].near + extents[b].far;

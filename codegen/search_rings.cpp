@@ -1,7 +1,5 @@
 // The searches of scenes about an axis: nests of shells, and rings.
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "codegen/scene_text.hpp"
 #include "codegen/tables.hpp"
@@ -82,42 +80,24 @@ std::string both(const std::string& at, const std::string& along) {
 
 const char* truth(bool b) { return b ? "true" : "false"; }
 
-/// square_angle() of the kernel.
-double square_angle(double x, double y) {
-  const double d = y / (std::abs(x) + std::abs(y));
-  return x < 0 ? 2 - d : y < 0 ? 4 + d : d;
-}
-
 std::string ring_tables(const Ring& ring, const std::string& n, const char* index) {
-  // Steps of the square angle are at least half of those of the azimuth: no cell has two edges.
-  const int cells = 4 * ring.steps;
-  const double width = 2 * std::numbers::pi / ring.steps;
   std::string edges = "constexpr double edges_" + n + "[][2] = {";
-  std::vector<std::pair<double, std::uint32_t>> angles;
-  for (int s = 0; s <= ring.steps; ++s) {
-    const double phi = ring.start + width * (s == ring.steps ? 0 : s);
-    const double x = std::cos(phi), y = std::sin(phi);
-    edges += (s == 0 ? "{" : s % 8 == 0 ? ",\n  {" : ", {") + number(x) + ", " + number(y) + "}";
-    if (s < ring.steps) angles.emplace_back(square_angle(x, y), static_cast<std::uint32_t>(s));
+  for (std::size_t s = 0; s < ring.edges.size(); ++s) {
+    edges += (s == 0       ? "{"
+              : s % 8 == 0 ? ",\n  {"
+                           : ", {") +
+             number(ring.edges[s][0]) + ", " + number(ring.edges[s][1]) + "}";
   }
-  edges += "};\n";
-  std::sort(angles.begin(), angles.end());
-  std::vector<std::uint32_t> at_angle;
-  for (int cell = 0; cell < cells; ++cell) {
-    const double begin = 4.0 * cell / cells;
-    // The last edge that is not beyond; before the first one, the one before in a turn.
-    auto edge = std::upper_bound(angles.begin(), angles.end(), std::pair{begin, ~0U});
-    at_angle.push_back(edge == angles.begin() ? angles.back().second : std::prev(edge)->second);
-  }
-  return edges + list(index, "at_angle_" + n, at_angle) +
+  const std::size_t cells = ring.at_angle.size();
+  const double near = std::max(ring.near, 0.0);
+  return edges + "};\n" + list(index, "at_angle_" + n, ring.at_angle) +
          list("unsigned", "first_" + n, ring.first) + list(index, "members_" + n, ring.members) +
-         "constexpr RingSectors<" + index + "> ring_" + n + "{" +
-         number(std::max(ring.near, 0.0) * std::max(ring.near, 0.0)) + ", " +
+         "constexpr RingSectors<" + index + "> ring_" + n + "{" + number(near * near) + ", " +
          number(ring.far * ring.far) + ", " + number(ring.low) + ", " + number(ring.high) + ", " +
          truth(ring.hole) + ", " + truth(ring.outside) + ", " + truth(ring.ends) + ", " +
          std::to_string(ring.steps) + ", edges_" + n + ", at_angle_" + n + ", " +
-         number(cells / 4.0) + ", " + std::to_string(cells) + ", " + number(ring.reach) +
-         ", first_" + n + ", members_" + n + "};\n";
+         number(static_cast<double>(cells) / 4) + ", " + std::to_string(cells) + ", " +
+         number(ring.reach) + ", first_" + n + ", members_" + n + "};\n";
 }
 
 }  // namespace

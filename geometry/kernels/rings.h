@@ -157,7 +157,8 @@ inline void walk_ring(const RingSectors<Index>& g, const AxialRay& ray, Visit vi
       ++i;
       sector = sector_beside(g, sector, up);
     }
-    if (!(part.leave <= smaller(reach(), part.to))) return;
+    // No more than twice, as there is one hole.
+    if (part.leave == infinity<double>() || part.leave > smaller(reach(), part.to)) return;
     part.from = part.leave;
     part.enter = part.leave = infinity<double>();
   }
