@@ -31,6 +31,7 @@ bool ascend(const std::vector<AxialExtent>& extents, const std::vector<std::uint
     if (i > 0 && (e.far < extents[order[i - 1]].far || e.near < extents[order[i - 1]].near)) {
       return false;
     }
+    if (i > 0 && !(e.near > 0)) return false;  // only the innermost has no bore
     sum += e.far - e.near;
     covered += e.far - std::max(std::min(end, e.far), e.near);
     end = e.far;
