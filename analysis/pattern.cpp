@@ -4,6 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/rings.hpp"
+#include "analysis/shells.hpp"
+
 namespace navjit {
 namespace {
 
@@ -40,6 +43,36 @@ std::string describe_pattern(std::span<const Extent> boxes) {
   }
   if (n[0] == 1 && n[1] == 1 && n[2] == 1) return "nest of " + std::to_string(boxes.size());
   return std::to_string(boxes.size()) + " daughters";
+}
+
+std::string describe_round_pattern(const World& world, const Solid& mother,
+                                   std::span<const Daughter> daughters, double margin) {
+  const char* const about[] = {" about x", " about y", " about z", " about the centre"};
+  const auto besides = [](std::size_t others) {
+    return others == 0 ? std::string() : " and " + std::to_string(others) + " more";
+  };
+  const auto few = [&](std::size_t others) { return 2 * others < daughters.size(); };
+  const std::optional<Shells> shells = find_shells(world, mother, daughters, margin);
+  const std::optional<Rings> rings = find_rings(world, mother, daughters, margin);
+  if (rings && few(rings->others.size()) &&
+      !(shells && shells->others.size() < rings->others.size())) {
+    const Ring& first = rings->rings[0];
+    const auto same = [&](const Ring& r) {
+      return r.steps == first.steps && r.present == first.present;
+    };
+    std::string text;
+    if (rings->rings.size() > 1) text = std::to_string(rings->rings.size()) + " rings";
+    if (std::all_of(rings->rings.begin(), rings->rings.end(), same)) {
+      text += (text.empty() ? "ring of " : " of ") + std::to_string(first.present);
+      if (first.present < first.steps) text += " of " + std::to_string(first.steps);
+    }
+    return text + about[rings->axis] + besides(rings->others.size());
+  }
+  if (shells && few(shells->others.size())) {
+    return "nest of " + std::to_string(shells->members.size()) + " shells" + about[shells->axis] +
+           besides(shells->others.size());
+  }
+  return {};
 }
 
 }  // namespace navjit

@@ -4,12 +4,18 @@
 #include <span>
 #include <string>
 
-#include "geometry/solids/solid.hpp"
+#include "geometry/navigation/geometry.hpp"
 
 namespace navjit {
 
 /// "leaf", "single", "stack of 70 along z", "grid 4 x 4 x 1", or "N daughters": what a reader would
 /// call the arrangement of these boxes. For display; navigation never depends on it.
 std::string describe_pattern(std::span<const Extent> boxes);
+
+/// "nest of 6 shells about z", "ring of 24 about z", "ring of 22 of 24 about z and 3 more", "13
+/// rings of 5 about x": arrangements about an axis or the centre; empty if most daughters are in
+/// none.
+std::string describe_round_pattern(const World& world, const Solid& mother,
+                                   std::span<const Daughter> daughters, double margin);
 
 }  // namespace navjit

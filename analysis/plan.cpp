@@ -11,6 +11,8 @@
 namespace navjit {
 namespace {
 
+const char* const axis_names[] = {"x", "y", "z", "the centre"};
+
 /// Scenes that are no grids have boxes from a few daughters on; with more than this and none, there
 /// were too many.
 constexpr std::size_t most_without_boxes = 64;
@@ -190,6 +192,17 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
     case Candidates::plates:
       out << "the next plate along "
           << "xyz"[plan.plates.axis];
+      break;
+    case Candidates::shells:
+      out << "the next of " << plan.shells.members.size() << " shells about "
+          << axis_names[plan.shells.axis];
+      break;
+    case Candidates::rings:
+      out << "sectors about " << axis_names[plan.rings.axis] << ":";
+      for (const Ring& ring : plan.rings.rings) {
+        out << " " << ring.present << " of " << ring.steps << " in a ring,";
+      }
+      out << " " << plan.rings.others.size() << " besides";
       break;
     case Candidates::buckets:
     case Candidates::boxes:

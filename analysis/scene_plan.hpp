@@ -49,11 +49,45 @@ struct Plates {
   std::vector<std::uint32_t> ascending, descending;
 };
 
+/// Daughters in layers about an axis or a centre, ascending in both radii.
+struct Shells {
+  int axis = 2;                        ///< 3: about the mother's origin
+  std::vector<std::uint32_t> members;  ///< daughter indices, by position
+  std::vector<double> near2, far2;     ///< by position, squared radii with the margin, mm^2
+  /// Whether rays in the mother come beyond the ends of all layers, and these with the margin, mm.
+  bool ends = false;
+  double low = 0, high = 0;
+  std::vector<std::uint32_t> others;  ///< daughters that are no layers
+};
+
+/// Daughters at steps of azimuth about an axis, and the sectors that they are in.
+struct Ring {
+  double near = 0, far = 0, low = 0, high = 0;  ///< with the margin, mm
+  /// Whether a ray in the mother may be nearer to the axis, farther from it, or beyond the ends.
+  bool hole = false, outside = false, ends = false;
+  bool segments = false;  ///< all are cut to a segment of azimuth about the ring's own axis
+  int steps = 0;          ///< in a full turn, a sector each
+  int present = 0;        ///< daughters
+  double reach = 0;       ///< how near to an edge the sector beyond it counts, too, mm
+  std::vector<std::array<double, 2>> edges;  ///< unit vectors along lower edges; the first again
+  std::vector<std::uint32_t> at_angle;  ///< by cell of kernels::square_angle: sector of its start
+  std::vector<std::uint32_t> first;     ///< by sector, and one more: start in `members`
+  std::vector<std::uint32_t> members;   ///< daughter indices, ascending within a sector
+};
+
+struct Rings {
+  int axis = 2;
+  std::vector<Ring> rings;
+  std::vector<std::uint32_t> others;  ///< daughters in no ring
+};
+
 enum class Candidates : std::uint8_t {
   none,     ///< no daughters
   all,      ///< every daughter, spelled out
   lanes,    ///< every daughter, all of them boxes along the axes, four at once
   plates,   ///< those next along an axis
+  shells,   ///< those next in radius
+  rings,    ///< those of the sectors that the ray passes
   buckets,  ///< those of the buckets that the ray passes
   boxes,    ///< of those, the ones whose boxes it passes
 };
@@ -89,6 +123,8 @@ struct ScenePlan {
   Buckets buckets;            ///< for buckets and boxes
   std::vector<Extent> boxes;  ///< by daughter, with a margin for single precision
   Plates plates;
+  Shells shells;
+  Rings rings;
   SafetyFrom safety = SafetyFrom::generic;
   std::vector<Extent> tree_boxes;  ///< for safety: by daughter, as the generic navigator inflates
   /// Steps from within a daughter, and those along faces where oblique_only, are left to the

@@ -18,6 +18,7 @@
 #include "bench/scene_states.hpp"
 #include "bench/statistics.hpp"
 #include "geometry/gdml/reader.hpp"
+#include "runtime/overrides.hpp"
 
 namespace {
 
@@ -132,6 +133,7 @@ int main(int argc, char** argv) try {
   std::size_t blocks = 10;
   bool without_peers = false, perf_map = false, safety = false;
   std::vector<InstructionSet> sets{InstructionSet::native};
+  std::vector<std::string> variants;
   app.add_option("detector", detector, "GDML file")->required();
   app.add_option("--volume", volumes, "logical volumes, each a table")->required()->delimiter(',');
   app.add_option("--count", count, "rays");
@@ -143,6 +145,9 @@ int main(int argc, char** argv) try {
   app.add_flag("--without-peers", without_peers, "navjit alone");
   app.add_flag("--safety", safety, "safety at the starts instead of steps");
   app.add_flag("--perf-map", perf_map, "name generated functions for perf");
+  app.add_option("--variants", variants,
+                 "candidates that the volumes are forced to, in turn with it")
+      ->delimiter(',');
   bench::add_isa_option(app, sets);
   CLI11_PARSE(app, argc, argv);
 
@@ -158,6 +163,15 @@ int main(int argc, char** argv) try {
     wait.specialiser.instruction_set = set;
     wait.specialiser.perf_map = perf_map;
     runners.push_back(std::make_unique<SceneRunner>(world, wait, safety));
+  }
+  for (const std::string& variant : variants) {
+    std::string overrides = "*=off";
+    for (const std::string& name : volumes) overrides += "," + name + "=" + variant;
+    RuntimeOptions wait;
+    wait.jit = JitMode::wait;
+    setenv(overrides_variable, overrides.c_str(), 1);
+    runners.push_back(std::make_unique<SceneRunner>(world, wait, safety));
+    unsetenv(overrides_variable);
   }
 #ifdef NAVJIT_VECGEOM
   std::unique_ptr<peers::VecGeomPeer> peer;
@@ -204,6 +218,11 @@ int main(int argc, char** argv) try {
     for (std::size_t s = 0; s < sets.size(); ++s) {
       engines.push_back({bench::specialised_name(sets[s], sets),
                          [&, s](std::size_t b) { return runners[s + 1]->run(block(b)); }});
+    }
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+      engines.push_back({"navjit " + variants[i], [&, i](std::size_t b) {
+                           return runners[1 + sets.size() + i]->run(block(b));
+                         }});
     }
     engines.push_back({"navjit generic, from states",
                        [&](std::size_t b) { return runners[0]->run_from_states(block(b)); }});

@@ -128,6 +128,8 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
   source += kernel_text("boxes");
   source += kernel_text("plates");
   if (shapes.kernels().contains("box")) source += kernel_text("four_boxes");
+  source += kernel_text("shells");
+  source += kernel_text("rings");
   source += kernel_text("navigation");
   source += "#pragma clang attribute pop\n\nnamespace navjit::kernels {\n\n";
   source += "constexpr double tolerance = " + number(geometry.tolerance()) + ";\n";

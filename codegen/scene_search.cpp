@@ -5,37 +5,12 @@
 
 #include "analysis/axis.hpp"
 #include "codegen/scene_text.hpp"
+#include "codegen/tables.hpp"
 #include "codegen/text.hpp"
 #include "geometry/bvh/rounding.hpp"
 
 namespace navjit::codegen {
 namespace {
-
-/// A table of numbers or, for floating-point ones, of what `number` writes.
-template <class Value>
-std::string list(const char* type, const char* name, const std::vector<Value>& values) {
-  std::string text = std::string("constexpr ") + type + " " + name + "[] = {";
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    text += i == 0 ? "" : i % 24 == 0 ? ",\n  " : ", ";
-    if constexpr (std::is_floating_point_v<Value>) {
-      text += number(values[i]);
-    } else {
-      text += std::to_string(values[i]);
-    }
-  }
-  return text + (values.empty() ? "0};\n" : "};\n");
-}
-
-/// For indices below `n`.
-const char* index_type(std::size_t n) { return n < 0xffff ? "unsigned short" : "unsigned"; }
-
-const char* const find_head =
-    "[[gnu::always_inline]] static inline int find(const Vec3<double>& p, const Direction<double>& "
-    "d, int blocked) {\n";
-const char* const nearest_head =
-    "[[gnu::always_inline]] static inline int nearest(const Vec3<double>& p, const "
-    "Direction<double>& d, double& best, "
-    "double limit, [[maybe_unused]] unsigned left) {\n  int hit = -1;\n";
 
 /// The fields that BucketGrid and BlockGrid share.
 std::string grid_fields(const Buckets& b) {
@@ -315,6 +290,12 @@ std::string SceneText::search() const {
       break;
     case Candidates::plates:
       text += search_plates();
+      break;
+    case Candidates::shells:
+      text += search_shells();
+      break;
+    case Candidates::rings:
+      text += search_rings();
       break;
     case Candidates::buckets:
       text += search_buckets();

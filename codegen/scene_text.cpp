@@ -158,7 +158,10 @@ std::string SceneText::tables() const {
       "  unsigned short kind;\n  unsigned rotation;\n";
   text += "  unsigned short shape;\n";
   const bool boxes = std::any_of(plan_.classes.begin(), plan_.classes.end(), boxes_from_table);
-  if (boxes) text += "  Box<double> box;\n";
+  if (boxes) {
+    shapes_.need(SolidKind::box);
+    text += "  Box<double> box;\n";
+  }
   text += "};\nconstexpr Daughter daughters[] = {\n";
   std::vector<std::uint32_t> kind(scene_.daughters.size()), shape(scene_.daughters.size());
   std::string tables;

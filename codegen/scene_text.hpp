@@ -54,6 +54,8 @@ class SceneText {
   std::string search_all() const;
   std::string search_lanes() const;
   std::string search_plates() const;
+  std::string search_shells() const;
+  std::string search_rings() const;
   std::string search_buckets() const;
   std::string search_boxes() const;
   std::string search_around() const;

@@ -73,8 +73,12 @@ bool boxed(const kernels::AnyOperand<double>& operand) {
 
 }  // namespace
 
+void Shapes::need(SolidKind kind) {
+  for (const char* kernel : kernels_of(kind)) kernels_.insert(kernel);
+}
+
 std::string Shapes::type(const AnySolid<double>& solid) {
-  for (const char* kernel : kernels_of(solid.kind)) kernels_.insert(kernel);
+  need(solid.kind);
   const auto operand = [&](const kernels::AnyOperand<double>& s) {
     return boxed(s) ? "Boxed<double, " + type(s.solid) + ">" : type(s.solid);
   };

@@ -14,6 +14,8 @@ class Shapes {
  public:
   /// The name of a constant that holds the shape; defines it on first use.
   std::string constant(const kernels::AnySolid<double>& solid);
+  /// A kind of which there are shapes that are no constants: in tables.
+  void need(SolidKind kind);
   /// The definitions so far, in order of use.
   const std::string& definitions() const { return definitions_; }
   /// Names of the kernel files that the shapes need.

@@ -8,6 +8,12 @@ bool parse_variant(std::string_view text, Variant& variant) {
     variant = Variant::off;
   } else if (text == "all") {
     variant = Variant::all;
+  } else if (text == "lanes") {
+    variant = Variant::lanes;
+  } else if (text == "shells") {
+    variant = Variant::shells;
+  } else if (text == "rings") {
+    variant = Variant::rings;
   } else if (text == "buckets") {
     variant = Variant::buckets;
   } else if (text == "boxes") {
@@ -33,7 +39,7 @@ std::map<VolumeId, Variant> parse_overrides(const World& world, std::string_view
     const std::size_t equals = entry.rfind('=');
     Variant variant;
     if (equals == std::string_view::npos || !parse_variant(entry.substr(equals + 1), variant)) {
-      complain(entry, "NAME=off, all, buckets or boxes is needed");
+      complain(entry, "NAME=off, all, lanes, shells, rings, buckets or boxes is needed");
       continue;
     }
     const std::string_view name = entry.substr(0, equals);

@@ -94,6 +94,9 @@ void Specialiser::apply_overrides() {
     } else {
       for (const VolumeId equal : facts_.equals[first]) scenes_.erase(equal);
       facts_.forced_candidates[first] = variant == Variant::all       ? Candidates::all
+                                        : variant == Variant::lanes   ? Candidates::lanes
+                                        : variant == Variant::shells  ? Candidates::shells
+                                        : variant == Variant::rings   ? Candidates::rings
                                         : variant == Variant::buckets ? Candidates::buckets
                                                                       : Candidates::boxes;
     }

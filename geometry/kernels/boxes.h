@@ -133,6 +133,37 @@ inline double safety_among_boxes(const BoxBlock* blocks, unsigned count, const V
   return safety;
 }
 
+/// Calls visit(daughter) for those of a few blocks of boxes that may hold the point.
+template <class Index, class Visit>
+inline void visit_blocks_around(const BoxBlock* blocks, const Index (*daughters)[box_lanes],
+                                unsigned count, const Vec3<double>& p, Visit visit) {
+  for (unsigned m = 0; m < count; ++m) {
+    for (unsigned lanes = lanes_around(blocks[m], p); lanes != 0; lanes &= lanes - 1) {
+      visit(static_cast<unsigned>(daughters[m][__builtin_ctz(lanes)]));
+    }
+  }
+}
+
+/// Calls visit(daughter) for those of a few blocks of boxes that the ray may meet between the path
+/// lengths `from` and `smaller(reach(), to)`.
+template <class Index, class Visit, class Reach>
+inline void visit_blocks(const BoxBlock* blocks, const Index (*daughters)[box_lanes],
+                         unsigned first, unsigned last, const FloatRay& ray, double from, double to,
+                         Visit visit, Reach reach) {
+  // Rounded, a number beyond single precision is infinite, which serves as well.
+  float end = static_cast<float>(smaller(reach(), to));
+  for (unsigned m = first; m < last; ++m) {
+    Floats enter;
+    for (unsigned lanes = lanes_met(blocks[m], ray, static_cast<float>(from), end, enter);
+         lanes != 0; lanes &= lanes - 1) {
+      const unsigned lane = static_cast<unsigned>(__builtin_ctz(lanes));
+      if (enter[lane] > end * path_slack * path_slack) continue;
+      visit(static_cast<unsigned>(daughters[m][lane]));
+      end = static_cast<float>(smaller(reach(), to));
+    }
+  }
+}
+
 /// Calls visit(daughter) for those whose box may hold the point, last in file order first, until it
 /// returns false.
 template <class Index, class Visit>
@@ -156,18 +187,8 @@ inline void walk_blocks(const BlockGrid<Index>& g, const Vec3<double>& p,
   walk_grid(
       g, p, v,
       [&](unsigned b, double from, double to) {
-        // Rounded, a number beyond single precision is infinite, which serves as well.
-        float end = static_cast<float>(smaller(reach(), to));
-        for (unsigned m = g.first[b]; m < g.first[b + 1]; ++m) {
-          Floats enter;
-          for (unsigned lanes = lanes_met(g.blocks[m], ray, static_cast<float>(from), end, enter);
-               lanes != 0; lanes &= lanes - 1) {
-            const unsigned lane = static_cast<unsigned>(__builtin_ctz(lanes));
-            if (enter[lane] > end * path_slack * path_slack) continue;
-            visit(static_cast<unsigned>(g.daughters[m][lane]));
-            end = static_cast<float>(smaller(reach(), to));
-          }
-        }
+        visit_blocks(g.blocks, g.daughters, g.first[b], g.first[b + 1], ray, from, to, visit,
+                     reach);
       },
       reach);
 }

@@ -21,6 +21,9 @@ TEST(Overrides, AreParsedAndComplainedAbout) {
   EXPECT_EQ(o.at(1), Variant::off);
   EXPECT_EQ(o.at(2), Variant::all);
   EXPECT_EQ(std::count(complaints.begin(), complaints.end(), '\n'), 3) << complaints;
+  const auto round = parse_overrides(world, "stack=shells,plate=lanes,plate=rings", nullptr);
+  EXPECT_EQ(round.at(1), Variant::shells);
+  EXPECT_EQ(round.at(2), Variant::rings);
   const auto every = parse_overrides(world, "*=off,stack=buckets", nullptr);
   EXPECT_EQ(every.size(), world.volumes.size());
   EXPECT_EQ(every.at(0), Variant::off);

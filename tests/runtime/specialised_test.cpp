@@ -1,8 +1,12 @@
 // Specialised navigators against generic ones, bit for bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <thread>
 
+#include "runtime/overrides.hpp"
 #include "runtime/runtime.hpp"
 #include "tests/support/traces.hpp"
 #include "tests/support/worlds.hpp"
@@ -63,6 +67,55 @@ TEST(Specialised, TracesOverlapsAlike) {
   }
   finish(world);
   expect_same_traces(std::make_shared<const World>(std::move(world)), 6, 3000);
+}
+
+/// A nest of shells and rings of segments and of modules, with gaps, in no order; `overlap`: shells
+/// and segments reach into one another, and one daughter sticks out of the mother.
+World round_world(std::uint64_t seed, bool overlap) {
+  std::mt19937_64 random(seed);
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 200, 100, 100));
+  const auto about = [&](const char* name, double x) {
+    const VolumeId v = tests::add_volume(world, name, make_tube(name, 0, 60, 60, 0, 7));
+    tests::place(world, world.top, v, {x, 0, 0}, {0.3, 0, x});
+    return v;
+  };
+  const double more = overlap ? 0.4 : 0;
+  const VolumeId nest = about("nest", -130), disk = about("disk", 0), barrel = about("barrel", 130);
+  for (int i = 0; i < 9; ++i) {
+    const std::string name = "shell" + std::to_string(i);
+    const VolumeId shell = tests::add_volume(
+        world, name, make_tube(name, 5 + 6 * i, 9 + 6 * i + 6 * more + 2 * (i % 2), 40 + i, 0, 7));
+    tests::place(world, nest, shell, {0, 0, overlap && i == 8 ? 15.0 : 0});
+  }
+  for (int i = 0; i < 24; ++i) {
+    const std::string name = std::to_string(i);
+    const double step = M_PI / 12;
+    const VolumeId petal = tests::add_volume(
+        world, "petal" + name, make_tube("p" + name, 20, 50, 4, 0, step * (1 + more)));
+    tests::place(world, disk, petal, {0, 0, i % 2 == 0 ? 5.0 : -5.0}, {0, 0, -step * i});
+    if (i == 5) continue;
+    const VolumeId module =
+        tests::add_volume(world, "module" + name, make_box("m" + name, 3, overlap ? 7 : 4.8, 30));
+    tests::place(world, barrel, module, {40 * std::cos(step * i), 40 * std::sin(step * i), 0},
+                 {0, 0, -step * i});
+  }
+  for (const VolumeId v : {nest, disk, barrel}) {
+    std::shuffle(world.volumes[v].daughters.begin(), world.volumes[v].daughters.end(), random);
+  }
+  finish(world);
+  return world;
+}
+
+TEST(Specialised, TracesNestsAndRingsAlike) {
+  for (const char* forced : {"", "*=shells", "*=rings", "*=boxes"}) {
+    for (const bool overlap : {false, true}) {
+      SCOPED_TRACE(std::string(forced) + (overlap ? ", overlapping" : ""));
+      setenv(overrides_variable, forced, 1);
+      expect_same_traces(std::make_shared<const World>(round_world(3, overlap)), 17, 500);
+      unsetenv(overrides_variable);
+    }
+  }
 }
 
 TEST(Specialised, SwapsDoNotChangeARunningTransport) {

@@ -1,0 +1,214 @@
+#include "analysis/axial_extent.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "analysis/axis.hpp"
+#include "geometry/model/vector.hpp"
+#include "geometry/solids/kernels.hpp"
+
+namespace navjit {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Solids whose own axis is inclined by more than this (rad) are taken by their boxes. Up to it,
+/// inclination shortens a radius by less than 1e-12 of itself.
+constexpr double most_inclined = 1e-6;
+
+struct Planar {
+  double x, y;
+};
+
+double radius(const Planar& p) { return std::hypot(p.x, p.y); }
+
+std::array<double, 3> components(const Vec3& p) { return {p.x, p.y, p.z}; }
+
+Planar across(const Vec3& p, int axis) {
+  const auto c = components(p);
+  return {c[static_cast<std::size_t>((axis + 1) % 3)], c[static_cast<std::size_t>((axis + 2) % 3)]};
+}
+
+/// From the origin to a segment.
+double distance_to_segment(const Planar& a, const Planar& b) {
+  const Planar along{b.x - a.x, b.y - a.y};
+  const double length2 = along.x * along.x + along.y * along.y;
+  const double t =
+      length2 > 0 ? std::clamp(-(a.x * along.x + a.y * along.y) / length2, 0.0, 1.0) : 0.0;
+  return radius({a.x + t * along.x, a.y + t * along.y});
+}
+
+std::array<Vec3, 8> corners(const Extent& e, const Transformation& t) {
+  std::array<Vec3, 8> result;
+  for (std::size_t i = 0; i < 8; ++i) {
+    result[i] = to_outer(t, {(i & 1) != 0 ? e.max.x : e.min.x, (i & 2) != 0 ? e.max.y : e.min.y,
+                             (i & 4) != 0 ? e.max.z : e.min.z});
+  }
+  return result;
+}
+
+/// By the box around the solid in its own frame.
+AxialExtent by_box(const Solid& solid, const Transformation& t, int axis) {
+  AxialExtent result;
+  result.low = std::numeric_limits<double>::infinity();
+  result.high = -result.low;
+  std::array<Planar, 8> points;
+  std::array<double, 8> azimuths;
+  const std::array<Vec3, 8> box = corners(solid.extent, t);
+  for (std::size_t i = 0; i < 8; ++i) {
+    points[i] = across(box[i], axis);
+    azimuths[i] = std::atan2(points[i].y, points[i].x);
+    const double along = components(box[i])[static_cast<std::size_t>(axis)];
+    result.low = std::min(result.low, along);
+    result.high = std::max(result.high, along);
+    result.far = std::max(result.far, radius(points[i]));
+  }
+  // Seen from outside, a convex body fills less than half a turn; its corners tell.
+  std::sort(azimuths.begin(), azimuths.end());
+  double gap = azimuths[0] + 2 * pi - azimuths[7];
+  result.first = azimuths[0];
+  for (std::size_t i = 1; i < 8; ++i) {
+    if (azimuths[i] - azimuths[i - 1] > gap) {
+      gap = azimuths[i] - azimuths[i - 1];
+      result.first = azimuths[i];
+    }
+  }
+  if (!(gap > pi + 1e-6)) return result;
+  result.around = false;
+  result.span = 2 * pi - gap;
+  result.near = result.far;
+  for (std::size_t i = 0; i < 8; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      result.near = std::min(result.near, distance_to_segment(points[i], points[j]));
+    }
+  }
+  return result;
+}
+
+/// Of a solid about its own z axis.
+struct Round {
+  double near, far;
+  kernels::Wedge<double> wedge{};
+};
+
+/// Of a face that is not nearly a plane across the axis; else `flat`.
+double radius_at(const kernels::ConicalFace<double>& face, double z, double flat) {
+  return face.cosine > 1e-3 ? (face.radius + face.slope * z) / face.cosine : flat;
+}
+
+template <class Stack>
+Round round_stack(const Stack& s) {
+  Round round{s.rmax, s.rmax, s.wedge};
+  for (int i = 0; i < s.count; ++i) {
+    const auto& section = s.sections[i];
+    const double height = section.z_high - section.z_low;
+    if (section.bored == 0) {
+      round.near = 0;
+    } else {
+      round.near = std::min(
+          {round.near, radius_at(section.inner, 0, 0), radius_at(section.inner, height, 0)});
+    }
+  }
+  round.near = std::max(round.near, 0.0);
+  return round;
+}
+
+template <class Shape>
+const Shape& as(const Solid& solid) {
+  return *static_cast<const Shape*>(solid.shape.get());
+}
+
+/// False: not one of the solids that are known to be about their z axis.
+bool is_round(const Solid& solid, Round& round) {
+  switch (solid.kind) {
+    case SolidKind::tube: {
+      const auto& s = as<kernels::Tube<double>>(solid);
+      round = {s.rmin, s.rmax, s.wedge};
+      return true;
+    }
+    case SolidKind::cut_tube: {
+      const auto& s = as<kernels::CutTube<double>>(solid);
+      round = {s.rmin, s.rmax, s.wedge};
+      return true;
+    }
+    case SolidKind::cone: {
+      const auto& s = as<kernels::Cone<double>>(solid);
+      round = {s.bored == 0 ? 0.0
+                            : std::max(0.0, std::min(radius_at(s.inner, -s.hz, 0),
+                                                     radius_at(s.inner, s.hz, 0))),
+               std::max(radius_at(s.outer, -s.hz, INFINITY), radius_at(s.outer, s.hz, INFINITY)),
+               s.wedge};
+      return true;
+    }
+    case SolidKind::polycone:
+      round = round_stack(as<kernels::Polycone<double>>(solid));
+      return true;
+    case SolidKind::polyhedra:
+      round = round_stack(as<kernels::Polyhedra<double>>(solid));
+      return true;
+    case SolidKind::sphere: {
+      const auto& s = as<kernels::Sphere<double>>(solid);
+      round = {0, s.rmax, s.wedge};
+      return true;
+    }
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+AxialExtent axial_extent(const Solid& solid, const Transformation& t, int axis) {
+  AxialExtent result = by_box(solid, t, axis);
+  Round round{};
+  if (!is_round(solid, round)) return result;
+  // The solid's own axis in the mother's frame: a row of the rotation.
+  const double* r = t.rotation;
+  const Vec3 own{r[6], r[7], r[8]};
+  const double inclined = radius(across(own, axis));
+  if (inclined > most_inclined) return result;
+  const double height = std::max(std::abs(solid.extent.min.z), std::abs(solid.extent.max.z));
+  const Vec3 at{t.translation[0], t.translation[1], t.translation[2]};
+  const double off = radius(across(at, axis)) + inclined * height;
+  result.near = std::max(result.near, round.near * (1 - 1e-12) - off);
+  result.far = std::min(result.far, round.far + off);
+  if (round.wedge.kind == 0 || off > 1e-10 * round.far) return result;
+  // Edges of the segment; seen against its own axis they change places.
+  const auto azimuth = [&](double x, double y) {
+    const Planar edge =
+        across({r[0] * x + r[3] * y, r[1] * x + r[4] * y, r[2] * x + r[5] * y}, axis);
+    return std::atan2(edge.y, edge.x);
+  };
+  const bool upright = components(own)[static_cast<std::size_t>(axis)] > 0;
+  const double start = azimuth(round.wedge.start_x, round.wedge.start_y);
+  const double end = azimuth(round.wedge.end_x, round.wedge.end_y);
+  const double first = upright ? start : end;
+  double span = upright ? end - start : start - end;
+  if (span < 0) span += 2 * pi;
+  if (!result.around && result.span <= span) return result;
+  result.around = false;
+  result.first = first;
+  result.span = span;
+  result.segment = true;
+  return result;
+}
+
+AxialExtent central_extent(const Solid& solid, const Transformation& t) {
+  AxialExtent result;
+  for (const Vec3& corner : corners(solid.extent, t)) {
+    result.far = std::max(result.far, norm(corner));
+  }
+  const Vec3 at{t.translation[0], t.translation[1], t.translation[2]};
+  if (solid.kind == SolidKind::orb) {
+    result.far = std::min(result.far, norm(at) + as<kernels::Orb<double>>(solid).radius);
+  } else if (solid.kind == SolidKind::sphere) {
+    result.far = std::min(result.far, norm(at) + as<kernels::Sphere<double>>(solid).rmax);
+  }
+  result.near = safety_to_in(solid.any(), to_local(t, Vec3{0, 0, 0}));
+  return result;
+}
+
+}  // namespace navjit

@@ -1,0 +1,190 @@
+#include "analysis/rings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "analysis/axial_extent.hpp"
+#include "geometry/solids/kernels.hpp"
+
+// clang-format off
+#include "geometry/kernels/shells.h"
+#include "geometry/kernels/rings.h"
+// clang-format on
+
+namespace navjit {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Radii and heights of one ring agree to this, relative to the largest radius; azimuths to as
+/// much, rad.
+constexpr double alike = 1e-6;
+
+/// Fewer daughters are no ring, and more steps no ring that sectors serve.
+constexpr std::size_t fewest = 3;
+constexpr int most_steps = 1024;
+
+/// A ray may be on the other side of a ring's surface if the mother reaches that much farther, in
+/// units of the ring's own thickness; what is less is not worth a square root.
+constexpr double worth_clipping = 0.1;
+
+double turn(double phi) { return phi - 2 * pi * std::floor(phi / (2 * pi)); }
+
+double middle(const AxialExtent& e) { return turn(e.first + e.span / 2); }
+
+bool same_ring(const AxialExtent& a, const AxialExtent& b) {
+  const double tolerance = alike * std::max(a.far, b.far);
+  return std::abs(a.near - b.near) <= tolerance && std::abs(a.far - b.far) <= tolerance &&
+         std::abs(a.low - b.low) <= tolerance && std::abs(a.high - b.high) <= tolerance &&
+         std::abs(a.span - b.span) <= alike;
+}
+
+/// The number of steps in a full turn of which all azimuths are multiples; 0 if there is none.
+int steps_of(std::vector<double> azimuths) {
+  std::sort(azimuths.begin(), azimuths.end());
+  double smallest = azimuths.front() + 2 * pi - azimuths.back();
+  for (std::size_t i = 1; i < azimuths.size(); ++i) {
+    smallest = std::min(smallest, azimuths[i] - azimuths[i - 1]);
+  }
+  if (!(smallest * most_steps > pi)) return 0;
+  const int steps = static_cast<int>(std::lround(2 * pi / smallest));
+  if (steps < static_cast<int>(fewest)) return 0;
+  for (const double phi : azimuths) {
+    const double at = (phi - azimuths.front()) * steps / (2 * pi);
+    if (std::abs(at - std::round(at)) > alike * steps) return 0;
+  }
+  return steps;
+}
+
+/// Daughters by sector. One belongs to those into which she reaches by more than the margin, across
+/// the edge: seen from the axis at her far end that is the smallest angle.
+void fill(Ring& ring, double start, const std::vector<AxialExtent>& extents,
+          const std::vector<std::uint32_t>& members, double margin) {
+  const double width = 2 * pi / ring.steps;
+  std::vector<std::vector<std::uint32_t>> lists(static_cast<std::size_t>(ring.steps));
+  for (const std::uint32_t k : members) {
+    const AxialExtent& e = extents[k];
+    const double shrink = margin / e.far;
+    const double begin = turn(e.first - start + shrink);
+    const double end = begin + std::max(e.span - 2 * shrink, 0.0);
+    const int last =
+        std::min(static_cast<int>(end / width), static_cast<int>(begin / width) + ring.steps - 1);
+    for (int s = static_cast<int>(begin / width); s <= last; ++s) {
+      lists[static_cast<std::size_t>(s % ring.steps)].push_back(k);
+    }
+  }
+  ring.first.assign(1, 0);
+  for (auto& list : lists) {
+    std::sort(list.begin(), list.end());
+    ring.members.insert(ring.members.end(), list.begin(), list.end());
+    ring.first.push_back(static_cast<std::uint32_t>(ring.members.size()));
+  }
+}
+
+/// Sectors from `start` on, and the tables by which a point's is found.
+void lay_edges(Ring& ring, double start) {
+  std::vector<std::pair<double, std::uint32_t>> angles;
+  for (int s = 0; s <= ring.steps; ++s) {
+    const double phi = start + 2 * pi / ring.steps * (s == ring.steps ? 0 : s);
+    ring.edges.push_back({std::cos(phi), std::sin(phi)});
+    if (s == ring.steps) break;
+    angles.emplace_back(kernels::square_angle(ring.edges.back()[0], ring.edges.back()[1]),
+                        static_cast<std::uint32_t>(s));
+  }
+  std::sort(angles.begin(), angles.end());
+  // Steps of the square angle are at least half of those of the azimuth: no cell has two edges.
+  const int cells = 4 * ring.steps;
+  for (int cell = 0; cell < cells; ++cell) {
+    const std::pair begin{4.0 * cell / cells, ~0U};
+    const auto beyond = std::upper_bound(angles.begin(), angles.end(), begin);
+    ring.at_angle.push_back(beyond == angles.begin() ? angles.back().second
+                                                     : std::prev(beyond)->second);
+  }
+}
+
+std::optional<Ring> make_ring(const std::vector<AxialExtent>& extents,
+                              const std::vector<std::uint32_t>& members, const AxialExtent& mother,
+                              double margin) {
+  std::vector<double> azimuths;
+  Ring ring;
+  ring.segments = true;
+  ring.near = INFINITY;
+  ring.low = INFINITY;
+  ring.high = -INFINITY;
+  for (const std::uint32_t k : members) {
+    const AxialExtent& e = extents[k];
+    azimuths.push_back(middle(e));
+    ring.segments &= e.segment;
+    ring.near = std::min(ring.near, e.near);
+    ring.far = std::max(ring.far, e.far);
+    ring.low = std::min(ring.low, e.low);
+    ring.high = std::max(ring.high, e.high);
+  }
+  ring.steps = steps_of(azimuths);
+  ring.present = static_cast<int>(members.size());
+  if (ring.steps == 0) return {};
+  const double width = 2 * pi / ring.steps;
+  // Where sectors are hardly wider than margins they tell nothing.
+  if (!(ring.near * width > 1e3 * margin)) return {};
+  const double thick = ring.far - ring.near, tall = ring.high - ring.low;
+  ring.hole = mother.near < ring.near - worth_clipping * thick;
+  ring.outside = mother.far > ring.far + worth_clipping * thick;
+  ring.ends = mother.low < ring.low - worth_clipping * tall ||
+              mother.high > ring.high + worth_clipping * tall;
+  ring.near -= margin;
+  ring.far += margin;
+  ring.low -= margin;
+  ring.high += margin;
+  ring.reach = 4 * margin;
+  const double start = turn(azimuths[0] - width / 2);
+  lay_edges(ring, start);
+  fill(ring, start, extents, members, margin);
+  return ring;
+}
+
+}  // namespace
+
+std::optional<Rings> find_rings(const World& world, const Solid& mother,
+                                std::span<const Daughter> daughters, double margin) {
+  std::optional<Rings> best;
+  for (const int axis : {2, 0, 1}) {
+    const AxialExtent outer = axial_extent(mother, Transformation{}, axis);
+    std::vector<AxialExtent> extents;
+    std::vector<std::vector<std::uint32_t>> groups;
+    Rings rings;
+    rings.axis = axis;
+    for (std::uint32_t k = 0; k < daughters.size(); ++k) {
+      const Solid& solid = world.volumes[daughters[k].volume].solid;
+      extents.push_back(axial_extent(solid, daughters[k].transformation, axis));
+      if (extents[k].around || !(extents[k].near > 0)) {
+        rings.others.push_back(k);
+        continue;
+      }
+      const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) {
+        return same_ring(extents[g[0]], extents[k]);
+      });
+      if (group == groups.end()) {
+        groups.push_back({k});
+      } else {
+        group->push_back(k);
+      }
+    }
+    for (const auto& group : groups) {
+      std::optional<Ring> ring;
+      if (group.size() >= fewest) ring = make_ring(extents, group, outer, margin);
+      if (ring) {
+        rings.rings.push_back(std::move(*ring));
+      } else {
+        rings.others.insert(rings.others.end(), group.begin(), group.end());
+      }
+    }
+    std::sort(rings.others.begin(), rings.others.end());
+    if (!rings.rings.empty() && (!best || rings.others.size() < best->others.size())) {
+      best = std::move(rings);
+    }
+  }
+  return best;
+}
+
+}  // namespace navjit

@@ -1,0 +1,409 @@
+// Nests and rings: where daughters are about an axis, and that no candidate is left out that is
+// met.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "analysis/axial_extent.hpp"
+#include "analysis/pattern.hpp"
+#include "analysis/plan.hpp"
+#include "analysis/rings.hpp"
+#include "analysis/shells.hpp"
+#include "geometry/model/vector.hpp"
+#include "geometry/solids/kernels.hpp"
+#include "tests/support/worlds.hpp"
+
+// clang-format off
+#include "geometry/kernels/shells.h"
+#include "geometry/kernels/rings.h"
+// clang-format on
+
+namespace navjit {
+namespace {
+
+using tests::random_direction;
+using tests::uniform;
+
+constexpr double pi = std::numbers::pi, inf = INFINITY;
+constexpr double tolerance = 1e-9, margin = 1e-6;
+
+const std::array<std::array<int, 3>, 3> across_and_along{{{1, 2, 0}, {2, 0, 1}, {0, 1, 2}}};
+
+std::array<double, 3> seen_from(const Vec3& p, int axis) {
+  const double c[3] = {p.x, p.y, p.z};
+  const auto& order = across_and_along[static_cast<std::size_t>(axis)];
+  return {c[order[0]], c[order[1]], c[order[2]]};
+}
+
+Solid random_solid(std::mt19937_64& random) {
+  const double a = uniform(random, 1, 5), b = a + uniform(random, 0.1, 3),
+               h = uniform(random, 1, 6);
+  const double start = uniform(random, -4, 4), delta = uniform(random, 0.2, 7);
+  switch (random() % 7) {
+    case 0:
+      return make_box("s", a, b, h);
+    case 1:
+      return make_tube("s", random() % 3 == 0 ? 0 : a, b, h, start, delta);
+    case 2:
+      return make_cone("s", a, b, 0.5 * a, a, h, start, delta);
+    case 3: {
+      const ZPlane planes[] = {{-h, a, b}, {0, 0.3 * a, 2 * b}, {h, a, b}};
+      return make_polycone("s", planes, start, delta);
+    }
+    case 4: {
+      const ZPlane planes[] = {{-h, a, b}, {h, 0.3 * a, 2 * b}};
+      return make_polyhedra("s", planes, 6, start, delta);
+    }
+    case 5:
+      return make_trd("s", a, b, h, 0.5 * h, a);
+    default:
+      return make_sphere("s", a, b, start, delta, 0.3, 2);
+  }
+}
+
+TEST(AxialExtent, HoldsEveryPointOfASolid) {
+  std::mt19937_64 random(1);
+  std::size_t points = 0, limited = 0, segments = 0;
+  for (int round = 0; round < 600; ++round) {
+    const int axis = round % 3;
+    const Solid solid = random_solid(random);
+    // Turned into the axis (either way round it), and by any angle about it; or just anyhow.
+    const double about = uniform(random, -3, 3), flip = random() % 2 == 0 ? pi : 0;
+    double r[9];
+    const bool aligned = round % 2 == 0;
+    if (!aligned) {
+      rotation_from_angles(uniform(random, -3, 3), uniform(random, -3, 3), about, r);
+    } else if (axis == 2) {
+      rotation_from_angles(flip, 0, about, r);
+    } else if (axis == 1) {
+      rotation_from_angles(pi / 2 + flip, 0, about, r);
+    } else {
+      rotation_from_angles(0, pi / 2 + flip, about, r);
+    }
+    Vec3 at{0, 0, 0};
+    if (!aligned || round % 4 == 0) {
+      at = {uniform(random, -12, 12), uniform(random, -12, 12), uniform(random, -12, 12)};
+    }
+    const Transformation t = make_transformation({at.x, at.y, at.z}, r);
+    const AxialExtent e = axial_extent(solid, t, axis), centre = central_extent(solid, t);
+    limited += e.around ? 0 : 1;
+    segments += e.segment ? 1 : 0;
+    const Extent& box = solid.extent;
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 q{uniform(random, box.min.x, box.max.x), uniform(random, box.min.y, box.max.y),
+                   uniform(random, box.min.z, box.max.z)};
+      if (inside(solid.any(), q, tolerance) == Side::outside) continue;
+      ++points;
+      const Vec3 p = to_outer(t, q);
+      const auto [x, y, z] = seen_from(p, axis);
+      const double radius = std::hypot(x, y);
+      ASSERT_GE(radius, e.near - margin) << kind_name(solid.kind);
+      ASSERT_LE(radius, e.far + margin) << kind_name(solid.kind);
+      ASSERT_GE(z, e.low - margin);
+      ASSERT_LE(z, e.high + margin);
+      ASSERT_GE(norm(p), centre.near - margin);
+      ASSERT_LE(norm(p), centre.far + margin);
+      if (e.around) continue;
+      const double beyond = std::remainder(std::atan2(y, x) - (e.first + e.span / 2), 2 * pi);
+      ASSERT_LE(std::abs(beyond), e.span / 2 + 1e-6) << kind_name(solid.kind) << " axis " << axis;
+    }
+  }
+  EXPECT_GT(points, 30000U);
+  EXPECT_GT(limited, 100U);
+  EXPECT_GT(segments, 50U);
+}
+
+/// A mother with daughters about an axis.
+struct Arrangement {
+  World world;
+  std::unique_ptr<Geometry> geometry;
+  explicit Arrangement(const Solid& mother) { tests::add_volume(world, "mother", mother); }
+  void add(const Solid& solid, Vec3 at = {0, 0, 0}, Vec3 angles = {0, 0, 0}) {
+    const VolumeId v = tests::add_volume(world, "d" + std::to_string(world.volumes.size()), solid);
+    tests::place(world, 0, v, at, angles);
+  }
+  void finished(std::mt19937_64& random) {
+    std::shuffle(world.volumes[0].daughters.begin(), world.volumes[0].daughters.end(), random);
+    finish(world);
+    geometry = std::make_unique<Geometry>(std::make_shared<const World>(world));
+  }
+  std::span<const Daughter> daughters() const { return geometry->scene(0).daughters; }
+  const Solid& mother() const { return geometry->world().volumes[0].solid; }
+};
+
+double distance(const Daughter& d, const Vec3& p, const Direction& v) {
+  return distance_to_in(d.solid, to_local(d.transformation, p), to_local(d.transformation, v),
+                        tolerance);
+}
+
+struct Ray {
+  Vec3 position, direction;
+};
+
+/// Rays from anywhere, from surfaces, along the axis, through it, and along tangents and edges.
+Ray random_ray(std::mt19937_64& random, const Arrangement& a, double half, int i) {
+  Vec3 p{uniform(random, -half, half), uniform(random, -half, half), uniform(random, -half, half)};
+  Vec3 d = random_direction(random);
+  const Daughter& of = a.daughters()[random() % a.daughters().size()];
+  if (i % 4 == 1) {  // where a ray meets a daughter
+    const double t = distance(of, p, kernels::make_direction(d.x, d.y, d.z));
+    if (t < inf) p += t * d;
+    if (i % 8 == 1) d = random_direction(random);
+  }
+  if (i % 7 == 0) d = {0, 0, i % 2 == 0 ? 1.0 : -1.0};
+  if (i % 11 == 0) p = {0, 0, p.z};
+  const double rho = std::hypot(p.x, p.y);
+  if (i % 5 == 0 && rho > 0) {  // along a radius, in or out, or a tangent
+    d = i % 10 == 0 ? Vec3{p.y / rho, -p.x / rho, 0} : Vec3{p.x / rho, p.y / rho, 0};
+    if (i % 3 == 0) d = -1.0 * d;
+  }
+  if (i % 13 == 0) {  // from a daughter's corner
+    const Extent e = a.geometry->world().volumes[of.volume].solid.extent;
+    p = to_outer(of.transformation, i % 2 == 0 ? e.min : e.max);
+  }
+  return {p, d};
+}
+
+struct Tally {
+  std::size_t asked = 0, all = 0, met = 0;
+};
+
+/// `walk` finds the nearest daughter as all of them together do, `at` all that hold a point.
+template <class Walk, class At>
+void expect_complete(const Arrangement& a, std::mt19937_64& random, double half, Walk walk, At at,
+                     Tally& tally) {
+  const auto daughters = a.daughters();
+  for (int i = 0; i < 600; ++i) {
+    const Ray ray = random_ray(random, a, half, i);
+    const Vec3& p = ray.position;
+    const Direction v = kernels::make_direction(ray.direction.x, ray.direction.y, ray.direction.z);
+    const double limit = i % 3 == 0 ? uniform(random, 0, half) : i % 3 == 1 ? 4 * half : inf;
+    double nearest = inf, best = inf;
+    for (const Daughter& d : daughters) nearest = std::min(nearest, distance(d, p, v));
+    if (nearest > limit) nearest = inf;
+    std::vector<char> offered(daughters.size(), 0);
+    walk(
+        p, v,
+        [&](unsigned k) {
+          offered[k] = 1;
+          ++tally.asked;
+          best = std::min(best, distance(daughters[k], p, v));
+        },
+        [&] { return std::min(best, limit); });
+    if (best > limit) best = inf;
+    ASSERT_EQ(best, nearest) << "ray " << i << " from " << p.x << ' ' << p.y << ' ' << p.z
+                             << " along " << v.x << ' ' << v.y << ' ' << v.z;
+    // Of those that are equally near the first in the file has to be among what was offered.
+    for (std::size_t k = 0; k < daughters.size() && best < inf; ++k) {
+      ASSERT_TRUE(offered[k] || distance(daughters[k], p, v) != nearest) << "ray " << i;
+    }
+    tally.all += daughters.size();
+    tally.met += best < inf ? 1 : 0;
+    std::fill(offered.begin(), offered.end(), 0);
+    at(p, [&](unsigned k) { offered[k] = 1; });
+    for (std::size_t k = 0; k < daughters.size(); ++k) {
+      const Vec3 q = to_local(daughters[k].transformation, p);
+      ASSERT_TRUE(offered[k] || inside(daughters[k].solid, q, tolerance) == Side::outside);
+    }
+  }
+}
+
+void expect_complete_shells(const Arrangement& a, std::mt19937_64& random, double half,
+                            Tally& tally) {
+  const auto shells = find_shells(a.geometry->world(), a.mother(), a.daughters(), margin);
+  ASSERT_TRUE(shells);
+  const kernels::ShellNest<std::uint32_t> nest{static_cast<int>(shells->members.size()),
+                                               shells->near2.data(),
+                                               shells->far2.data(),
+                                               shells->members.data(),
+                                               shells->ends,
+                                               shells->low,
+                                               shells->high};
+  const int axis = shells->axis;
+  expect_complete(
+      a, random, half,
+      [&](const Vec3& p, const Direction& v, auto visit, auto reach) {
+        for (const std::uint32_t k : shells->others) visit(k);
+        double from = 0, to = inf;
+        kernels::RadialRay ray = kernels::about_centre(p, v);
+        if (axis < 3) {
+          const auto [x, y, z] = seen_from(p, axis);
+          const auto [vx, vy, vz] = seen_from({v.x, v.y, v.z}, axis);
+          const auto inverse = seen_from({v.inverse_x, v.inverse_y, v.inverse_z}, axis);
+          ray = kernels::about_axis(x, y, vx, vy);
+          if (nest.ends) kernels::clip_to_ends(nest.low, nest.high, z, vz, inverse[2], from, to);
+        }
+        kernels::walk_shells(nest, ray, from, to, visit, reach);
+      },
+      [&](const Vec3& p, auto visit) {
+        for (const std::uint32_t k : shells->others) visit(k);
+        const auto [x, y, z] = seen_from(p, axis % 3);
+        kernels::visit_shells_at(nest, axis < 3 ? x * x + y * y : x * x + y * y + z * z, visit);
+      },
+      tally);
+}
+
+TEST(Shells, LeadToWhatTheRayMeetsFirst) {
+  std::mt19937_64 random(2);
+  Tally tally;
+  for (int round = 0; round < 60; ++round) {
+    const int axis = round % 4;
+    const Vec3 turn = axis == 0 ? Vec3{0, pi / 2, 0} : axis == 1 ? Vec3{pi / 2, 0, 0} : Vec3{};
+    Arrangement a(make_box("mother", 50, 50, 50));
+    const std::size_t count = 3 + random() % 12;
+    double r = round % 5 == 0 ? 0 : uniform(random, 0, 5);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (random() % 2 == 0) r += uniform(random, 0, 2);  // else they touch
+      const double next = r + uniform(random, 0.01, 2.5), h = uniform(random, 5, 40);
+      const double delta = random() % 4 == 0 ? uniform(random, 1, 6) : 7;
+      if (axis == 3) {
+        a.add(make_sphere("s", r, next, 0, delta, 0, random() % 4 == 0 ? 2 : pi));
+      } else if (random() % 4 == 0) {
+        const ZPlane planes[] = {
+            {-h, r, next}, {0, r, 0.5 * (r + next)}, {h, std::max(r, 0.9 * next), next}};
+        a.add(make_polycone("s", planes, 0, 7), {}, turn);
+      } else {
+        const double z = uniform(random, -5, 5);
+        a.add(make_tube("s", r, next, h, 0.3, std::max(delta, 3.3)),
+              axis == 0   ? Vec3{z, 0, 0}
+              : axis == 1 ? Vec3{0, z, 0}
+                          : Vec3{0, 0, z},
+              turn);
+      }
+      r = next;
+    }
+    if (round % 3 == 0) a.add(make_box("besides", 0.5, 1, 3), {45, 45, 0});
+    a.finished(random);
+    expect_complete_shells(a, random, 50, tally);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(tally.met, 4000U);
+  EXPECT_LT(3 * tally.asked, tally.all) << "no filter at all";
+}
+
+void expect_complete_rings(const Arrangement& a, std::mt19937_64& random, double half,
+                           Tally& tally) {
+  const auto rings = find_rings(a.geometry->world(), a.mother(), a.daughters(), margin);
+  ASSERT_TRUE(rings);
+  using Sectors = kernels::RingSectors<std::uint32_t>;
+  std::vector<Sectors> sectors;
+  for (const Ring& r : rings->rings) {
+    sectors.push_back({r.near * r.near, r.far * r.far, r.low, r.high, r.hole, r.outside, r.ends,
+                       r.steps, reinterpret_cast<const double(*)[2]>(r.edges.data()),
+                       r.at_angle.data(), static_cast<double>(r.at_angle.size()) / 4,
+                       static_cast<int>(r.at_angle.size()), r.reach, r.first.data(),
+                       r.members.data()});
+  }
+  const int axis = rings->axis;
+  expect_complete(
+      a, random, half,
+      [&](const Vec3& p, const Direction& v, auto visit, auto reach) {
+        for (const std::uint32_t k : rings->others) visit(k);
+        const auto [x, y, z] = seen_from(p, axis);
+        const auto [vx, vy, vz] = seen_from({v.x, v.y, v.z}, axis);
+        const auto inverse = seen_from({v.inverse_x, v.inverse_y, v.inverse_z}, axis);
+        const kernels::AxialRay ray{x, y, z, vx, vy, vz, inverse[2]};
+        for (const Sectors& s : sectors) kernels::walk_ring(s, ray, visit, reach);
+      },
+      [&](const Vec3& p, auto visit) {
+        for (const std::uint32_t k : rings->others) visit(k);
+        const auto [x, y, z] = seen_from(p, axis);
+        for (const Sectors& s : sectors) kernels::visit_sector_at(s, x, y, z, visit);
+      },
+      tally);
+}
+
+TEST(Rings, LeadToWhatTheRayMeetsFirst) {
+  std::mt19937_64 random(3);
+  Tally tally;
+  for (int round = 0; round < 80; ++round) {
+    const int axis = round % 3;
+    const int steps = 3 + static_cast<int>(random() % 60);
+    const double step = 2 * pi / steps;
+    // Mothers with a bore, that are larger, and that are just as long.
+    const double bore = round % 2 == 0 ? 0 : 18, wide = round % 4 == 0 ? 31 : 60;
+    Arrangement a(make_tube("mother", bore, wide, round % 5 == 0 ? 10 : 50, 0, 7));
+    const bool segments = random() % 2 == 0, gaps = random() % 2 == 0;
+    // Segments that touch, leave gaps, or overlap (which is no valid geometry); boxes that do.
+    const double fill = random() % 3 == 0 ? 1 : uniform(random, 0.2, 1.4);
+    const Vec3 turn = axis == 0 ? Vec3{0, pi / 2, 0} : axis == 1 ? Vec3{pi / 2, 0, 0} : Vec3{};
+    const double start = uniform(random, -3, 3), half = 12.5 * step * fill;
+    for (int i = 0; i < steps; ++i) {
+      if (gaps && i % 5 == 3 && steps > 6) continue;
+      const double phi = start + i * step;
+      if (segments) {
+        a.add(make_tube("s", 20, 30, 10, phi, step * fill), {}, turn);
+      } else {
+        const Vec3 at = axis == 0   ? Vec3{0, 25 * std::cos(phi), 25 * std::sin(phi)}
+                        : axis == 1 ? Vec3{25 * std::sin(phi), 0, 25 * std::cos(phi)}
+                                    : Vec3{25 * std::cos(phi), 25 * std::sin(phi), 0};
+        // The box's y is along the azimuth; its z stays along the axis.
+        Vec3 angles{0, 0, -phi};
+        Vec3 size{4, std::min(half, 6.0), 9};
+        if (axis == 0) angles = {-phi, 0, 0}, size = {9, 4, std::min(half, 6.0)};
+        if (axis == 1) angles = {0, -phi, 0}, size = {std::min(half, 6.0), 9, 4};
+        a.add(make_box("s", size.x, size.y, size.z), at, angles);
+      }
+    }
+    if (round % 3 == 0) a.add(make_box("besides", 1, 1, 3), {0, 0, 20});
+    a.finished(random);
+    expect_complete_rings(a, random, 50, tally);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(tally.met, 4000U);
+  EXPECT_LT(3 * tally.asked, tally.all) << "no filter at all";
+}
+
+TEST(RoundPatterns, AreNamed) {
+  std::mt19937_64 random(4);
+  const auto name = [](const Arrangement& a) {
+    return describe_round_pattern(a.geometry->world(), a.mother(), a.daughters(), margin);
+  };
+  Arrangement nest(make_box("mother", 50, 50, 50));
+  for (int i = 0; i < 6; ++i) nest.add(make_tube("s", 5 * i, 5 * i + 5, 20, 0, 7));
+  nest.add(make_box("besides", 1, 1, 1), {40, 40, 0});
+  nest.finished(random);
+  EXPECT_EQ(name(nest), "nest of 6 shells about z and 1 more");
+  Arrangement ring(make_box("mother", 50, 50, 50));
+  for (int i = 0; i < 24; ++i) {
+    if (i == 7) continue;
+    ring.add(make_box("s", 4, 2, 9), {30 * std::cos(pi / 12 * i), 30 * std::sin(pi / 12 * i), 0},
+             {0, 0, -pi / 12 * i});
+  }
+  ring.finished(random);
+  EXPECT_EQ(name(ring), "ring of 23 of 24 about z");
+  Arrangement heap(make_box("mother", 50, 50, 50));
+  for (int i = 0; i < 9; ++i) {
+    heap.add(make_box("s", 1, 1, 1), {5.0 * i - 20, uniform(random, -40, 40), 0});
+  }
+  heap.finished(random);
+  EXPECT_EQ(name(heap), "");
+}
+
+TEST(Plan, WalksNestsAndRingsOfSegments) {
+  std::mt19937_64 random(5);
+  const auto plan = [](const Arrangement& a) {
+    return plan_scene(*a.geometry, analyse_world(*a.geometry), 0);
+  };
+  Arrangement nest(make_box("mother", 50, 50, 50));
+  for (int i = 0; i < 6; ++i) nest.add(make_tube("s", 5 * i, 5 * i + 5, 20, 0, 7));
+  nest.finished(random);
+  EXPECT_EQ(plan(nest).candidates, Candidates::shells);
+  Arrangement ring(make_box("mother", 50, 50, 50)), modules(make_box("mother", 50, 50, 50));
+  for (int i = 0; i < 24; ++i) {
+    const double phi = pi / 12 * i;
+    ring.add(make_tube("s", 20, 30, 10, 0, pi / 12), {}, {0, 0, phi});
+    modules.add(make_box("s", 4, 2, 9), {30 * std::cos(phi), 30 * std::sin(phi), 0}, {0, 0, -phi});
+  }
+  ring.finished(random);
+  modules.finished(random);
+  EXPECT_EQ(plan(ring).candidates, Candidates::rings);
+  // Boxes tell these better.
+  EXPECT_EQ(plan(modules).candidates, Candidates::boxes);
+}
+
+}  // namespace
+}  // namespace navjit
