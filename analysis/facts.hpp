@@ -20,8 +20,8 @@ struct WorldFacts {
   /// Volumes whose candidates are not to be chosen by the analysis, but to be these.
   std::map<VolumeId, Candidates> forced_candidates;
   bool with_safety = true;  ///< plan a safety for each scene
-  /// Volumes (each the first of its equals) where many steps begin along faces or within daughters:
-  /// their navigators have to take those.
+  /// Volumes (each the first of its equals) whose navigators have to take steps along faces or from
+  /// within daughters.
   std::set<VolumeId> along_faces;
 };
 

@@ -48,32 +48,41 @@ std::string label_of(const World& world, const std::vector<VolumeId>& batch) {
   return label;
 }
 
-/// Whether so many of the recorded rays run along planes of the scene's axes that its navigator has
-/// to take them, too.
-bool goes_along_axes(const Geometry& geometry, const std::vector<Sample>& samples) {
+/// Of the recorded rays, those that run along planes of the scene's axes.
+std::size_t along_axes(const Geometry& geometry, const std::vector<Sample>& samples) {
   const auto stack = std::make_unique<Stack>();
   stack->depth = -1;
-  std::size_t along = 0;
-  for (const Sample& s : samples) {
-    generic::restore(geometry, *stack, s.touchable);
-    along += !kernels::is_oblique(kernels::to_local_heading(
-                 stack->levels[stack->depth], s.direction.x, s.direction.y, s.direction.z))
-                 ? 1
-                 : 0;
-  }
-  return along * declined_share > samples.size();
+  return static_cast<std::size_t>(
+      std::count_if(samples.begin(), samples.end(), [&](const Sample& s) {
+        generic::restore(geometry, *stack, s.touchable);
+        return !kernels::is_oblique(kernels::to_local_heading(
+            stack->levels[stack->depth], s.direction.x, s.direction.y, s.direction.z));
+      }));
 }
 
 }  // namespace
 
+bool Specialiser::takes_rays_along_faces(const std::vector<VolumeId>& batch) {
+  std::size_t along = 0, all = 0;
+  for (const VolumeId volume : batch) {
+    if (left_out_too_much_.contains(facts_.first_equal[volume])) return true;
+    along += along_axes(shared_->geometry, samples_[volume]);
+    all += samples_[volume].size();
+  }
+  return along * declined_share > all;
+}
+
+codegen::Module Specialiser::generate(const std::vector<VolumeId>& batch, bool along_faces) {
+  facts_.along_faces.clear();
+  if (along_faces) {
+    for (const VolumeId volume : batch) facts_.along_faces.insert(facts_.first_equal[volume]);
+  }
+  return codegen::generate(shared_->geometry, facts_, batch);
+}
+
 bool Specialiser::make_module(const std::vector<VolumeId>& batch) {
   const double start = now();
-  for (const VolumeId volume : batch) {
-    if (goes_along_axes(shared_->geometry, samples_[volume])) {
-      facts_.along_faces.insert(facts_.first_equal[volume]);
-    }
-  }
-  codegen::Module module = codegen::generate(shared_->geometry, facts_, batch);
+  codegen::Module module = generate(batch, takes_rays_along_faces(batch));
   if (shared_->options.faults.edit_source) shared_->options.faults.edit_source(module.source);
   if (auto found = maker_->find(module.source)) {
     if (install(module, std::move(found->code), true, start)) return true;
@@ -238,15 +247,18 @@ void Specialiser::install_remembered() {
       if (stop_) return;
       if (!fresh) continue;
     }
-    const double start = now();
-    const codegen::Module module = codegen::generate(geometry, facts_, batch);
     // What the cache has no more is left to the profile of this run.
-    auto found = maker_->find(module.source);
-    if (!found) continue;
-    if (install(module, std::move(found->code), true, start)) {
-      hot_list_.push_back(batch);
-    } else {
-      maker_->reject(module.source);
+    for (const bool along_faces : {false, true}) {
+      const double start = now();
+      const codegen::Module module = generate(batch, along_faces);
+      auto found = maker_->find(module.source);
+      if (!found) continue;
+      if (install(module, std::move(found->code), true, start)) {
+        hot_list_.push_back(batch);
+      } else {
+        maker_->reject(module.source);
+      }
+      break;
     }
   }
 }

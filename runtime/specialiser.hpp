@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "analysis/facts.hpp"
@@ -59,6 +60,9 @@ class Specialiser {
   void specialise(const std::vector<VolumeId>& batch);
 
   // In specialise_module.cpp:
+  /// Whether many steps of these scenes are along faces: then their navigators have to take them.
+  bool takes_rays_along_faces(const std::vector<VolumeId>& batch);
+  codegen::Module generate(const std::vector<VolumeId>& batch, bool along_faces);
   /// From the cache, or compiled. False if the module could not be made; then its scenes were tried
   /// alone.
   bool make_module(const std::vector<VolumeId>& batch);
@@ -79,6 +83,8 @@ class Specialiser {
   /// Looks at what is installed: states declined, and answers on states recorded since.
   void reconsider();
   /// Back to the generic navigator.
+  /// For a scene whose navigator leaves out too many of the steps.
+  void make_again(VolumeId volume, std::uint64_t declined, std::uint64_t steps);
   void withdraw(VolumeId volume, SceneStatus status, const std::string& why);
   /// Of a volume and all of equal structure.
   void note(VolumeId volume, SceneStatus status, const std::string& why);
@@ -89,9 +95,10 @@ class Specialiser {
   std::shared_ptr<detail::Shared> shared_;
   WorldFacts facts_;
   StateSampler sampler_;
-  std::unique_ptr<CodeMaker> maker_;  ///< null: nothing is ever specialised
-  bool hopeless_ = false;             ///< nothing can be compiled in this process
-  HotList hot_list_;                  ///< modules of this run
+  std::unique_ptr<CodeMaker> maker_;      ///< null: nothing is ever specialised
+  bool hopeless_ = false;                 ///< nothing can be compiled in this process
+  std::set<VolumeId> left_out_too_much_;  ///< of equal volumes the first
+  HotList hot_list_;                      ///< modules of this run
   std::string hot_list_name_;
   std::vector<std::uint64_t> steps_;  ///< by volume, at the last look
   /// By volume: steps made in its daughters, as sampled. Many of those end with a relocation in it.

@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "geometry/navigation/generic.hpp"
 #include "runtime/log_text.hpp"
 #include "runtime/specialiser.hpp"
 #include "runtime/verify.hpp"
@@ -27,6 +28,7 @@ void Specialiser::reconsider() {
   }
   const detail::Counts counts = shared_->counts();
   for (const VolumeId volume : installed) {
+    if (shared_->table.at(volume) == &generic::navigators) continue;  // gone with an equal volume
     const Seen now{steps_[volume], counts.declined(volume)};
     // At the first look only what is counted from then on is known to be the installed one's.
     const auto [last, is_new] = seen_.try_emplace(volume, now);
@@ -35,11 +37,8 @@ void Specialiser::reconsider() {
     const VolumeId first = facts_.first_equal[volume];
     if (!is_new && steps >= steps_to_judge) {
       last->second = now;
-      if (declined > steps / declined_share && facts_.along_faces.insert(first).second) {
-        // Once more, with code for what it left out.
-        withdraw(volume, SceneStatus::unprofitable, "it leaves out too much");
-        const std::lock_guard lock(mutex_);
-        scenes_.erase(volume);
+      if (declined > steps / declined_share && left_out_too_much_.insert(first).second) {
+        make_again(volume, declined, steps);
         continue;
       }
       if (declined > steps / 2) {
@@ -56,6 +55,17 @@ void Specialiser::reconsider() {
     if (!problem.empty()) withdraw(volume, SceneStatus::failed, problem);
   }
   fresh_.clear();
+}
+
+void Specialiser::make_again(VolumeId volume, std::uint64_t declined, std::uint64_t steps) {
+  spdlog::info("scene {} left out {} of {} steps: it is made again, with code for them",
+               shared_->geometry.world().volumes[volume].name, declined, steps);
+  const std::lock_guard lock(mutex_);
+  for (const VolumeId equal : facts_.equals[facts_.first_equal[volume]]) {
+    shared_->table.reset(equal);
+    seen_.erase(equal);
+    scenes_.erase(equal);
+  }
 }
 
 void Specialiser::withdraw(VolumeId volume, SceneStatus status, const std::string& why) {
