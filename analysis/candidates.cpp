@@ -156,7 +156,7 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     use_lanes();
     return;
   }
-  if (few && make_round()) return;
+  if (few && forced && make_round()) return;
   if (forced ? *forced == Candidates::all : few) {
     plan.candidates = Candidates::all;
     plan.mean_candidates = static_cast<double>(boxes.size());
