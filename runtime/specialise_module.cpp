@@ -15,6 +15,9 @@ namespace navjit {
 namespace {
 
 constexpr std::size_t states_made_up = 400;  ///< per volume, for verification
+/// Timings of a few hundred steps are no better than this; between detectors' rays and the states
+/// that are timed there is more than that.
+constexpr double least_gain = 0.95;
 /// A scene that was measured to be no faster is tried again once it is that many times as hot.
 constexpr double try_again_after = 16;
 
@@ -189,7 +192,7 @@ bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& reco
   const double specialised_ns = time_per_step(geometry, context, record, timed);
   const bool forced =
       facts_.forced_candidates.contains(facts_.first_equal[volume]) || !only_if_faster;
-  const bool pays = forced || specialised_ns <= generic_ns || timed.size() < 16;
+  const bool pays = forced || specialised_ns <= least_gain * generic_ns || timed.size() < 16;
   if (pays) shared_->table.install(volume, &record, owner);
   spdlog::debug(
       "event={} at_s={:.3f} scene={} generic_ns={:.1f} specialised_ns={:.1f} states={} recorded={} "
