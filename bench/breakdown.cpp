@@ -8,11 +8,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "apps/rays.hpp"
 #include "bench/choices.hpp"
 #include "bench/clock.hpp"
 #include "bench/code_map.hpp"
 #include "bench/floor.hpp"
+#include "bench/ray_options.hpp"
 #include "bench/sampler.hpp"
 #include "bench/statistics.hpp"
 #include "geometry/gdml/reader.hpp"
@@ -133,17 +133,14 @@ double sum(const std::array<double, phases>& values, std::size_t first, std::siz
 
 int main(int argc, char** argv) try {
   CLI::App app{"Where the time of specialised transport goes, and its floor"};
-  std::string detector, rays_file, json_file;
-  std::uint64_t count = 1000, seed = 1;
+  std::string detector, json_file;
+  bench::RayOptions ray_options;
   double seconds = 10;
   std::size_t top = 12;
-  bool forward = false, instructions = false;
+  bool instructions = false;
   std::vector<InstructionSet> sets{InstructionSet::native};
   app.add_option("detector", detector, "GDML file")->required();
-  app.add_option("--rays", rays_file, "CSV file of rays (default: random ones)");
-  app.add_option("--count", count, "random rays");
-  app.add_option("--seed", seed, "of random rays");
-  app.add_flag("--forward", forward, "random rays from the origin with eta 2..5");
+  bench::add_ray_options(app, ray_options);
   app.add_option("--seconds", seconds, "of sampling");
   app.add_option("--scenes", top, "rows of the table by scene");
   app.add_flag("--instructions", instructions,
@@ -153,18 +150,7 @@ int main(int argc, char** argv) try {
   CLI11_PARSE(app, argc, argv);
 
   const auto world = std::make_shared<const World>(read_gdml(detector));
-  std::vector<Ray> rays;
-  if (!rays_file.empty()) {
-    rays = apps::read_rays(rays_file);
-  } else {
-    apps::RaySource source;
-    source.seed = seed;
-    if (forward) {
-      source.origin = Vec3{0, 0, 0};
-      source.eta = {2, 5};
-    }
-    for (std::uint64_t i = 0; i < count; ++i) rays.push_back(make_ray(source, *world, i));
-  }
+  const std::vector<Ray> rays = bench::rays_of(ray_options, *world);
 
   RuntimeOptions options;
   options.jit = JitMode::wait;

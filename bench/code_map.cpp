@@ -9,25 +9,10 @@
 #include <map>
 #include <unordered_map>
 
+#include "jit/detail/gdb_interface.h"
+
 // Last: its macros are names of LLVM's.
 #include <link.h>
-
-// The debugger's list of generated code; layout and name are those it looks for.
-extern "C" {
-struct jit_code_entry {
-  jit_code_entry* next_entry;
-  jit_code_entry* prev_entry;
-  const char* symfile_addr;
-  std::uint64_t symfile_size;
-};
-struct jit_descriptor {
-  std::uint32_t version;
-  std::uint32_t action_flag;
-  jit_code_entry* relevant_entry;
-  jit_code_entry* first_entry;
-};
-extern jit_descriptor __jit_debug_descriptor;
-}
 
 namespace navjit::bench {
 namespace {

@@ -6,9 +6,9 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "apps/rays.hpp"
 #include "bench/choices.hpp"
 #include "bench/clock.hpp"
+#include "bench/ray_options.hpp"
 #include "bench/statistics.hpp"
 #include "geometry/gdml/reader.hpp"
 #include "runtime/runtime.hpp"
@@ -72,16 +72,13 @@ void add_vecgeom(const std::string& detector, const std::vector<Ray>& rays,
 
 int main(int argc, char** argv) try {
   CLI::App app{"Transport through a whole detector: navjit and VecGeom side by side"};
-  std::string detector, rays_file, json_file;
-  std::uint64_t count = 2000, seed = 1;
+  std::string detector, json_file;
+  bench::RayOptions ray_options;
   int repetitions = 9;
-  bool forward = false, without_peers = false, without_jit = false;
+  bool without_peers = false, without_jit = false;
   std::vector<InstructionSet> sets{InstructionSet::native};
   app.add_option("detector", detector, "GDML file")->required();
-  app.add_option("--rays", rays_file, "CSV file of rays (default: random ones)");
-  app.add_option("--count", count, "random rays");
-  app.add_option("--seed", seed, "of random rays");
-  app.add_flag("--forward", forward, "random rays from the origin with eta 2..5");
+  bench::add_ray_options(app, ray_options);
   app.add_option("--repetitions", repetitions, "of each engine, in turn");
   app.add_option("--json", json_file, "write the figures");
   app.add_flag("--without-peers", without_peers, "navjit alone");
@@ -90,18 +87,7 @@ int main(int argc, char** argv) try {
   CLI11_PARSE(app, argc, argv);
 
   const auto world = std::make_shared<const World>(read_gdml(detector));
-  std::vector<Ray> rays;
-  if (!rays_file.empty()) {
-    rays = apps::read_rays(rays_file);
-  } else {
-    apps::RaySource source;
-    source.seed = seed;
-    if (forward) {
-      source.origin = Vec3{0, 0, 0};
-      source.eta = {2, 5};
-    }
-    for (std::uint64_t i = 0; i < count; ++i) rays.push_back(make_ray(source, *world, i));
-  }
+  const std::vector<Ray> rays = bench::rays_of(ray_options, *world);
 
   RuntimeOptions off;
   off.jit = JitMode::off;

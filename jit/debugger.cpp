@@ -5,23 +5,7 @@
 #include <cstring>
 #include <mutex>
 
-// Layout and names are those the debugger looks for; LLVM's library defines the two symbols.
-extern "C" {
-struct jit_code_entry {
-  jit_code_entry* next_entry;
-  jit_code_entry* prev_entry;
-  const char* symfile_addr;
-  std::uint64_t symfile_size;
-};
-struct jit_descriptor {
-  std::uint32_t version;
-  std::uint32_t action_flag;
-  jit_code_entry* relevant_entry;
-  jit_code_entry* first_entry;
-};
-extern jit_descriptor __jit_debug_descriptor;
-void __jit_debug_register_code();
-}
+#include "jit/detail/gdb_interface.h"
 
 namespace navjit::jit::detail {
 namespace {

@@ -1,0 +1,38 @@
+// Which rays a benchmark takes through a detector.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/rays.hpp"
+
+namespace navjit::bench {
+
+struct RayOptions {
+  std::string file;
+  std::uint64_t count = 2000, seed = 1;
+  bool forward = false;
+};
+
+inline void add_ray_options(CLI::App& app, RayOptions& options) {
+  app.add_option("--rays", options.file, "CSV file of rays (default: random ones)");
+  app.add_option("--count", options.count, "random rays");
+  app.add_option("--seed", options.seed, "of random rays");
+  app.add_flag("--forward", options.forward, "random rays from the origin with eta 2..5");
+}
+
+inline std::vector<Ray> rays_of(const RayOptions& options, const World& world) {
+  if (!options.file.empty()) return apps::read_rays(options.file);
+  apps::RaySource source;
+  source.seed = options.seed;
+  if (options.forward) {
+    source.origin = Vec3{0, 0, 0};
+    source.eta = {2, 5};
+  }
+  std::vector<Ray> rays;
+  for (std::uint64_t i = 0; i < options.count; ++i) rays.push_back(make_ray(source, world, i));
+  return rays;
+}
+
+}  // namespace navjit::bench
