@@ -17,7 +17,7 @@ namespace {
 /// Up to this many daughters every one is spelled out and tested.
 constexpr std::size_t spell_out_limit = 4;
 
-/// So many boxes at the most are all tested, four at once: two times four have no loop yet.
+/// So many boxes at the most are all tested, four at once.
 constexpr std::size_t most_lanes = 8;
 
 /// With more daughters than this, tables of boxes would be most of the code.

@@ -72,18 +72,20 @@ Phase phase_of(const bench::CodeMap::Place& place) {
   const bool step = begins(outermost, "navjit_step_");
   bool candidates = false;
   for (const std::string& f : place.functions) {
-    if (one_of<5>(f, {"point", "direction", "heading", "ray", "turned_direction"})) {
+    if (one_of<5>(f, {"point", "direction", "heading", "ray", "turned_ray"})) {
       return step && f != "heading" ? step_frame : relocation_frame;
     }
     if (begins(f, "push")) return relocation_push;
     if (f == "holds" || begins(f, "contains")) return relocation_solids;
-    if (f == "distance" || begins(f, "distance_to_in")) return step_daughters;
+    if (f == "distance" || begins(f, "distance_to_in") || begins(f, "distance_to_entry")) {
+      return step_daughters;
+    }
     if (begins(f, "distance_to_out") || begins(f, "distance_to_exit")) return step_exit;
-    candidates |= one_of<5>(f, {"nearest", "find", "find_around", "is_there", "find_elsewhere"});
+    candidates |= begins(f, "nearest") || begins(f, "find") || f == "is_there";
   }
   // Out of line, and of no scene: the kernels themselves.
   if (begins(outermost, "exit_") || begins(outermost, "distance_")) return step_exit;
-  if (step) return candidates ? step_candidates : step_rest;
+  if (step || begins(outermost, "nearest_from")) return candidates ? step_candidates : step_rest;
   return candidates ? relocation_candidates : relocation_rest;
 }
 

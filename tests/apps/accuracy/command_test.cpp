@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdlib>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/support/command.hpp"
@@ -65,6 +67,7 @@ TEST_F(AccuracyCommand, DrawsAPictureWhereGnuplotIs) {
         " --rays 20 --repetitions 1 --boundaries 0 --vecgeom off --picture " + file(name));
     if (output.text.find("gnuplot, which is not installed") != npos) {
       EXPECT_EQ(output.status, 1);
+      ASSERT_NE(std::system("gnuplot --version > /dev/null 2>&1"), 0) << "it is installed";
       GTEST_SKIP() << "no gnuplot";
     }
     ASSERT_EQ(output.status, 0) << output.text;

@@ -1,6 +1,8 @@
 // `navjit warmup` as a user runs it.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -102,6 +104,7 @@ TEST(WarmupCommand, DrawsAPictureWhereGnuplotIs) {
                    folder.file(name));
     if (output.text.find("gnuplot, which is not installed") != npos) {
       EXPECT_EQ(output.status, 1);
+      ASSERT_NE(std::system("gnuplot --version > /dev/null 2>&1"), 0) << "it is installed";
       GTEST_SKIP() << "no gnuplot";
     }
     ASSERT_EQ(output.status, 0) << output.text;
