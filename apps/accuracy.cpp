@@ -12,7 +12,7 @@
 #include "apps/accuracy/picture.hpp"
 #include "apps/accuracy/report.hpp"
 #include "apps/commands.hpp"
-#include "geometry/gdml/reader.hpp"
+#include "apps/read_detector.hpp"
 
 namespace navjit::apps {
 namespace {
@@ -32,8 +32,7 @@ std::vector<Ray> rays_of(const AccuracyOptions& options, const World& world) {
 
 int accuracy(const AccuracyOptions& options) {
   if (!options.picture.empty()) accuracy::check_picture(options.picture);
-  const auto world =
-      std::make_shared<const World>(read_gdml(options.detector, {.setup = options.setup}));
+  const auto world = read_detector(options.detector, options.setup);
   accuracy::ExperimentOptions experiment;
   experiment.rays = rays_of(options, *world);
   experiment.seed = options.source.seed;

@@ -2,14 +2,13 @@
 #include <cstdio>
 
 #include "apps/commands.hpp"
+#include "apps/read_detector.hpp"
 #include "geometry/check/overlaps.hpp"
-#include "geometry/gdml/reader.hpp"
 
 namespace navjit::apps {
 
 int check(const CheckOptions& options) {
-  const Geometry geometry(
-      std::make_shared<const World>(read_gdml(options.detector, {.setup = options.setup})));
+  const Geometry geometry(read_detector(options.detector, options.setup));
   OverlapOptions overlap_options;
   overlap_options.resolution = options.resolution;
   overlap_options.tolerance = options.tolerance;

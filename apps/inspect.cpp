@@ -101,6 +101,7 @@ void print_world(const Geometry& geometry, const std::string& file, const GdmlRe
       world.tolerance);
   if (unused > 0) std::printf("%zu volumes are not in the tree\n", unused);
   for (const std::string& note : report.notes) std::printf("note: %s\n", note.c_str());
+  for (const std::string& note : report.skipped) std::printf("note: %s\n", note.c_str());
   std::printf("\n%10s %6s %-13s %-21s %8s %-28s %s\n", "touchables", "daught", "solid", "search",
               "clusters", "arrangement", "volume");
   for (std::size_t v = 0; v < world.volumes.size(); ++v) {

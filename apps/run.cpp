@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "apps/commands.hpp"
+#include "apps/read_detector.hpp"
 #include "apps/run_report.hpp"
-#include "geometry/gdml/reader.hpp"
 #include "runtime/runtime.hpp"
 
 namespace navjit::apps {
@@ -134,7 +134,7 @@ void compare_with_generic(Runtime& specialised, const RunOptions& options, RunRe
 }  // namespace
 
 int run(const RunOptions& options) {
-  Runtime runtime(read_gdml(options.detector, {.setup = options.setup}), options.runtime);
+  Runtime runtime(read_detector(options.detector, options.setup), options.runtime);
   const World& world = runtime.world();
   const std::uint64_t chunks = (options.rays + rays_per_chunk - 1) / rays_per_chunk;
   std::vector<ChunkTotals> totals(chunks);

@@ -7,7 +7,7 @@
 
 #include "analysis/plan.hpp"
 #include "apps/commands.hpp"
-#include "geometry/gdml/reader.hpp"
+#include "apps/read_detector.hpp"
 #include "runtime/make_plugin.hpp"
 #include "runtime/plugin_text.hpp"
 
@@ -40,8 +40,7 @@ std::vector<VolumeId> named_scenes(const Geometry& geometry, const WorldFacts& f
 }  // namespace
 
 int specialise(const SpecialiseOptions& options) {
-  const Geometry geometry(
-      std::make_shared<const World>(read_gdml(options.detector, {.setup = options.setup})));
+  const Geometry geometry(read_detector(options.detector, options.setup));
   const WorldFacts facts = analyse_world(geometry);
   std::vector<VolumeId> scenes = named_scenes(geometry, facts, options.scenes);
   if (!options.profile.empty()) {

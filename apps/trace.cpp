@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "apps/commands.hpp"
-#include "geometry/gdml/reader.hpp"
+#include "apps/read_detector.hpp"
 #include "runtime/runtime.hpp"
 
 namespace navjit::apps {
@@ -58,7 +58,7 @@ std::vector<Ray> rays_of(const TraceOptions& options, const World& world) {
 }  // namespace
 
 int trace(const TraceOptions& options) {
-  Runtime runtime(read_gdml(options.detector, {.setup = options.setup}), options.runtime);
+  Runtime runtime(read_detector(options.detector, options.setup), options.runtime);
   const World& world = runtime.world();
   const std::vector<Ray> rays = rays_of(options, world);
   const std::unique_ptr<FILE, CloseFile> out(

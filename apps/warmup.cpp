@@ -7,10 +7,10 @@
 
 #include "apps/accuracy/gnuplot.hpp"
 #include "apps/commands.hpp"
+#include "apps/read_detector.hpp"
 #include "apps/warmup/experiment.hpp"
 #include "apps/warmup/picture.hpp"
 #include "apps/warmup/report.hpp"
-#include "geometry/gdml/reader.hpp"
 #include "jit/compiler.hpp"
 
 namespace navjit::apps {
@@ -46,7 +46,7 @@ int warmup(const WarmupOptions& options) {
   if (!jit::has_compiler()) {
     throw std::runtime_error("this program was built without a compiler: nothing warms up");
   }
-  read_gdml(options.detector, {.setup = options.setup});  // what is wrong with it is told at once
+  read_detector(options.detector, options.setup);  // what is wrong with it is told at once
   warmup::ExperimentOptions experiment;
   experiment.program = std::filesystem::read_symlink("/proc/self/exe");
   experiment.words = options.words;

@@ -157,7 +157,7 @@ void FileContext::loop(const XmlElement& element, const std::function<void()>& b
   if (from < to && step <= 0) fail(element, "the loop never ends; make 'step' positive");
   if (from > to && step >= 0) fail(element, "the loop never ends; make 'step' negative");
   if (from == to && step <= 0) fail(element, "the loop never ends; make 'step' positive");
-  if (from > to) note("ran no turn of <loop>s that count down, as Geant4 does");
+  if (from > to) note(element, "a loop that counts down: ran no turn, as Geant4 does");
   ++loops;
   for (long long i = from; i <= to; i += step) {
     charge(element);

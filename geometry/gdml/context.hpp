@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/gdml/expressions.hpp"
+#include "geometry/gdml/notes.hpp"
 #include "geometry/gdml/units.hpp"
 #include "geometry/gdml/xml.hpp"
 #include "geometry/model/radiation_length.hpp"
@@ -72,7 +73,7 @@ struct Session {
   std::size_t placement_name_bytes = 0;
   World world;
   std::vector<const NamedSolid*> volume_solids;  ///< of the world's volumes
-  std::map<std::string, std::size_t> notes;
+  Notes notes;
   /// Files read or being read, by canonical path.
   std::map<std::string, std::unique_ptr<FileContext>> files;
 };
@@ -102,8 +103,13 @@ struct FileContext {
   int loops = 0;          ///< how many loops we are in: names hold indices there
   std::string open_name;  ///< the volume or assembly that is being read
 
-  /// Counts something skipped or assumed.
-  void note(const std::string& what) { ++session.notes[what]; }
+  /// Notes something odd at an element; `what` tells the kind, of which only the first few are
+  /// kept.
+  void note(const XmlElement& element, const std::string& what, const std::string& detail = {}) {
+    session.notes.add(element, what, detail);
+  }
+  /// Counts something common that was skipped.
+  void skip(const std::string& what) { session.notes.count(what); }
 
   /// The `name` of an element, indices resolved. Fails if it is missing.
   std::string name(const XmlElement& element);
@@ -146,10 +152,10 @@ struct FileContext {
   }
   /// Adds a definition unless the name is taken: the first one holds, as in Geant4.
   template <class T>
-  void define(Definitions<T>& definitions, const std::string& what, const std::string& as,
-              T value) {
+  void define(Definitions<T>& definitions, const XmlElement& element, const std::string& what,
+              const std::string& as, T value) {
     if (!definitions.try_emplace(as, std::move(value)).second) {
-      note("used the first of several " + what + "s of the same name");
+      note(element, "left out, since the first of several " + what + "s of the same name holds");
     }
   }
 

@@ -32,7 +32,7 @@ void read_quantity(FileContext& file, const XmlElement& element) {
   const auto unit = element.find("unit");
   if (unit && !find_unit(*unit)) {
     // Of no use to the geometry; using it nevertheless is an unknown name.
-    file.note("skipped a <quantity> with a unit that has no meaning for a geometry");
+    file.note(element, "left out, since its unit is unknown", printable(*unit));
     return;
   }
   const double product = value * file.unit(element, "unit", Dimension::other);

@@ -62,7 +62,7 @@ Components normalised(Components all) {
 }
 
 void read_isotope(FileContext& file, const XmlElement& element) {
-  file.define(file.isotopes, "isotope", file.name(element),
+  file.define(file.isotopes, element, "isotope", file.name(element),
               MaterialComponent{file.number(element, "Z", 0), molar_mass(file, element), 1});
 }
 
@@ -79,7 +79,7 @@ void read_element(FileContext& file, const XmlElement& element) {
     mass += n * isotope->second.a;
   }
   if (sum > 0) a = mass / sum;
-  file.define(file.elements, "element", file.name(element), MaterialComponent{z, a, 1});
+  file.define(file.elements, element, "element", file.name(element), MaterialComponent{z, a, 1});
 }
 
 /// What a material is made of, by mass. Empty if some of it is not known.
@@ -127,12 +127,12 @@ void read_material(FileContext& file, const XmlElement& element) {
   if (per_area > 0 && material.density > 0) {
     material.radiation_length = per_area / material.density * 10;
   } else {
-    file.note("gave no radiation length to a material of unknown density or composition");
+    file.skip("gave no radiation length to a material of unknown density or composition");
   }
   auto& materials = file.session.world.materials;
   const auto index = static_cast<std::uint32_t>(materials.size());
   materials.push_back(std::move(material));
-  file.define(file.compositions, "material", name, std::move(components));
+  file.define(file.compositions, element, "material", name, std::move(components));
   file.materials.try_emplace(name, index);
 }
 
@@ -158,7 +158,7 @@ void read_materials(FileContext& file, const XmlElement& section) {
       read_material(file, element);
     } else if (std::none_of(std::begin(first_readers), std::end(first_readers),
                             [&](const auto& r) { return r.tag == element.tag; })) {
-      file.note("skipped <" + printable(element.tag) + "> in <materials>");
+      file.skip("skipped <" + printable(element.tag) + "> in <materials>");
     }
   }
 }

@@ -57,7 +57,7 @@ Vector signs(FileContext& file, const XmlElement& element, Vector scale) {
   if (scale[0] * scale[1] * scale[2] < 0) {
     fail(element, "unsupported scale that reflects and changes lengths; scale the solid instead");
   }
-  file.note("ignored a <scale> of a physvol that changes lengths, as Geant4 does");
+  file.note(element, "ignored a scale of a physvol that changes lengths, as Geant4 does");
   return scale;
 }
 

@@ -46,8 +46,8 @@ class Dimensions {
     file_.session.xml.elements -= cost;
     return n;
   }
-  /// Counts something assumed.
-  void note(const char* what) const { file_.note(what); }
+  /// Notes something assumed.
+  void note(const char* what) const { file_.note(element_, what); }
   bool has(const char* attribute) const { return element_.find(attribute).has_value(); }
   [[noreturn]] void refuse(const char* problem) const { fail(element_, problem); }
   /// The <zplane> children.
@@ -126,7 +126,7 @@ Solid read_trap(const Dimensions& d, const std::string& name) {
                          d.half("x1"), d.half("x2"), d.angle("alpha1", 0), d.half("y2"),
                          d.half("x3"), d.half("x4"), d.angle("alpha2", 0));
   if (trap.kind != SolidKind::trap) {
-    d.note("joined the corners of a <trap> whose sides are not planar by straight lines (arb8)");
+    d.note("its sides are not planar: joined its corners by straight lines (arb8)");
   }
   return trap;
 }
@@ -188,7 +188,7 @@ DivisibleShape read_polyhedra_dimensions(const Dimensions& d) {
 Solid read_torus(const Dimensions& d, const std::string& name) {
   const double rmax = d.length("rmax"), rtor = d.length("rtor");
   if (rmax >= rtor) {
-    d.note("took a <torus> with rmax >= rtor for all points that near to its circle");
+    d.note("rmax >= rtor: took all points that near to its circle");
   }
   return make_torus(name, d.length("rmin", 0), rmax, rtor, d.angle("startphi", 0),
                     d.angle("deltaphi"));
@@ -233,7 +233,7 @@ Solid read_twistedtrap(const Dimensions& d, const std::string& name) {
                                 d.angle("Phi", 0), d.half("y1"), d.half("x1"), d.half("x2"),
                                 d.half("y2"), d.half("x3"), d.half("x4"), d.angle("Alph", 0));
   if (static_cast<const kernels::TwistedTrap<double>*>(trap.shape.get())->steepening > 0) {
-    d.note("took sections linear in z for a <twistedtrap> whose untwisted sides are not planar");
+    d.note("its untwisted sides are not planar: took sections linear in z");
   }
   return trap;
 }

@@ -21,8 +21,8 @@ void read_setup(FileContext& file, const XmlElement& setup) {
   }
 }
 
-void skip_userinfo(FileContext& file, const XmlElement&) { file.note("skipped <userinfo>"); }
-void skip_extension(FileContext& file, const XmlElement&) { file.note("skipped <extension>"); }
+void skip_userinfo(FileContext& file, const XmlElement&) { file.skip("skipped <userinfo>"); }
+void skip_extension(FileContext& file, const XmlElement&) { file.skip("skipped <extension>"); }
 
 constexpr struct {
   std::string_view tag;
@@ -113,11 +113,7 @@ World read_world(const std::filesystem::path& path, const GdmlOptions& options,
                                   std::to_string(world.volumes[world.top].touchables) +
                                   " touchables; raise GdmlLimits::max_touchables if this is meant");
   }
-  if (report != nullptr) {
-    for (const auto& [what, count] : session.notes) {
-      report->notes.push_back(what + " (" + std::to_string(count) + ')');
-    }
-  }
+  if (report != nullptr) session.notes.tell(*report);
   return std::move(world);
 }
 

@@ -41,8 +41,13 @@ struct GdmlOptions {
 };
 
 struct GdmlReport {
-  /// What was knowingly skipped or assumed, one line per kind with a count.
+  /// What is odd in the file and was read nevertheless, or left out because nothing needs it:
+  /// "FILE:LINE: <element name='...'>: what was done". Of each kind the first three, then
+  /// "and N more: ...".
   std::vector<std::string> notes{};
+  /// What means nothing for a geometry or is read as Geant4 does: a line for each kind, with a
+  /// count.
+  std::vector<std::string> skipped{};
 };
 
 /// Reads the world of a GDML file, finished (see finish()). Volumes keep the file's names and its

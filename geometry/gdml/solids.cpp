@@ -71,7 +71,7 @@ void read_solids(FileContext& file, const XmlElement& section) {
     } else if (element.tag == "define") {
       read_define(file, element);
     } else if (element.tag == "opticalsurface") {
-      file.note("skipped <opticalsurface>");
+      file.skip("skipped <opticalsurface>");
     } else {
       const std::string name = file.name(element);
       NamedSolid solid;
@@ -82,7 +82,7 @@ void read_solids(FileContext& file, const XmlElement& section) {
         file.open_name.clear();
       }
       solid.element = &element;
-      file.define(file.solids, "solid", name, std::move(solid));
+      file.define(file.solids, element, "solid", name, std::move(solid));
     }
   }
 }

@@ -31,7 +31,7 @@ void read_daughters(FileContext& file, const XmlElement& section, Mother& mother
     if (reader != std::end(daughter_readers)) {
       reader->read(file, element, mother);
     } else {
-      file.note("skipped <" + printable(element.tag) + "> in <" + printable(section.tag) + ">");
+      file.skip("skipped <" + printable(element.tag) + "> in <" + printable(section.tag) + ">");
     }
   }
 }
@@ -43,17 +43,17 @@ std::uint32_t find_material(FileContext& file, const XmlElement& element) {
     auto& materials = file.session.world.materials;
     file.materials.emplace(name, static_cast<std::uint32_t>(materials.size()));
     materials.push_back({.name = name});
-    file.note("kept the name but no density of materials from Geant4's NIST table");
+    file.skip("kept the name but no density of materials from Geant4's NIST table");
   }
   return file.look_up(file.materials, element, "material", name);
 }
 
-std::uint32_t nameless_material(FileContext& file) {
+std::uint32_t nameless_material(FileContext& file, const XmlElement& element) {
   auto& materials = file.session.world.materials;
   const auto [position, added] =
       file.materials.try_emplace("", static_cast<std::uint32_t>(materials.size()));
   if (added) materials.push_back({});
-  file.note("read a <volume> without <materialref>");
+  file.note(element, "it has no <materialref>: its material is unknown");
   return position->second;
 }
 
@@ -69,13 +69,13 @@ void read_volume(FileContext& file, const XmlElement& element) {
   LogicalVolume volume;
   volume.name = name;
   volume.solid = *solid->solid;
-  volume.material = material ? *material : nameless_material(file);
+  volume.material = material ? *material : nameless_material(file, element);
   file.open_name = name;
   Mother mother{volume.daughters, 1, solid};
   read_daughters(file, element, mother);
   file.open_name.clear();
   const VolumeId id = add_volume(file.session, std::move(volume), solid);
-  file.define(file.volumes, "volume", name, id);
+  file.define(file.volumes, element, "volume", name, id);
 }
 
 void read_assembly(FileContext& file, const XmlElement& element) {
@@ -86,7 +86,7 @@ void read_assembly(FileContext& file, const XmlElement& element) {
   read_daughters(file, element, mother);
   file.open_name.clear();
   assembly.depth = mother.assembly_depth;
-  file.define(file.assemblies, "assembly", name, std::move(assembly));
+  file.define(file.assemblies, element, "assembly", name, std::move(assembly));
 }
 
 }  // namespace
@@ -147,7 +147,7 @@ void read_structure(FileContext& file, const XmlElement& section) {
     } else if (element.tag == "loop") {
       file.loop(element, [&] { read_structure(file, element); });
     } else if (element.tag == "bordersurface" || element.tag == "skinsurface") {
-      file.note("skipped <" + printable(element.tag) + ">");
+      file.skip("skipped <" + printable(element.tag) + ">");
     } else {
       fail(element, "unknown element in <structure>; use volume, assembly or loop");
     }

@@ -28,6 +28,24 @@ class Folder : public testing::Test {
   fs::path folder_;
 };
 
+using Notes = Folder;
+
+TEST_F(Notes, AreLoggedOnceWithFileAndLine) {
+  write_file(file("odd.gdml"),
+             "<gdml>\n<define><variable name='i' value='0'/>\n<loop for='i' from='2' to='1' "
+             "step='-1'/></define><solids><box name='b' x='9' y='9' z='9'/></solids><structure>"
+             "<volume name='W'><materialref ref='G4_AIR'/><solidref ref='b'/></volume></structure>"
+             "<setup name='s' version='1'><world ref='W'/></setup></gdml>");
+  for (const std::string command : {"run --rays 10 ", "trace --rays 2 ", "check ", "inspect "}) {
+    const tests::Output output = run_navjit(command + file("odd.gdml"));
+    EXPECT_EQ(output.status, 0) << output.text;
+    const std::string note = file("odd.gdml") + ":3: <loop for='i'>: a loop that counts down";
+    const auto at = output.text.find(note);
+    EXPECT_NE(at, std::string::npos) << output.text;
+    EXPECT_EQ(output.text.find(note, at + 1), std::string::npos) << output.text;
+  }
+}
+
 using RunCommand = Folder;
 
 TEST_F(RunCommand, WritesAReportOfWhatHappened) {

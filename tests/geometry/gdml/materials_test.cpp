@@ -99,8 +99,8 @@ TEST_F(GdmlMaterials, UnknownPartsAreNoted) {
       material("<material name='M'><D value='3'/><fraction n='1' ref='G4_H'/></material>", &report);
   EXPECT_EQ(m.density, 3);
   EXPECT_EQ(m.radiation_length, 0);
-  ASSERT_EQ(report.notes.size(), 1u);
-  EXPECT_HAS(report.notes[0], "no radiation length");
+  ASSERT_EQ(report.skipped.size(), 1u);
+  EXPECT_HAS(report.skipped[0], "no radiation length");
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST_F(GdmlOddSolids, TrapsThatAreNotPlanarJoinTheirCorners) {
   const Solid s = noted(
       "<trap name='s' z='2' theta='0' phi='0' y1='2' x1='2' x2='2' alpha1='0' y2='2' x3='2' "
       "x4='6' alpha2='0'/>",
-      "<trap> whose sides are not planar");
+      ":5: <trap name='s'>: its sides are not planar");
   EXPECT_EQ(s.kind, SolidKind::arb8);
   EXPECT_EQ(where(s, 1.5, 0, 0), Side::surface);
   EXPECT_EQ(where(s, 2.9, 0.999, 0.999), Side::inside);
@@ -43,15 +43,15 @@ TEST_F(GdmlOddSolids, TwistedTrapsTakeLinearSections) {
   const Solid s = noted(
       "<twistedtrap name='s' PhiTwist='0.5' z='2' Theta='0' Phi='0' y1='2' x1='2' x2='2' y2='2' "
       "x3='2' x4='6' Alph='0'/>",
-      "<twistedtrap> whose untwisted sides are not planar");
+      ":5: <twistedtrap name='s'>: its untwisted sides are not planar");
   EXPECT_EQ(where(s, 1.5, 0, 0), Side::surface);
   EXPECT_EQ(where(s, 1, -1, 0), Side::surface);
   EXPECT_EQ(where(s, 2, 1, 0), Side::surface);
 }
 
 TEST_F(GdmlOddSolids, WideToriCoverTheAxis) {
-  const Solid s =
-      noted("<torus name='s' rmin='1' rmax='5' rtor='3' deltaphi='360' aunit='deg'/>", "<torus>");
+  const Solid s = noted("<torus name='s' rmin='1' rmax='5' rtor='3' deltaphi='360' aunit='deg'/>",
+                        "<torus name='s'>: rmax >= rtor");
   EXPECT_EQ(where(s, 0, 0, 0), Side::inside);
   EXPECT_EQ(where(s, 0, 0, 4), Side::surface);
   EXPECT_EQ(where(s, 0, 0, 4.1), Side::outside);

@@ -108,7 +108,7 @@ TEST_F(GdmlReader, LoopsAndDefinitionsInEverySection) {
   EXPECT_EQ(second.solid.extent.max.x, 10);
   EXPECT_EQ(world.materials[second.material].density, 4);
   std::string notes;
-  for (const std::string& note : report.notes) notes += note + '\n';
+  for (const std::string& note : report.skipped) notes += note + '\n';
   for (const char* note :
        {"skipped <userinfo> (1)", "skipped <extension> (1)", "skipped <opticalsurface> (2)",
         "skipped <property> in <materials> (1)", "skipped <auxiliary> in <loop> (2)"}) {
@@ -188,7 +188,7 @@ TEST_F(GdmlReader, ReportsWhatItSkips) {
                          "<skinsurface name='s'/><bordersurface name='t'/>"},
        &report);
   const auto count = [&](const std::string& note) {
-    return std::count(report.notes.begin(), report.notes.end(), note);
+    return std::count(report.skipped.begin(), report.skipped.end(), note);
   };
   EXPECT_EQ(count("skipped <auxiliary> in <volume> (3)"), 1);
   EXPECT_EQ(count("skipped <skinsurface> (1)"), 1);
@@ -204,7 +204,12 @@ TEST_F(GdmlReader, UsesTheFirstOfSeveralDefinitions) {
   EXPECT_EQ(top(world).solid.extent.max.x, 10);
   EXPECT_EQ(top(world).daughters[0].volume, 0u);
   EXPECT_EQ(world.volumes.size(), 3u);
-  EXPECT_EQ(report.notes.back(), "used the first of several volumes of the same name (1)");
+  ASSERT_EQ(report.notes.size(), 2u);
+  EXPECT_EQ(report.notes[0],
+            (folder_ / "det.gdml").string() +
+                ":5: <box name='b'>: left out, since the first of several solids of "
+                "the same name holds");
+  EXPECT_HAS(report.notes[1], ":6: <volume name='D'>: left out");
 }
 
 TEST_F(GdmlReader, UnsupportedSolidsMatterOnlyIfUsed) {

@@ -1,0 +1,34 @@
+// What the reader has to say about a file that it nevertheless reads.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "geometry/gdml/xml.hpp"
+
+namespace navjit::gdml {
+
+/// Collects notes. Of each kind the first few are kept, the others are counted, and so are kinds
+/// beyond a number that only a hostile file has.
+struct Notes {
+  static constexpr std::size_t lines_of_a_kind = 3;
+  static constexpr std::size_t most_kinds = 100;
+
+  /// Something odd in the file: "FILE:LINE: <element>: what: detail". `what` tells the kind.
+  void add(const XmlElement& element, const std::string& what, const std::string& detail = {});
+  /// Something common that means nothing for the geometry, or is as Geant4 has it: only counted.
+  void count(const std::string& what);
+  /// Adds what was collected to a report.
+  void tell(GdmlReport& report) const;
+
+ private:
+  static std::size_t* counter(std::map<std::string, std::size_t>& kinds, const std::string& what);
+
+  std::vector<std::string> lines_;
+  std::map<std::string, std::size_t> odd_, common_;
+  std::size_t others_ = 0;
+};
+
+}  // namespace navjit::gdml
