@@ -6,11 +6,14 @@
 #include <llvm/IR/LegacyPassManager.h>
 #include <llvm/IR/Module.h>
 #include <llvm/IR/Operator.h>
+#include <llvm/IR/OptBisect.h>
 #include <llvm/Object/ObjectFile.h>
 #include <llvm/Passes/PassBuilder.h>
 #include <llvm/Support/raw_ostream.h>
 #include <llvm/Target/TargetMachine.h>
 #include <llvm/TargetParser/Triple.h>
+
+#include "jit/detail/leave_wreck.hpp"
 
 namespace navjit::jit::detail {
 namespace {
@@ -28,6 +31,59 @@ llvm::OptimizationLevel pipeline_level(int level) {
   }
 }
 
+/// Asked by the code generator before each pass that it could do without: the one place where it
+/// can be told to stop. It makes one function after the other, so those that it has not begun can
+/// be emptied.
+class StopGate : public llvm::OptPassGate {
+ public:
+  StopGate(llvm::Module& module, std::stop_token stop) : module_(module), stop_(std::move(stop)) {}
+
+  bool isEnabled() const override { return true; }
+  bool shouldRunPass(llvm::StringRef, llvm::StringRef unit) override {
+    if (!stop_.stop_requested()) return true;
+    // "function (NAME)"
+    if (!emptied_ && unit.consume_front("function (") && unit.consume_back(")")) {
+      if (const llvm::Function* current = module_.getFunction(unit)) {
+        for (auto next = std::next(current->getIterator()); next != module_.end(); ++next) {
+          module_.getFunction(next->getName())->deleteBody();
+        }
+        emptied_ = true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  llvm::Module& module_;
+  std::stop_token stop_;
+  bool emptied_ = false;
+};
+
+/// What the pipeline of passes works with.
+struct Optimiser {
+  llvm::PassInstrumentationCallbacks callbacks;
+  llvm::TargetLibraryInfoImpl library;
+  llvm::PassBuilder builder;
+  llvm::LoopAnalysisManager loop_analyses;
+  llvm::FunctionAnalysisManager function_analyses;
+  llvm::CGSCCAnalysisManager call_graph_analyses;
+  llvm::ModuleAnalysisManager module_analyses;
+  llvm::ModulePassManager passes;
+
+  Optimiser(llvm::TargetMachine& machine, const llvm::PipelineTuningOptions& tuning)
+      : library(machine.getTargetTriple()), builder(&machine, tuning, std::nullopt, &callbacks) {}
+};
+
+/// What the code generator works with.
+struct Emitter {
+  llvm::SmallVector<char, 0> bytes;
+  llvm::raw_svector_ostream stream{bytes};
+  llvm::legacy::PassManager passes;
+  StopGate gate;
+
+  Emitter(llvm::Module& module, const std::stop_token& stop) : gate(module, stop) {}
+};
+
 }  // namespace
 
 void make_floating_point_strict(llvm::Module& module) {
@@ -44,45 +100,45 @@ void make_floating_point_strict(llvm::Module& module) {
   }
 }
 
-void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level) {
+void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level,
+              const std::stop_token& stop) {
   llvm::PipelineTuningOptions tuning;
   tuning.LoopVectorization = level >= 2;
   // Packing neighbouring numbers into vectors made navigators slower, and compiling them too
   // (docs/experiments.md).
   tuning.SLPVectorization = false;
-  llvm::PassBuilder builder(&machine, tuning);
-
-  llvm::LoopAnalysisManager loop_analyses;
-  llvm::FunctionAnalysisManager function_analyses;
-  llvm::CGSCCAnalysisManager call_graph_analyses;
-  llvm::ModuleAnalysisManager module_analyses;
-  const llvm::TargetLibraryInfoImpl library(machine.getTargetTriple());
-  function_analyses.registerPass([&] { return llvm::TargetLibraryAnalysis(library); });
-  builder.registerModuleAnalyses(module_analyses);
-  builder.registerCGSCCAnalyses(call_graph_analyses);
-  builder.registerFunctionAnalyses(function_analyses);
-  builder.registerLoopAnalyses(loop_analyses);
-  builder.crossRegisterProxies(loop_analyses, function_analyses, call_graph_analyses,
-                               module_analyses);
-
-  llvm::ModulePassManager passes =
-      level == 0 ? builder.buildO0DefaultPipeline(llvm::OptimizationLevel::O0)
-                 : builder.buildPerModuleDefaultPipeline(pipeline_level(level));
-  passes.run(module, module_analyses);
+  leave_wreck(std::make_unique<Optimiser>(machine, tuning), [&](Optimiser& o) {
+    o.callbacks.registerShouldRunOptionalPassCallback(
+        [stop](llvm::StringRef, llvm::Any) { return !stop.stop_requested(); });
+    o.function_analyses.registerPass([&] { return llvm::TargetLibraryAnalysis(o.library); });
+    o.builder.registerModuleAnalyses(o.module_analyses);
+    o.builder.registerCGSCCAnalyses(o.call_graph_analyses);
+    o.builder.registerFunctionAnalyses(o.function_analyses);
+    o.builder.registerLoopAnalyses(o.loop_analyses);
+    o.builder.crossRegisterProxies(o.loop_analyses, o.function_analyses, o.call_graph_analyses,
+                                   o.module_analyses);
+    o.passes = level == 0 ? o.builder.buildO0DefaultPipeline(llvm::OptimizationLevel::O0)
+                          : o.builder.buildPerModuleDefaultPipeline(pipeline_level(level));
+    o.passes.run(module, o.module_analyses);
+  });
 }
 
-Expected<std::vector<char>> emit_object(llvm::Module& module, llvm::TargetMachine& machine) {
-  llvm::SmallVector<char, 0> bytes;
-  llvm::raw_svector_ostream stream(bytes);
-  llvm::legacy::PassManager passes;
-  const llvm::TargetLibraryInfoImpl library(machine.getTargetTriple());
-  passes.add(new llvm::TargetLibraryInfoWrapperPass(library));
-  if (machine.addPassesToEmitFile(passes, stream, nullptr, llvm::CodeGenFileType::ObjectFile,
-                                  /*DisableVerify=*/true)) {
-    return Failure{"the code generator cannot write object files"};
-  }
-  passes.run(module);
-  return std::vector<char>(bytes.begin(), bytes.end());
+Expected<std::vector<char>> emit_object(llvm::Module& module, llvm::TargetMachine& machine,
+                                        const std::stop_token& stop) {
+  return leave_wreck(std::make_unique<Emitter>(module, stop),
+                     [&](Emitter& e) -> Expected<std::vector<char>> {
+                       const llvm::TargetLibraryInfoImpl library(machine.getTargetTriple());
+                       e.passes.add(new llvm::TargetLibraryInfoWrapperPass(library));
+                       if (machine.addPassesToEmitFile(e.passes, e.stream, nullptr,
+                                                       llvm::CodeGenFileType::ObjectFile,
+                                                       /*DisableVerify=*/true)) {
+                         return Failure{"the code generator cannot write object files"};
+                       }
+                       module.getContext().setOptPassGate(e.gate);
+                       e.passes.run(module);
+                       if (stop.stop_requested()) return stopped();
+                       return std::vector<char>(e.bytes.begin(), e.bytes.end());
+                     });
 }
 
 std::size_t machine_code_bytes(const std::vector<char>& object) {

@@ -9,11 +9,14 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <memory>
+#include <new>
 #include <optional>
 
 #include "jit/detail/backend.hpp"
 #include "jit/detail/frontend.hpp"
 #include "jit/detail/large_stack.hpp"
+#include "jit/detail/leave_wreck.hpp"
 #include "jit/detail/source_check.hpp"
 #include "jit/detail/target.hpp"
 
@@ -84,14 +87,40 @@ struct Compiler::Impl {
   std::shared_ptr<llvm::TargetMachine> machine;
   std::string description;
 
-  Expected<Object> compile(std::string_view source, const std::string& unit_name) const {
-    Stopwatch stopwatch;
+  /// An exception went through the code generator: it is never to be destroyed.
+  void leave_machine() noexcept { std::construct_at(&left_behind.machine, machine); }
+
+  Expected<Object> compile(std::string_view source, const std::string& unit_name,
+                           const std::stop_token& stop) const {
+    if (stop.stop_requested()) return stopped();
+    return detail::leave_wreck(std::make_unique<Work>(), [&](Work& work) {
+      return compile_with(work, source, unit_name, stop);
+    });
+  }
+
+ private:
+  union LeftBehind {
+    std::shared_ptr<llvm::TargetMachine> machine;
+    LeftBehind() {}
+    ~LeftBehind() {}
+  } left_behind;
+
+  /// What a compilation makes on its way.
+  struct Work {
     BackendDiagnostics diagnostics;
     llvm::LLVMContext context;
-    context.setDiagnosticHandlerCallBack(collect, &diagnostics, /*RespectFilters=*/true);
-    Expected<detail::ParsedUnit> unit = detail::parse(source, unit_name, flags, target, context);
+    std::shared_ptr<llvm::Module> module;
+  };
+
+  Expected<Object> compile_with(Work& work, std::string_view source, const std::string& unit_name,
+                                const std::stop_token& stop) const {
+    Stopwatch stopwatch;
+    work.context.setDiagnosticHandlerCallBack(collect, &work.diagnostics, /*RespectFilters=*/true);
+    Expected<detail::ParsedUnit> unit =
+        detail::parse(source, unit_name, flags, target, work.context);
     if (!unit) return unit.failure();
-    llvm::Module& module = *unit->module;
+    work.module = unit->module;
+    llvm::Module& module = *work.module;
     if (!defines_visible_function(module)) {
       return Failure{unit_name + ": no function visible from outside is defined"};
     }
@@ -99,19 +128,22 @@ struct Compiler::Impl {
     object.report.frontend_ms = stopwatch.lap_ms();
 
     detail::make_floating_point_strict(module);
-    detail::optimise(module, *machine, options.optimisation);
+    detail::optimise(module, *machine, options.optimisation, stop);
+    if (stop.stop_requested()) return stopped();
     if (needs_initialisation(module)) {
       return Failure{unit_name + ": a global variable is not initialised by a constant"};
     }
     object.report.optimise_ms = stopwatch.lap_ms();
 
-    Expected<std::vector<char>> bytes = detail::emit_object(module, *machine);
+    Expected<std::vector<char>> bytes = detail::emit_object(module, *machine, stop);
     if (!bytes) return bytes.failure();
-    if (!diagnostics.errors.empty()) return Failure{unit_name + ": " + diagnostics.errors};
+    if (!work.diagnostics.errors.empty()) {
+      return Failure{unit_name + ": " + work.diagnostics.errors};
+    }
     object.bytes = *std::move(bytes);
     object.report.codegen_ms = stopwatch.lap_ms();
     object.report.code_bytes = detail::machine_code_bytes(object.bytes);
-    object.warnings = std::move(unit->warnings) + diagnostics.warnings;
+    object.warnings = std::move(unit->warnings) + work.diagnostics.warnings;
     return object;
   }
 };
@@ -136,7 +168,8 @@ Expected<Compiler> Compiler::create(const CompileOptions& options) {
   return Compiler(std::move(impl));
 }
 
-Expected<Object> Compiler::compile(std::string_view source, std::string_view unit_name) {
+Expected<Object> Compiler::compile(std::string_view source, std::string_view unit_name,
+                                   const std::stop_token& stop) {
   const std::string name(unit_name.empty() ? "unnamed.cpp" : unit_name);
   if (!is_usable_name(name)) return Failure{"not usable as the name of a unit: '" + name + "'"};
   if (source.size() > impl_->options.max_source_bytes) {
@@ -148,7 +181,10 @@ Expected<Object> Compiler::compile(std::string_view source, std::string_view uni
   Expected<Object> result = Failure{name + ": compilation did not finish"};
   const std::optional<Failure> not_run = detail::run_on_large_stack(stack_bytes, [&] {
     try {
-      result = impl_->compile(source, name);
+      result = impl_->compile(source, name, stop);
+    } catch (const std::bad_alloc&) {
+      impl_->leave_machine();
+      result = out_of_memory();
     } catch (const std::exception& error) {
       result = Failure{name + ": " + error.what()};
     }

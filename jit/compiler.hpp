@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,7 +23,7 @@ struct CompileOptions {
   /// Emit DWARF line tables, types and variables and keep frame pointers, so that a debugger shows
   /// source lines. The debugger finds the source if `unit_name` is the path of a file holding it.
   bool debug_info = false;
-  /// Longer sources are refused. Compilation cannot be interrupted, so this is what bounds it.
+  /// Longer sources are refused: parsing cannot be interrupted, so this is what bounds it.
   std::size_t max_source_bytes = std::size_t{8} << 20;
 };
 
@@ -68,10 +69,17 @@ class Compiler {
   /// too long, has an expression of more than 32768 tokens, defines no function visible from
   /// outside, or needs initialisation at load time; also if `unit_name` begins with '-' or contains
   /// control characters. Source is trusted otherwise: it can be written to take any time.
-  /// Errors are returned, never printed or thrown (except for lack of memory); only an internal
-  /// error of LLVM ends the process. Runs on a thread of its own, so that neither the depth nor the
-  /// size of the caller's stack matters; returns when it is done.
-  Expected<Object> compile(std::string_view source, std::string_view unit_name);
+  /// Errors are returned, never printed or thrown; only an internal error of LLVM ends the process.
+  /// Runs on a thread of its own, so that neither the depth nor the size of the caller's stack
+  /// matters; returns when it is done.
+  ///
+  /// Where memory or threads give out it fails as `exhausted`, and what was in the making is left
+  /// behind, since LLVM cannot be taken down in the middle of its work: the `Compiler` may only be
+  /// destroyed then.
+  /// Once `stop` is requested it fails as `stopped` as soon as it can: after the parsing, or after
+  /// the pass or the function that the code generator is at.
+  Expected<Object> compile(std::string_view source, std::string_view unit_name,
+                           const std::stop_token& stop = {});
 
   /// Everything but the source that determines the code: see the function of the same name.
   const std::string& target_description() const;

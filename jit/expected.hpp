@@ -9,7 +9,16 @@ namespace navjit::jit {
 /// Why an operation did not succeed: every diagnostic in one string, ready to be shown.
 struct Failure {
   std::string message;
+  /// For want of memory or threads: the next try would hardly do better.
+  bool exhausted = false;
+  /// Because it was asked to stop.
+  bool stopped = false;
 };
+
+/// The failure of what was asked to stop.
+inline Failure stopped() { return {.message = "stopped", .stopped = true}; }
+/// The failure for want of memory. Made without any.
+inline Failure out_of_memory() { return {.message = "out of memory", .exhausted = true}; }
 
 /// Either a value or the `Failure` that kept it from being made. Owns whichever it holds.
 template <typename T>

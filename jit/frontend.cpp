@@ -13,6 +13,8 @@
 #include <llvm/Support/VirtualFileSystem.h>
 #include <llvm/Support/raw_ostream.h>
 
+#include "jit/detail/leave_wreck.hpp"
+
 namespace navjit::jit::detail {
 namespace {
 
@@ -43,6 +45,19 @@ class KeepModule : public clang::ASTFrontendAction {
   llvm::LLVMContext& context_;
   clang::CodeGenerator* generator_ = nullptr;  // owned by the compiler instance
   std::unique_ptr<llvm::Module> module_;
+};
+
+/// What parsing works with. The instance uses what is declared before it until it is destroyed.
+struct Frontend {
+  std::string text;
+  llvm::raw_string_ostream text_stream{text};
+  llvm::IntrusiveRefCntPtr<clang::DiagnosticOptions> diagnostic_options{
+      new clang::DiagnosticOptions()};
+  clang::TextDiagnosticPrinter printer{text_stream, diagnostic_options.get()};
+  clang::CompilerInstance instance;
+  KeepModule action;
+
+  explicit Frontend(llvm::LLVMContext& context) : action(context) {}
 };
 
 std::vector<std::string> target_flags(const Target& target) {
@@ -90,47 +105,38 @@ Expected<ParsedUnit> parse(std::string_view source, std::string_view unit_name,
                            const std::vector<std::string>& flags, const Target& target,
                            llvm::LLVMContext& context) {
   const std::string name(unit_name);
-  std::string text;
-  llvm::raw_string_ostream text_stream(text);
+  return leave_wreck(std::make_unique<Frontend>(context), [&](Frontend& f) -> Expected<ParsedUnit> {
+    // The source is the only file there is to include.
+    llvm::IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem> files(
+        new llvm::vfs::InMemoryFileSystem());
+    files->setCurrentWorkingDirectory("/");
+    files->addFile(
+        name, 0,
+        llvm::MemoryBuffer::getMemBufferCopy(llvm::StringRef(source.data(), source.size()), name));
+    f.instance.createDiagnostics(&f.printer, /*ShouldOwnClient=*/false);
+    // The count of errors would go to stderr otherwise.
+    f.instance.setVerboseOutputStream(std::make_unique<llvm::raw_null_ostream>());
 
-  // Declared before the instance, which uses both until it is destroyed.
-  llvm::IntrusiveRefCntPtr<clang::DiagnosticOptions> diagnostic_options(
-      new clang::DiagnosticOptions());
-  clang::TextDiagnosticPrinter printer(text_stream, diagnostic_options.get());
-  // The source is the only file there is to include.
-  llvm::IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem> files(
-      new llvm::vfs::InMemoryFileSystem());
-  files->setCurrentWorkingDirectory("/");
-  files->addFile(
-      name, 0,
-      llvm::MemoryBuffer::getMemBufferCopy(llvm::StringRef(source.data(), source.size()), name));
+    std::vector<std::string> arguments = target_flags(target);
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    arguments.insert(arguments.end(), {"-main-file-name", name.substr(name.rfind('/') + 1)});
+    std::vector<const char*> pointers;
+    pointers.reserve(arguments.size());
+    for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
+    if (!clang::CompilerInvocation::CreateFromArgs(f.instance.getInvocation(), pointers,
+                                                   f.instance.getDiagnostics())) {
+      return Failure{"compiler flags not understood:\n" + f.text};
+    }
+    f.instance.getFrontendOpts().Inputs = {clang::FrontendInputFile(name, clang::Language::CXX)};
+    f.instance.createFileManager(files);
 
-  clang::CompilerInstance instance;
-  instance.createDiagnostics(&printer, /*ShouldOwnClient=*/false);
-  // The count of errors would go to stderr otherwise.
-  instance.setVerboseOutputStream(std::make_unique<llvm::raw_null_ostream>());
-
-  std::vector<std::string> arguments = target_flags(target);
-  arguments.insert(arguments.end(), flags.begin(), flags.end());
-  arguments.insert(arguments.end(), {"-main-file-name", name.substr(name.rfind('/') + 1)});
-  std::vector<const char*> pointers;
-  pointers.reserve(arguments.size());
-  for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
-  if (!clang::CompilerInvocation::CreateFromArgs(instance.getInvocation(), pointers,
-                                                 instance.getDiagnostics())) {
-    return Failure{"compiler flags not understood:\n" + text_stream.str()};
-  }
-  instance.getFrontendOpts().Inputs = {clang::FrontendInputFile(name, clang::Language::CXX)};
-  instance.createFileManager(files);
-
-  KeepModule action(context);
-  const bool succeeded = instance.ExecuteAction(action);
-  std::shared_ptr<llvm::Module> module = action.take_module();
-  if (!succeeded || !module || instance.getDiagnostics().hasErrorOccurred()) {
-    if (text_stream.str().empty()) text_stream << name << ": compilation failed";
-    return Failure{text_stream.str()};
-  }
-  return ParsedUnit{std::move(module), text_stream.str()};
+    const bool succeeded = f.instance.ExecuteAction(f.action);
+    std::shared_ptr<llvm::Module> module = f.action.take_module();
+    if (!succeeded || !module || f.instance.getDiagnostics().hasErrorOccurred()) {
+      return Failure{f.text.empty() ? name + ": compilation failed" : f.text};
+    }
+    return ParsedUnit{std::move(module), f.text};
+  });
 }
 
 }  // namespace navjit::jit::detail

@@ -28,7 +28,8 @@ std::optional<Failure> run_on_large_stack(std::size_t stack_bytes,
     if (error == 0) error = pthread_join(thread, nullptr);
   }
   if (error == 0) return std::nullopt;
-  return Failure{"no thread to compile on: " + std::generic_category().message(error)};
+  return Failure{"no thread to compile on: " + std::generic_category().message(error),
+                 /*exhausted=*/true};
 }
 
 }  // namespace navjit::jit::detail

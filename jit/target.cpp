@@ -5,6 +5,7 @@
 #include <llvm/Config/llvm-config.h>
 #include <llvm/MC/MCSubtargetInfo.h>
 #include <llvm/MC/TargetRegistry.h>
+#include <llvm/Support/ErrorHandling.h>
 #include <llvm/Support/TargetSelect.h>
 #include <llvm/Target/TargetMachine.h>
 #include <llvm/TargetParser/Host.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <mutex>
+#include <new>
 #include <optional>
 
 #include "jit/detail/frontend.hpp"
@@ -78,9 +80,11 @@ llvm::CodeGenOptLevel codegen_level(int optimisation) {
 }  // namespace
 
 void initialise_native_target() {
-  // LLVM's registry of targets is process-wide and not synchronised.
+  // LLVM's registry of targets is process-wide and not synchronised. So is its handler for want of
+  // memory: without one it ends the process.
   static std::once_flag once;
   std::call_once(once, [] {
+    llvm::install_bad_alloc_error_handler([](void*, const char*, bool) { throw std::bad_alloc(); });
     llvm::InitializeNativeTarget();
     llvm::InitializeNativeTargetAsmPrinter();
     llvm::InitializeNativeTargetAsmParser();

@@ -19,7 +19,9 @@ Compiler& Compiler::operator=(Compiler&&) noexcept = default;
 Compiler::~Compiler() = default;
 
 Expected<Compiler> Compiler::create(const CompileOptions&) { return absent(); }
-Expected<Object> Compiler::compile(std::string_view, std::string_view) { return absent(); }
+Expected<Object> Compiler::compile(std::string_view, std::string_view, const std::stop_token&) {
+  return absent();
+}
 const std::string& Compiler::target_description() const { return impl_->description; }
 
 Expected<Object> compile(std::string_view, std::string_view, const CompileOptions&) {

@@ -125,10 +125,11 @@ std::optional<CodeMaker::Made> CodeMaker::find(std::string_view source) {
   return Made{*std::move(code), std::move(object)};
 }
 
-jit::Expected<CodeMaker::Made> CodeMaker::compile(std::string_view source) {
+jit::Expected<CodeMaker::Made> CodeMaker::compile(std::string_view source,
+                                                  const std::stop_token& stop) {
   if (linker() == nullptr) return jit::Failure{no_linker_};
   if (compiler() == nullptr) return jit::Failure{no_compiler_};
-  auto object = compiler()->compile(source, "navjit_module");
+  auto object = compiler()->compile(source, "navjit_module", stop);
   if (!object) return object.failure();
   auto code = linker()->link(*object);
   if (!code) return code.failure();

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -28,7 +29,8 @@ class CodeMaker {
 
   /// Code for this source from the cache; nothing if it is not there.
   std::optional<Made> find(std::string_view source);
-  jit::Expected<Made> compile(std::string_view source);
+  /// Fails as stopped, soon, once that is requested.
+  jit::Expected<Made> compile(std::string_view source, const std::stop_token& stop);
   /// Puts what was compiled from this source into the cache.
   void keep(std::string_view source, std::string_view label, const jit::Object& object);
   /// Code from the cache was no good: it shall not be found again.

@@ -61,6 +61,9 @@ struct SpecialiserOptions {
 struct Faults {
   std::function<void(std::string& source)> edit_source{};
   bool fail_verification = false;
+  /// Called on the compiling thread before each compilation, as if it were part of it: it may take
+  /// its time, and throw.
+  std::function<void()> compiling{};
 };
 
 struct RuntimeOptions {

@@ -36,9 +36,12 @@ struct BudgetReport {
 struct SceneReport {
   std::uint32_t volume_id = 0;
   std::string volume;
+  std::string
+      structure;  ///< how it is searched, in words: "stack of 70 along z"; of final_report()
   std::uint64_t steps = 0;
-  double share = 0;                ///< of all steps
-  double generic_ns_per_step = 0;  ///< on the recorded states, replayed
+  double share = 0;  ///< of all steps
+  /// Processor time on the recorded states, replayed.
+  double generic_ns_per_step = 0;
   double specialised_ns_per_step = 0;
   double compile_ms = 0;    ///< this scene's part of its module
   double swapped_at_s = 0;  ///< since the runtime was made

@@ -24,7 +24,7 @@ Runtime::Runtime(World world, RuntimeOptions options)
 
 Runtime::Runtime(std::shared_ptr<const World> world, RuntimeOptions options)
     : shared_(std::make_shared<detail::Shared>(std::move(world), std::move(options))),
-      specialiser_(std::make_unique<Specialiser>(shared_)) {
+      specialiser_(std::make_shared<Specialiser>(shared_)) {
   if (shared_->options.level != Level::exact) {
     spdlog::warn("level {}: all scenes run exact, which is as fast",
                  level_name(shared_->options.level));
@@ -37,7 +37,7 @@ Runtime::Runtime(std::shared_ptr<const World> world, RuntimeOptions options)
   }
 }
 
-Runtime::~Runtime() = default;
+Runtime::~Runtime() { specialiser_->stop(); }
 
 Navigator Runtime::navigator() { return Navigator(shared_); }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "geometry/navigation/generic.hpp"
+#include "jit/activity.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/log_text.hpp"
 #include "runtime/plugin.hpp"
@@ -89,11 +90,12 @@ bool Specialiser::make_module(const std::vector<VolumeId>& batch) {
   if (shared_->options.faults.edit_source) shared_->options.faults.edit_source(module.source);
   if (auto found = maker_->find(module.source)) {
     if (install(module, std::move(found->code), true, start)) return true;
+    if (stopping()) return false;
     maker_->reject(module.source);
   }
-  auto made = maker_->compile(module.source);
+  auto made = compile(module.source);
   if (!made) {
-    no_module(batch, made.failure().message);
+    if (!made.failure().stopped) no_module(batch, made.failure());
     return false;
   }
   const jit::CompileReport& report = made->object.report;
@@ -109,6 +111,27 @@ bool Specialiser::make_module(const std::vector<VolumeId>& batch) {
   return true;
 }
 
+jit::Expected<CodeMaker::Made> Specialiser::compile(const std::string& source) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (stopping()) return jit::stopped();
+    compiling_ = true;
+    wake_.notify_all();
+  }
+  jit::Expected<CodeMaker::Made> made = jit::stopped();
+  try {
+    if (shared_->options.faults.compiling) shared_->options.faults.compiling();
+    made = maker_->compile(source, stop_.get_token());
+  } catch (const std::bad_alloc&) {
+    made = jit::out_of_memory();
+  }
+  const std::lock_guard lock(mutex_);
+  compiling_ = false;
+  // Nobody waits for it then, and what is this thread's may be in use.
+  if (stopping()) return jit::stopped();
+  return made;
+}
+
 double Specialiser::expected_ms(const std::vector<VolumeId>& batch) const {
   double sum = module_base_ms;
   for (const VolumeId volume : batch) {
@@ -119,8 +142,9 @@ double Specialiser::expected_ms(const std::vector<VolumeId>& batch) const {
   return sum;
 }
 
-void Specialiser::no_module(const std::vector<VolumeId>& batch, const std::string& why) {
-  if (!maker_->no_compiler().empty() || !maker_->no_linker().empty()) {
+void Specialiser::no_module(const std::vector<VolumeId>& batch, const jit::Failure& failure) {
+  const std::string& why = failure.message;
+  if (failure.exhausted || !maker_->no_compiler().empty() || !maker_->no_linker().empty()) {
     spdlog::warn("nothing more is specialised in this run: {}", one_line(why));
     hopeless_ = true;
     for (const VolumeId volume : batch) note(volume, SceneStatus::generic, why);
@@ -128,7 +152,9 @@ void Specialiser::no_module(const std::vector<VolumeId>& batch, const std::strin
   }
   if (batch.size() > 1) {
     // One scene may have spoilt the module for all.
-    for (const VolumeId volume : batch) make_module({volume});
+    for (const VolumeId volume : batch) {
+      if (!hopeless_ && !stopping()) make_module({volume});
+    }
     return;
   }
   spdlog::warn("scene {} stays generic: {}", shared_->geometry.world().volumes[batch[0]].name,
@@ -144,6 +170,10 @@ bool Specialiser::install(const codegen::Module& module, jit::Code code, bool ca
   bool all_good = true;
   installed->records.reserve(module.entries.size());  // pointers to records are published
   for (const codegen::Entry& entry : module.entries) {
+    if (stopping()) {
+      all_good = false;
+      break;
+    }
     SceneReport report;
     report.compile_ms = compile_ms / static_cast<double>(module.entries.size());
     report.origin = cached ? CodeOrigin::cache : CodeOrigin::compiler;
@@ -247,7 +277,7 @@ void Specialiser::install_remembered() {
       const bool fresh = std::all_of(batch.begin(), batch.end(), [&](VolumeId v) {
         return facts_.reachable[v] && facts_.first_equal[v] == v && !scenes_.contains(v);
       });
-      if (stop_) return;
+      if (stopping()) return;
       if (!fresh) continue;
     }
     // What the cache has no more is left to the profile of this run.
@@ -258,7 +288,7 @@ void Specialiser::install_remembered() {
       if (!found) continue;
       if (install(module, std::move(found->code), true, start)) {
         hot_list_.push_back(batch);
-      } else {
+      } else if (!stopping()) {
         maker_->reject(module.source);
       }
       break;

@@ -10,6 +10,7 @@
 
 #include "analysis/plan.hpp"
 #include "geometry/navigation/generic.hpp"
+#include "jit/activity.hpp"
 #include "runtime/code_maker.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/log_text.hpp"
@@ -79,8 +80,6 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
   maker_ = std::make_unique<CodeMaker>(shared_->options.specialiser, shared_->options.cache);
 }
 
-Specialiser::~Specialiser() { stop(); }
-
 void Specialiser::apply_overrides() {
   const char* text = std::getenv(overrides_variable);
   if (text == nullptr) return;
@@ -105,31 +104,62 @@ void Specialiser::apply_overrides() {
 }
 
 void Specialiser::stop() {
-  {
-    const std::lock_guard lock(mutex_);
-    stop_ = true;
-  }
+  std::unique_lock lock(mutex_);
+  stop_.request_stop();
   wake_.notify_all();
-  if (thread_.joinable()) thread_.join();
+  if (!thread_.joinable()) return;
+  wake_.wait(lock, [&] { return ended_ || compiling_; });
+  const bool ended = ended_;
+  lock.unlock();
+  if (ended) {
+    thread_.join();
+  } else {
+    jit::outlast_activities();
+    thread_.detach();
+  }
 }
 
 double Specialiser::seconds() const { return now() - started_at_; }
 
 void Specialiser::start() {
   hopeless_ = !maker_;
-  if (maker_ || totals_.plugin_scenes > 0) thread_ = std::thread([this] { run(); });
+  if (!maker_ && totals_.plugin_scenes == 0) return;
+  try {
+    thread_ = std::thread(
+        [activity = std::make_unique<jit::Activity>(stop_), self = shared_from_this()]() mutable {
+          // In this order: the last to own the specialiser takes the compiler down with it.
+          const std::unique_ptr<jit::Activity> until_the_end = std::move(activity);
+          const std::shared_ptr<Specialiser> own = std::move(self);
+          own->run();
+        });
+  } catch (const std::exception& error) {
+    hopeless_ = true;
+    spdlog::warn("nothing is specialised in this run: no thread for it: {}", error.what());
+  }
 }
 
 void Specialiser::run() {
   // Of this thread, and of those that it makes for the compiler.
   setpriority(PRIO_PROCESS, 0, std::clamp(shared_->options.specialiser.nice, 0, 19));
+  try {
+    look_until_stopped();
+  } catch (const std::exception& error) {
+    if (!stopping()) spdlog::warn("nothing more is specialised in this run: {}", error.what());
+  }
+  const std::lock_guard lock(mutex_);
+  ended_ = true;
+  wake_.notify_all();
+}
+
+void Specialiser::look_until_stopped() {
   if (maker_) install_remembered();
   std::unique_lock lock(mutex_);
-  while (!stop_) {
+  while (!stopping()) {
     lock.unlock();
     gather();
     const std::vector<VolumeId> batch = choose();
     if (!batch.empty()) specialise(batch);
+    if (stopping()) return;
     reconsider();
     const std::size_t waiting = shared_->table.sweep();
     lock.lock();
@@ -148,7 +178,8 @@ void Specialiser::wait_until_idle() {
   if (!thread_.joinable()) return;
   std::unique_lock lock(mutex_);
   // Two looks from now the counts of this moment were seen; what is due on them comes first.
-  wake_.wait(lock, [&, target = looks_ + 2] { return stop_ || idle_look_ >= target; });
+  wake_.wait(lock,
+             [&, target = looks_ + 2] { return ended_ || stopping() || idle_look_ >= target; });
 }
 
 void Specialiser::gather() {
@@ -284,22 +315,37 @@ void Specialiser::specialise_all() {
       batch.push_back(volume);
     }
     if (batch.size() == shared_->options.specialiser.batch) flush();
+    if (hopeless_ || stopping()) return;
   }
   flush();
 }
 
 void Specialiser::time_generic() {
   gather();
-  for (const auto& [volume, samples] : samples_) {
+  std::vector<VolumeId> hottest;
+  for (std::size_t v = 0; v < steps_.size(); ++v) {
+    if (steps_[v] > 0) hottest.push_back(static_cast<VolumeId>(v));
+  }
+  std::stable_sort(hottest.begin(), hottest.end(),
+                   [&](VolumeId a, VolumeId b) { return steps_[a] > steps_[b]; });
+  const double until = now() + std::clamp(0.1 * seconds(), 0.02, 1.0);
+  for (const VolumeId volume : hottest) {
+    SceneReport scene;
     {
       const std::lock_guard lock(mutex_);
-      const auto known = scenes_.find(volume);
-      if (known != scenes_.end() && known->second.generic_ns_per_step > 0) continue;
+      scene = scenes_[volume];
     }
-    const double ns =
-        time_per_step(shared_->geometry, shared_->table.context(), generic::navigators, samples);
+    if (scene.structure.empty()) {
+      scene.structure = plan_scene(shared_->geometry, facts_, volume).pattern;
+    }
+    const std::vector<Sample>& samples = samples_[volume];
+    if (scene.generic_ns_per_step == 0 && !samples.empty()) {
+      scene.generic_ns_per_step =
+          time_per_step(shared_->geometry, shared_->table.context(), generic::navigators, samples);
+    }
     const std::lock_guard lock(mutex_);
-    scenes_[volume].generic_ns_per_step = ns;
+    scenes_[volume] = std::move(scene);
+    if (now() > until) return;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <set>
+#include <stop_token>
 #include <thread>
 
 #include "analysis/facts.hpp"
@@ -25,23 +26,27 @@ namespace navjit {
 /// time; the share itself is a guess.
 constexpr std::uint64_t declined_share = 8;
 
-class Specialiser {
+/// Owned by its Runtime, and by its thread as long as that runs: a compilation that is under way
+/// when the Runtime goes is left to itself.
+class Specialiser : public std::enable_shared_from_this<Specialiser> {
  public:
   explicit Specialiser(std::shared_ptr<detail::Shared> shared);
-  ~Specialiser();
 
   /// Specialises all volumes of the tree, in the calling thread. Before start() only.
   void specialise_all();
   /// Verifies and installs the scenes of a plugin, in the calling thread. Before start() only.
   void install_plugin(const std::string& path);
+  /// Where there is no thread to be had, nothing is specialised, and the log says so.
   void start();
   void wait_until_idle();
-  /// Ends the thread, after the compilation under way.
+  /// Ends the thread, or leaves it to the compilation that it is at: that is asked to stop, and
+  /// whatever comes of it is dropped. The calling thread may use what is the thread's from then on.
   void stop();
 
   RuntimeReport report() const;
   std::size_t specialised() const;
-  /// Times scenes that have samples and no timing yet. After stop().
+  /// Times scenes that have samples and no timing yet, and tells the structure of scenes, the
+  /// hottest first, for a limited time. After stop().
   void time_generic();
   /// Holds scenes that made steps to options.budget, which is given (budget.cpp). After stop().
   void hold_to_budget();
@@ -50,6 +55,8 @@ class Specialiser {
 
  private:
   void run();
+  void look_until_stopped();
+  bool stopping() const { return stop_.stop_requested(); }
   void apply_overrides();
   void gather();
   void update_heat();
@@ -74,9 +81,10 @@ class Specialiser {
   bool install_scene(VolumeId volume, const kernels::Navigators& record,
                      const std::shared_ptr<const void>& owner, bool only_if_faster,
                      SceneReport& report, std::string& problem);
+  jit::Expected<CodeMaker::Made> compile(const std::string& source);
   /// What the cost model says of a module, ms; 0 if it was not asked about all of its scenes.
   double expected_ms(const std::vector<VolumeId>& batch) const;
-  void no_module(const std::vector<VolumeId>& batch, const std::string& why);
+  void no_module(const std::vector<VolumeId>& batch, const jit::Failure& failure);
   /// Installs what earlier runs found hot, as far as the cache has the code.
   void install_remembered();
   void remember(const std::vector<VolumeId>& batch);
@@ -119,9 +127,12 @@ class Specialiser {
   double reconsidered_at_ = 0;
   double started_at_;
 
+  std::stop_source stop_;
+
   mutable std::mutex mutex_;  ///< guards what follows
   std::condition_variable wake_;
-  bool stop_ = false;
+  bool compiling_ = false;       ///< the thread is in the compiler, and uses nothing but `maker_`
+  bool ended_ = false;           ///< the thread uses nothing any more
   std::uint64_t looks_ = 0;      ///< completed passes over the profile
   std::uint64_t idle_look_ = 0;  ///< the last that found nothing to do
   std::map<VolumeId, SceneReport> scenes_;

@@ -1,7 +1,6 @@
 #include "runtime/verify.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <limits>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "geometry/navigation/generic.hpp"
+#include "runtime/processor_time.hpp"
 
 namespace navjit {
 namespace {
@@ -108,7 +108,6 @@ std::string verify(const Geometry& geometry, const kernels::Context& context,
 
 double time_per_step(const Geometry& geometry, const kernels::Context& context,
                      const kernels::Navigators& navigators, std::span<const Sample> samples) {
-  using Clock = std::chrono::steady_clock;
   if (samples.empty()) return 0;
   // Enough different states that processors do not learn them by heart, few enough that the levels
   // they use stay near.
@@ -120,7 +119,7 @@ double time_per_step(const Geometry& geometry, const kernels::Context& context,
   }
   const auto work = std::make_unique<Stack>();
   const auto pass = [&](bool step) {
-    const auto start = Clock::now();
+    const double start = thread_seconds();
     for (std::size_t i = 0; i < count; ++i) {
       const Sample& s = samples[i];
       copy(stacks[i], *work);
@@ -129,8 +128,7 @@ double time_per_step(const Geometry& geometry, const kernels::Context& context,
         navigators.step(work.get(), &context, s.point.x, s.point.y, s.point.z, s.limit);
       }
     }
-    return std::chrono::duration<double, std::nano>(Clock::now() - start).count() /
-           static_cast<double>(count);
+    return 1e9 * (thread_seconds() - start) / static_cast<double>(count);
   };
   double with = infinity, without = infinity;
   for (int repetition = 0; repetition < 8; ++repetition) {

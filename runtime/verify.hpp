@@ -16,7 +16,7 @@ std::string verify(const Geometry& geometry, const kernels::Context& context,
                    const kernels::Navigators& specialised, VolumeId volume,
                    std::span<const Sample> samples);
 
-/// Mean time of a step from the samples, ns: the best of a few passes. 0 without samples.
+/// Mean processor time of a step from the samples, ns: the best of a few passes. 0 without samples.
 double time_per_step(const Geometry& geometry, const kernels::Context& context,
                      const kernels::Navigators& navigators, std::span<const Sample> samples);
 

@@ -9,7 +9,7 @@
 namespace navjit::jit::detail {
 
 /// Runs `work` on a thread with `stack_bytes` of stack and waits for it. `work` must not throw.
-/// Fails, without having run it, if there is no such thread to be had.
+/// Fails as exhausted, without having run it, if there is no such thread to be had.
 std::optional<Failure> run_on_large_stack(std::size_t stack_bytes,
                                           const std::function<void()>& work);
 

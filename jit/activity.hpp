@@ -1,0 +1,34 @@
+// What becomes of threads that are at work in LLVM when the process ends.
+#pragma once
+
+#include <list>
+#include <stop_token>
+
+namespace navjit::jit {
+
+/// While one exists, the process does not come to the end of exit(): that destroys LLVM's static
+/// objects, and a thread in LLVM would crash. exit(), also by a return from main, asks all
+/// activities to stop and waits until they are gone; _exit() and quick_exit() wait for nobody.
+///
+/// A thread that uses a `Compiler` or a `Linker` and may still do so when the process ends makes
+/// one before them, as its first local variable, and heeds the request. Thread-safe.
+class Activity {
+ public:
+  /// Throws std::bad_alloc.
+  explicit Activity(const std::stop_source& stop);
+  Activity(const Activity&) = delete;
+  Activity& operator=(const Activity&) = delete;
+  ~Activity();
+
+  /// Whether there is any in this process: then exit() may take a while.
+  static bool any();
+
+ private:
+  std::list<std::stop_source>::iterator place_;
+};
+
+/// Asks the activities to stop at exit() even before static objects are destroyed that were made
+/// since the activity was: to be called where an activity is left to itself.
+void outlast_activities();
+
+}  // namespace navjit::jit
