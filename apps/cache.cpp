@@ -1,15 +1,24 @@
 // `navjit cache`: upkeep of the directory of compiled code.
 #include <sys/stat.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <ctime>
+#include <memory>
 #include <stdexcept>
 
 #include "apps/commands.hpp"
+#include "apps/options/runtime.hpp"
 #include "jit/object_cache.hpp"
 
 namespace navjit::apps {
 namespace {
+
+enum class Task : std::uint8_t { list, verify, clear, path };
+struct Options {
+  Cache cache;
+  Task task = Task::list;
+};
 
 std::string local_time(std::int64_t seconds) {
   const std::time_t time = static_cast<std::time_t>(seconds);
@@ -39,16 +48,14 @@ std::size_t print(const std::vector<jit::CacheEntry>& entries, bool only_problem
   return problems;
 }
 
-}  // namespace
-
-int cache(const CacheOptions& options) {
+int cache(const Options& options) {
   const std::string& directory = options.cache.directory;
   if (directory.empty()) {
     throw std::runtime_error(
         "there is no cache directory: none is given, and neither XDG_CACHE_HOME nor HOME is an "
         "absolute path");
   }
-  if (options.action == CacheAction::path) {
+  if (options.task == Task::path) {
     std::printf("%s\n", directory.c_str());
     return 0;
   }
@@ -59,17 +66,36 @@ int cache(const CacheOptions& options) {
   }
   auto opened = jit::ObjectCache::open(directory, {}, false);
   if (!opened) throw std::runtime_error(opened.failure().message);
-  if (options.action == CacheAction::clear) {
+  if (options.task == Task::clear) {
     const auto removed = opened->clear();
     if (!removed) throw std::runtime_error(directory + ": " + removed.failure().message);
     std::printf("%zu entries removed\n", *removed);
     return 0;
   }
-  const bool verify = options.action == CacheAction::verify;
+  const bool verify = options.task == Task::verify;
   const auto entries = opened->list(verify);
   if (!entries) throw std::runtime_error(directory + ": " + entries.failure().message);
   const std::size_t problems = print(*entries, verify);
   return verify && problems > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void add_cache(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("cache", "Look after compiled code");
+  command.require_subcommand(1);
+  add_cache_option(command, options->cache, false);
+  const auto add_task = [&](const char* name, const char* what, Task task) {
+    command.add_subcommand(name, what)->fallthrough()->callback([options, task] {
+      options->task = task;
+    });
+  };
+  add_task("list", "what is in it, last used first", Task::list);
+  add_task("verify", "check every entry; exit status 1 if one is damaged", Task::verify);
+  add_task("clear", "remove all entries", Task::clear);
+  add_task("path", "where it is", Task::path);
+  command.callback([options, &action] { action = [options] { return cache(*options); }; });
 }
 
 }  // namespace navjit::apps

@@ -1,18 +1,23 @@
 // `navjit check`: overlaps and protrusions.
+#include <CLI/CLI.hpp>
 #include <cstdio>
+#include <memory>
 
 #include "apps/commands.hpp"
-#include "apps/read_detector.hpp"
+#include "apps/options/detector.hpp"
 #include "geometry/check/overlaps.hpp"
 
 namespace navjit::apps {
+namespace {
 
-int check(const CheckOptions& options) {
-  const Geometry geometry(read_detector(options.detector, options.setup));
-  OverlapOptions overlap_options;
-  overlap_options.resolution = options.resolution;
-  overlap_options.tolerance = options.tolerance;
-  const std::vector<Overlap> overlaps = find_overlaps(geometry, overlap_options);
+struct Options {
+  Detector detector;
+  OverlapOptions overlaps;
+};
+
+int check(const Options& options) {
+  const Geometry geometry(read(options.detector));
+  const std::vector<Overlap> overlaps = find_overlaps(geometry, options.overlaps);
   const World& world = geometry.world();
   for (const Overlap& o : overlaps) {
     const LogicalVolume& mother = world.volumes[o.volume];
@@ -27,8 +32,24 @@ int check(const CheckOptions& options) {
                 sticks_out ? "" : name(o.second).c_str(), o.depth, o.point.x, o.point.y, o.point.z);
   }
   std::printf("%zu overlaps and protrusions deeper than %g mm, %zu points a daughter\n",
-              overlaps.size(), options.tolerance, options.resolution);
+              overlaps.size(), options.overlaps.tolerance, options.overlaps.resolution);
   return overlaps.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("check", "Find overlaps and protrusions");
+  add_detector(command, options->detector);
+  command
+      .add_option("--resolution", options->overlaps.resolution, "points on each daughter's surface")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000000}))
+      ->option_text("N");
+  command.add_option("--tolerance", options->overlaps.tolerance, "mm; shallower ones are not told")
+      ->check(CLI::NonNegativeNumber)
+      ->option_text("MM");
+  command.callback([options, &action] { action = [options] { return check(*options); }; });
 }
 
 }  // namespace navjit::apps

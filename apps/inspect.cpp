@@ -1,18 +1,28 @@
 // `navjit inspect`: what is in a detector, and what the analysis makes of a scene.
+#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
 #include <map>
+#include <memory>
 #include <stdexcept>
 
 #include "analysis/error_bound.hpp"
 #include "analysis/plan.hpp"
 #include "apps/commands.hpp"
+#include "apps/options/boxes.hpp"
+#include "apps/options/detector.hpp"
 #include "codegen/module.hpp"
 #include "geometry/bvh/box_tree.hpp"
-#include "geometry/gdml/reader.hpp"
 
 namespace navjit::apps {
 namespace {
+
+struct Options {
+  Detector detector;
+  std::string scene;  ///< empty: all volumes in short
+  bool emit = false;  ///< print the generated source of the scene
+  GeometryOptions geometry;
+};
 
 /// "all", "linear", "two-level:surface", ...
 std::string search_name(const Scene& scene) {
@@ -118,19 +128,27 @@ void print_world(const Geometry& geometry, const std::string& file, const GdmlRe
   print_materials(world, facts);
 }
 
-}  // namespace
-
-int inspect(const InspectOptions& options) {
+int inspect(const Options& options) {
   GdmlReport report;
-  const Geometry geometry(
-      std::make_shared<const World>(read_gdml(options.detector, {.setup = options.setup}, &report)),
-      options.geometry);
+  const Geometry geometry(read(options.detector, report), options.geometry);
   if (options.scene.empty()) {
-    print_world(geometry, options.detector, report);
+    print_world(geometry, options.detector.file, report);
   } else {
     print_scene(geometry, options.scene, options.emit);
   }
   return 0;
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("inspect", "What is in a detector");
+  add_detector(command, options->detector);
+  command.add_option("--scene", options->scene, "analysis of one logical volume");
+  command.add_flag("--emit", options->emit, "print the scene's generated source")->needs("--scene");
+  add_boxes(command, options->geometry);
+  command.callback([options, &action] { action = [options] { return inspect(*options); }; });
 }
 
 }  // namespace navjit::apps

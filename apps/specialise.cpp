@@ -1,18 +1,30 @@
-// `navjit specialise`, `navjit profile`, `navjit plugin`: navigators made ahead of time.
+// `navjit specialise`: navigators made ahead of time, as a plugin or as its source.
+#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <stdexcept>
 
 #include "analysis/plan.hpp"
 #include "apps/commands.hpp"
-#include "apps/read_detector.hpp"
+#include "apps/options/detector.hpp"
 #include "runtime/make_plugin.hpp"
 #include "runtime/plugin_text.hpp"
 
 namespace navjit::apps {
 namespace {
+
+struct Options {
+  Detector detector;
+  std::vector<std::string> scenes;  ///< logical volumes by name
+  std::string profile;              ///< file; empty: the named scenes only
+  PluginChoice choice;
+  std::string emit;  ///< "so" or "cpp"
+  int optimisation = 2;
+  std::string out;
+};
 
 std::vector<VolumeId> named_scenes(const Geometry& geometry, const WorldFacts& facts,
                                    const std::vector<std::string>& names) {
@@ -37,10 +49,8 @@ std::vector<VolumeId> named_scenes(const Geometry& geometry, const WorldFacts& f
   return scenes;
 }
 
-}  // namespace
-
-int specialise(const SpecialiseOptions& options) {
-  const Geometry geometry(read_detector(options.detector, options.setup));
+int specialise(const Options& options) {
+  const Geometry geometry(read(options.detector));
   const WorldFacts facts = analyse_world(geometry);
   std::vector<VolumeId> scenes = named_scenes(geometry, facts, options.scenes);
   if (!options.profile.empty()) {
@@ -56,7 +66,7 @@ int specialise(const SpecialiseOptions& options) {
     throw std::runtime_error("no scene is hot enough and worth compiling; --least-share may help");
   }
   const std::string source = plugin_source(geometry, facts, scenes);
-  if (options.source_only) {
+  if (options.emit == "cpp") {
     std::ofstream out(options.out, std::ios::binary);
     out << source;
     out.close();
@@ -69,27 +79,37 @@ int specialise(const SpecialiseOptions& options) {
   return 0;
 }
 
-int merge_profiles(const MergeOptions& options) {
-  StepProfile merged = read_profile(options.profiles.at(0));
-  for (std::size_t i = 1; i < options.profiles.size(); ++i) {
-    const StepProfile next = read_profile(options.profiles[i]);
-    try {
-      merged = merge(merged, next);
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(options.profiles[0] + ", " + options.profiles[i] + ": " +
-                               error.what());
-    }
-  }
-  write_profile(merged, options.out);
-  std::printf("%zu volumes, %llu runs\n", merged.volumes.size(),
-              static_cast<unsigned long long>(merged.runs));
-  return 0;
-}
+}  // namespace
 
-int seal_plugin(const std::string& path) {
-  const std::string problem = navjit::seal_plugin(path);
-  if (!problem.empty()) throw std::runtime_error(problem);
-  return 0;
+void add_specialise(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *app.add_subcommand("specialise", "Make a plugin of navigators ahead of time");
+  add_detector(command, options->detector);
+  CLI::Option* scenes =
+      command.add_option("--scene", options->scenes, "logical volumes")->option_text("NAME...");
+  command.add_option("--profile", options->profile, "of navjit run --save-profile")
+      ->excludes(scenes)
+      ->option_text("FILE");
+  command
+      .add_option("--least-share", options->choice.least_share,
+                  "of a profile's steps, for a scene to be taken")
+      ->check(CLI::Range(0.0, 1.0))
+      ->option_text("SHARE");
+  command.add_option("--emit", options->emit, "so (a plugin) or cpp (its source)")
+      ->required()
+      ->check(CLI::IsMember({"so", "cpp"}).description(""))
+      ->option_text("cpp|so");
+  command.add_option("--opt", options->optimisation, "of the compiler, 0 to 3")
+      ->check(CLI::Range(0, 3))
+      ->option_text("N");
+  command.add_option("-o,--out", options->out, "file to write")->required()->option_text("FILE");
+  command.callback([options, &action] {
+    if (options->scenes.empty() && options->profile.empty()) {
+      throw CLI::ValidationError("specialise", "--scene or --profile is needed");
+    }
+    action = [options] { return specialise(*options); };
+  });
 }
 
 }  // namespace navjit::apps

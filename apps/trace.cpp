@@ -1,7 +1,7 @@
 // `navjit trace`: every step of every ray, as CSV.
+#include <CLI/CLI.hpp>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -9,11 +9,23 @@
 #include <thread>
 
 #include "apps/commands.hpp"
-#include "apps/read_detector.hpp"
+#include "apps/options/detector.hpp"
+#include "apps/options/numbers.hpp"
+#include "apps/options/runtime.hpp"
+#include "apps/options/source.hpp"
 #include "runtime/runtime.hpp"
 
 namespace navjit::apps {
 namespace {
+
+struct Options {
+  Detector detector;
+  std::string rays;  ///< a file, or a number
+  common::RaySource source;
+  unsigned threads = 1;
+  RuntimeOptions runtime;
+  std::string out;  ///< empty: standard output
+};
 
 struct CloseFile {
   void operator()(FILE* file) const {
@@ -43,24 +55,10 @@ std::string trace_ray(Navigator& navigator, const World& world, const Ray& ray,
   return rows;
 }
 
-std::vector<Ray> rays_of(const TraceOptions& options, const World& world) {
-  std::uint64_t count = 0;
-  const char* end = options.rays.data() + options.rays.size();
-  const auto [at, error] = std::from_chars(options.rays.data(), end, count);
-  if (error != std::errc{} || at != end) return read_rays(options.rays);
-  RaySource source;
-  source.seed = options.seed;
-  std::vector<Ray> rays;
-  for (std::uint64_t i = 0; i < count; ++i) rays.push_back(make_ray(source, world, i));
-  return rays;
-}
-
-}  // namespace
-
-int trace(const TraceOptions& options) {
-  Runtime runtime(read_detector(options.detector, options.setup), options.runtime);
+int trace(const Options& options) {
+  Runtime runtime(read(options.detector), options.runtime);
   const World& world = runtime.world();
-  const std::vector<Ray> rays = rays_of(options, world);
+  const std::vector<Ray> rays = common::rays_of(options.rays, options.source, world);
   const std::unique_ptr<FILE, CloseFile> out(
       options.out.empty() ? stdout : std::fopen(options.out.c_str(), "w"));
   if (!out) throw std::runtime_error(options.out + ": " + std::strerror(errno));
@@ -93,6 +91,23 @@ int trace(const TraceOptions& options) {
                              " steps differed from the generic navigator's");
   }
   return 0;
+}
+
+}  // namespace
+
+void add_trace(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("trace", "Write every step of every ray");
+  add_detector(command, options->detector);
+  command.add_option("--rays", options->rays, "CSV file of rays, or their number")
+      ->required()
+      ->option_text("FILE|N");
+  add_seed(command, options->source.seed);
+  command.add_option("--out", options->out, "CSV file (default: standard output)")
+      ->option_text("FILE");
+  add_threads(command, options->threads);
+  add_runtime_options(command, options->runtime);
+  command.callback([options, &action] { action = [options] { return trace(*options); }; });
 }
 
 }  // namespace navjit::apps

@@ -9,12 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/choices.hpp"
-#include "bench/clock.hpp"
 #include "bench/code_map.hpp"
 #include "bench/floor.hpp"
 #include "bench/ray_options.hpp"
 #include "bench/sampler.hpp"
-#include "bench/statistics.hpp"
+#include "common/clock.hpp"
+#include "common/statistics.hpp"
 #include "geometry/gdml/reader.hpp"
 #include "runtime/runtime.hpp"
 
@@ -170,26 +170,26 @@ int main(int argc, char** argv) try {
   std::uint64_t steps = transport_all(navigator, rays, tolerance);
   double length = floor.run();
   for (int r = 0; r < 15; ++r) {
-    const double before = bench::cycles_per_ns();
-    const double start = bench::thread_ns();
+    const double before = common::cycles_per_ns();
+    const double start = common::thread_ns();
     steps = transport_all(navigator, rays, tolerance);
-    const double middle = bench::thread_ns();
+    const double middle = common::thread_ns();
     length = floor.run();
-    const double end = bench::thread_ns();
-    const double clock = (before + bench::cycles_per_ns()) / 2;
+    const double end = common::thread_ns();
+    const double clock = (before + common::cycles_per_ns()) / 2;
     ns.push_back((middle - start) / double(steps));
     floor_ns.push_back((end - middle) / double(floor.steps()));
     cycles.push_back(ns.back() * clock);
     floor_cycles.push_back(floor_ns.back() * clock);
   }
-  const bench::Summary per_step = bench::summarise(ns);
-  const double step_cycles = bench::quantile(cycles, 0.25);
+  const common::Summary per_step = common::summarise(ns);
+  const double step_cycles = common::quantile(cycles, 0.25);
 
   bench::CodeMap map;
   bench::Sampler sampler;
   Counts time;
   sampler.start();  // once: short passes would be sampled at their ends alone
-  for (const double start = bench::thread_ns(); bench::thread_ns() - start < 1e9 * seconds;) {
+  for (const double start = common::thread_ns(); common::thread_ns() - start < 1e9 * seconds;) {
     transport_all(navigator, rays, tolerance);
   }
   sampler.stop();
@@ -223,11 +223,11 @@ int main(int argc, char** argv) try {
   std::printf("| | ns/step (quartiles) | cycles/step, lowest quartile |\n|---|--:|--:|\n");
   std::printf("| specialised | %.1f (%.1f..%.1f) | %.0f |\n", per_step.median, per_step.low,
               per_step.high, step_cycles);
-  const bench::Summary least = bench::summarise(floor_ns);
+  const common::Summary least = common::summarise(floor_ns);
   std::printf(
       "| floor: each step's one transformation, one distance, next point | %.1f (%.1f..%.1f) | "
       "%.0f |\n\n",
-      least.median, least.low, least.high, bench::quantile(floor_cycles, 0.25));
+      least.median, least.low, least.high, common::quantile(floor_cycles, 0.25));
   std::printf("| part | share of samples | cycles/step |%s\n|---|--:|--:|%s\n",
               instructions ? " instructions/step |" : "", instructions ? "--:|" : "");
   nlohmann::ordered_json json{{"detector", detector},

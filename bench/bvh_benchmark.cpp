@@ -10,8 +10,8 @@
 #include <limits>
 
 #include "bench/bvh_scenes.hpp"
-#include "bench/clock.hpp"
-#include "bench/statistics.hpp"
+#include "common/clock.hpp"
+#include "common/statistics.hpp"
 #include "geometry/bvh/box_tree.hpp"
 #include "geometry/bvh/box_tree_traversal.hpp"
 #include "geometry/model/random.hpp"
@@ -83,11 +83,11 @@ volatile double sink;
 
 /// ns a query.
 double time_queries(const Kind& kind, const BoxTree& tree, const std::vector<Query>& queries) {
-  const double start = thread_ns();
+  const double start = common::thread_ns();
   double sum = 0;
   for (const Query& query : queries) sum += kind.ask(tree, query);
   sink = sum;
-  return (thread_ns() - start) / static_cast<double>(queries.size());
+  return (common::thread_ns() - start) / static_cast<double>(queries.size());
 }
 
 struct Candidate {
@@ -126,9 +126,9 @@ void measure(const BoxScene& scene, const std::vector<Candidate>& list, int repe
   std::vector<BoxTree> trees;
   std::vector<double> build_ms;
   for (const Candidate& candidate : list) {
-    const double start = thread_ns();
+    const double start = common::thread_ns();
     trees.emplace_back(scene.boxes, 1e-9, candidate.structure);
-    build_ms.push_back(1e-6 * (thread_ns() - start));
+    build_ms.push_back(1e-6 * (common::thread_ns() - start));
   }
   for (const Kind& kind : kinds) {
     std::vector<std::vector<double>> times(list.size());
@@ -138,7 +138,7 @@ void measure(const BoxScene& scene, const std::vector<Candidate>& list, int repe
       }
     }
     std::printf("| %s | %zu | %s |", scene.name.c_str(), scene.boxes.size(), kind.name);
-    for (const auto& t : times) std::printf(" %.1f |", summarise(t).median);
+    for (const auto& t : times) std::printf(" %.1f |", common::summarise(t).median);
     std::printf("\n");
   }
   std::printf("| %s | %zu | build, ms |", scene.name.c_str(), scene.boxes.size());

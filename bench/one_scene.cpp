@@ -14,9 +14,9 @@
 #include <span>
 
 #include "bench/choices.hpp"
-#include "bench/clock.hpp"
 #include "bench/scene_states.hpp"
-#include "bench/statistics.hpp"
+#include "common/clock.hpp"
+#include "common/statistics.hpp"
 #include "geometry/gdml/reader.hpp"
 #include "runtime/overrides.hpp"
 
@@ -60,16 +60,16 @@ class SceneRunner {
         // nothing kept of it serves the step that is timed.
         navigators_[i].step(part[i].state, part[i].ray.position, {0.6, 0, 0.8}, 0.0);
       }
-      const std::uint64_t start = bench::ticks();
+      const std::uint64_t start = common::ticks();
       for (std::size_t i = 0; i < part.size(); ++i) sums.length += ask(navigators_[i], part[i]);
-      ticks_.push_back(static_cast<double>(bench::ticks() - start) /
+      ticks_.push_back(static_cast<double>(common::ticks() - start) /
                        static_cast<double>(part.size()));
     }
     std::sort(ticks_.begin(), ticks_.end());
     const auto kept = static_cast<std::size_t>((1 - interrupted) * double(ticks_.size())) + 1;
     ticks_.resize(std::min(kept, ticks_.size()));
     sums.ns = std::accumulate(ticks_.begin(), ticks_.end(), 0.0) / double(ticks_.size()) *
-              bench::ns_per_tick() * static_cast<double>(rays.size());
+              common::ns_per_tick() * static_cast<double>(rays.size());
     ticks_.clear();
     return sums;
   }
@@ -78,9 +78,9 @@ class SceneRunner {
   /// jump to another track costs is in it.
   Sums run_from_states(std::span<const bench::SceneRay> rays) {
     Sums sums;
-    const double start = bench::thread_ns();
+    const double start = common::thread_ns();
     for (const bench::SceneRay& r : rays) sums.length += ask(navigators_[0], r);
-    sums.ns = bench::thread_ns() - start;
+    sums.ns = common::thread_ns() - start;
     return sums;
   }
 
@@ -238,11 +238,11 @@ int main(int argc, char** argv) try {
       for (const auto& [label, navigator] : bench::vecgeom_navigators) {
         engines.push_back({label, [&, n = navigator](std::size_t b) {
                              peer->use(n);
-                             const double start = bench::thread_ns();
+                             const double start = common::thread_ns();
                              const double sum =
                                  safety ? peer->safety(of_peer.states[b], of_peer.rays[b])
                                         : peer->one_step(of_peer.states[b], of_peer.rays[b]).length;
-                             return Sums{bench::thread_ns() - start, sum};
+                             return Sums{common::thread_ns() - start, sum};
                            }});
       }
     }
@@ -266,9 +266,9 @@ int main(int argc, char** argv) try {
         "(quartiles) | of navjit specialised over this (quartiles) |\n|---|--:|--:|--:|--:|\n");
     nlohmann::ordered_json table{{"volume", name}, {"rays", per_block * blocks}};
     for (const Engine& engine : engines) {
-      const bench::Summary ns = bench::summarise(engine.ns_per_ray);
-      const bench::Summary gain = bench::ratio(engines[0].ns_per_ray, engine.ns_per_ray);
-      const bench::Summary lead = bench::ratio(engine.ns_per_ray, engines[1].ns_per_ray);
+      const common::Summary ns = common::summarise(engine.ns_per_ray);
+      const common::Summary gain = common::ratio(engines[0].ns_per_ray, engine.ns_per_ray);
+      const common::Summary lead = common::ratio(engine.ns_per_ray, engines[1].ns_per_ray);
       std::printf("| %s | %.1f (%.1f..%.1f) | %.9g | %.2f (%.2f..%.2f) | %.2f (%.2f..%.2f) |\n",
                   engine.name.c_str(), ns.median, ns.low, ns.high,
                   engine.length / static_cast<double>(per_block * blocks), gain.median, gain.low,

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/rays.hpp"
+#include "common/rays.hpp"
 
 namespace navjit::bench {
 
@@ -23,8 +23,8 @@ inline void add_ray_options(CLI::App& app, RayOptions& options) {
 }
 
 inline std::vector<Ray> rays_of(const RayOptions& options, const World& world) {
-  if (!options.file.empty()) return apps::read_rays(options.file);
-  apps::RaySource source;
+  if (!options.file.empty()) return common::read_rays(options.file);
+  common::RaySource source;
   source.seed = options.seed;
   if (options.forward) {
     source.origin = Vec3{0, 0, 0};

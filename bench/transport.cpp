@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/choices.hpp"
-#include "bench/clock.hpp"
 #include "bench/ray_options.hpp"
-#include "bench/statistics.hpp"
+#include "common/clock.hpp"
+#include "common/statistics.hpp"
 #include "geometry/gdml/reader.hpp"
 #include "runtime/runtime.hpp"
 
@@ -118,12 +118,12 @@ int main(int argc, char** argv) try {
   for (int r = -1; r < repetitions; ++r) {  // the first one warms up and is not counted
     for (Engine& engine : engines) {
       engine.prepare();
-      const double before = bench::cycles_per_ns();
-      const double start = bench::thread_ns();
+      const double before = common::cycles_per_ns();
+      const double start = common::thread_ns();
       engine.totals = engine.run();
-      const double ns = bench::thread_ns() - start;
+      const double ns = common::thread_ns() - start;
       if (r < 0) continue;
-      const double clock = (before + bench::cycles_per_ns()) / 2;
+      const double clock = (before + common::cycles_per_ns()) / 2;
       engine.ns_per_ray.push_back(ns / static_cast<double>(rays.size()));
       engine.cycles_per_ray.push_back(ns * clock / static_cast<double>(rays.size()));
     }
@@ -138,16 +138,16 @@ int main(int argc, char** argv) try {
       "speed-up over navjit generic (quartiles) |\n|---|--:|--:|--:|--:|--:|--:|--:|\n");
   nlohmann::ordered_json json{{"detector", detector}, {"rays", rays.size()}};
   for (const Engine& engine : engines) {
-    const bench::Summary ns = bench::summarise(engine.ns_per_ray);
+    const common::Summary ns = common::summarise(engine.ns_per_ray);
     const double per_step = static_cast<double>(rays.size()) /
                             static_cast<double>(std::max<std::uint64_t>(engine.totals.steps, 1));
-    const bench::Summary gain = bench::ratio(engines[0].ns_per_ray, engine.ns_per_ray);
+    const common::Summary gain = common::ratio(engines[0].ns_per_ray, engine.ns_per_ray);
     std::printf(
         "| %s | %llu | %.9g | %llu | %.1f (%.1f..%.1f) | %.0f | %.0f | %.2f (%.2f..%.2f) |\n",
         engine.name.c_str(), static_cast<unsigned long long>(engine.totals.steps),
         engine.totals.length, static_cast<unsigned long long>(engine.totals.stuck),
         ns.median * per_step, ns.low * per_step, ns.high * per_step,
-        bench::quantile(engine.cycles_per_ray, 0.25) * per_step, ns.median, gain.median, gain.low,
+        common::quantile(engine.cycles_per_ray, 0.25) * per_step, ns.median, gain.median, gain.low,
         gain.high);
     json["engines"].push_back({{"name", engine.name},
                                {"steps", engine.totals.steps},

@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "apps/accuracy/levels.hpp"
-#include "bench/clock.hpp"
-#include "bench/statistics.hpp"
+#include "common/clock.hpp"
+#include "common/statistics.hpp"
 #include "geometry/model/vector.hpp"
 
 namespace navjit::accuracy {
@@ -91,16 +91,16 @@ void time_levels(std::vector<LevelEngine>& levels, const World& world, const std
   std::vector<std::vector<double>> times(levels.size());
   for (int r = -1; r < repetitions; ++r) {  // the first one warms up
     for (std::size_t l = 0; l < levels.size(); ++l) {
-      const double start = bench::thread_ns();
+      const double start = common::thread_ns();
       const std::uint64_t steps = transport_all(navigators[l], world, rays);
-      const double ns = bench::thread_ns() - start;
+      const double ns = common::thread_ns() - start;
       if (r >= 0) {
         times[l].push_back(ns / static_cast<double>(std::max<std::uint64_t>(steps, 1)));
       }
     }
   }
   for (std::size_t l = 0; l < levels.size(); ++l) {
-    report.engines[l].ns_per_step = bench::summarise(times[l]).median;
+    report.engines[l].ns_per_step = common::summarise(times[l]).median;
   }
 }
 
@@ -135,7 +135,7 @@ std::map<VolumeId, double> time_scenes(LevelEngine& level, const World& world,
     }
   }
   std::map<VolumeId, double> medians;
-  for (const auto& [volume, list] : times) medians[volume] = bench::quantile(list, 0.5);
+  for (const auto& [volume, list] : times) medians[volume] = common::quantile(list, 0.5);
   return medians;
 }
 

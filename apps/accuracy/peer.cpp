@@ -10,7 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "apps/accuracy/child.hpp"
+#include "common/child.hpp"
 #include "geometry/model/vector.hpp"
 
 namespace navjit::accuracy {
@@ -81,10 +81,10 @@ std::string VecGeom::trace(std::span<const Ray> rays,
                            const std::function<void(MadeRay&)>& sink) const {
   const Folder folder;
   write_rays(folder / "rays.csv", rays);
-  const ChildResult result =
-      run_child({options_.program, "--as-given", options_.detector, folder / "rays.csv",
-                 folder / "steps.csv", options_.navigator},
-                options_.seconds);
+  const common::ChildResult result =
+      common::run_child({options_.program, "--as-given", options_.detector, folder / "rays.csv",
+                         folder / "steps.csv", options_.navigator},
+                        options_.seconds);
   if (!result.good()) return result.words(options_.seconds);
   std::ifstream in(folder / "steps.csv");
   std::string line, volume;
@@ -121,9 +121,10 @@ std::string VecGeom::trace(std::span<const Ray> rays,
 std::string VecGeom::time(std::span<const Ray> rays, int repetitions, double& ns_per_step) const {
   const Folder folder;
   write_rays(folder / "rays.csv", rays);
-  const ChildResult result = run_child({options_.program, "--time", options_.detector,
-                                        folder / "rays.csv", std::to_string(repetitions)},
-                                       options_.seconds);
+  const common::ChildResult result =
+      common::run_child({options_.program, "--time", options_.detector, folder / "rays.csv",
+                         std::to_string(repetitions)},
+                        options_.seconds);
   if (!result.good()) return result.words(options_.seconds);
   std::istringstream in(result.output);
   for (std::string line; std::getline(in, line);) {
@@ -153,10 +154,10 @@ std::string VecGeom::follow(const Track& track, std::vector<LegEnd>& ends) const
                    v.y, v.z, leg.length);
     }
   }
-  const ChildResult result =
-      run_child({options_.program, "--track", options_.detector, folder / "legs.csv",
-                 folder / "ends.csv", options_.navigator},
-                options_.seconds);
+  const common::ChildResult result =
+      common::run_child({options_.program, "--track", options_.detector, folder / "legs.csv",
+                         folder / "ends.csv", options_.navigator},
+                        options_.seconds);
   if (!result.good()) return result.words(options_.seconds);
   std::ifstream in(folder / "ends.csv");
   std::string line;

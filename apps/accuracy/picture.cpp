@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "apps/accuracy/gnuplot.hpp"
+#include "common/gnuplot.hpp"
 
 namespace navjit::accuracy {
 namespace {
@@ -22,19 +22,21 @@ void draw(const ExperimentReport& report, const std::string& title, const std::s
     if (engine.ns_per_step <= 0 || engine.figures.all.errors.along_ulp.empty()) continue;
     const Quantiles q = quantiles(engine.figures.all.errors.along_ulp);
     const std::string block = "$e" + std::to_string(plots.size());
-    data += block + " << EOD\n" + literal(engine.ns_per_step) + ' ' +
-            literal(std::max(q.high, least)) + ' ' + literal(std::max(q.median, least)) + ' ' +
-            literal(std::max(q.largest, least)) + "\nEOD\n";
+    data += block + " << EOD\n" + common::literal(engine.ns_per_step) + ' ' +
+            common::literal(std::max(q.high, least)) + ' ' +
+            common::literal(std::max(q.median, least)) + ' ' +
+            common::literal(std::max(q.largest, least)) + "\nEOD\n";
     plots += (plots.empty() ? "plot " : ", ") + block +
-             " using 1:2:3:4 with yerrorbars lw 2 pt 7 ps 1.5 title " + quoted(engine.name);
+             " using 1:2:3:4 with yerrorbars lw 2 pt 7 ps 1.5 title " + common::quoted(engine.name);
     slowest = std::max(slowest, engine.ns_per_step);
   }
   if (plots.empty()) throw std::runtime_error(file + ": nothing was measured that could be drawn");
-  plot("set title " + quoted(title) + " noenhanced\nset xlabel 'ns a step'\n" +
-           "set ylabel 'error of the length, ulp of the coordinates: median, 99.9%, largest'\n" +
-           "set logscale y\nset format y '10^{%L}'\nset xrange [0:" + literal(1.15 * slowest) +
-           "]\nset grid\nset key top left\n" + data + plots,
-       file);
+  common::plot(
+      "set title " + common::quoted(title) + " noenhanced\nset xlabel 'ns a step'\n" +
+          "set ylabel 'error of the length, ulp of the coordinates: median, 99.9%, largest'\n" +
+          "set logscale y\nset format y '10^{%L}'\nset xrange [0:" +
+          common::literal(1.15 * slowest) + "]\nset grid\nset key top left\n" + data + plots,
+      file);
 }
 
 }  // namespace navjit::accuracy

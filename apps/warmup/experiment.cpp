@@ -7,8 +7,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "apps/accuracy/child.hpp"
 #include "apps/warmup/private_folder.hpp"
+#include "common/child.hpp"
 
 namespace navjit::warmup {
 namespace {
@@ -21,7 +21,7 @@ Words operator+(Words words, const Words& more) {
 }
 
 std::string output_of(const Words& words, double seconds) {
-  accuracy::ChildResult result = accuracy::run_child(words, seconds);
+  common::ChildResult result = common::run_child(words, seconds);
   if (!result.good()) throw std::runtime_error("a run " + result.words(seconds));
   if (!result.error.empty()) spdlog::warn("from a run: {}", result.error);
   return std::move(result.output);

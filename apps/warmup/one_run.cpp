@@ -6,7 +6,6 @@
 #include <chrono>
 #include <thread>
 
-#include "geometry/gdml/reader.hpp"
 #include "runtime/runtime.hpp"
 
 namespace navjit::warmup {
@@ -37,7 +36,7 @@ struct Shared {
   std::array<Chunk, chunks_kept> chunks{};
 };
 
-void navigate(Runtime& runtime, const apps::RaySource& source, Shared& shared, Worker& worker) {
+void navigate(Runtime& runtime, const common::RaySource& source, Shared& shared, Worker& worker) {
   const double begun = processor_time(CLOCK_THREAD_CPUTIME_ID);
   const World& world = runtime.world();
   Navigator navigator = runtime.navigator();
@@ -67,8 +66,8 @@ void navigate(Runtime& runtime, const apps::RaySource& source, Shared& shared, W
 }  // namespace
 
 RunRecord run_once(const RunSetup& setup) {
-  const auto world =
-      std::make_shared<const World>(read_gdml(setup.detector, {.setup = setup.setup}));
+  GdmlReport known;  // navjit warmup has said it
+  const auto world = read(setup.detector, known);
   RunRecord record;
   const double process_begun = processor_time(CLOCK_PROCESS_CPUTIME_ID);
   const double own_begun = processor_time(CLOCK_THREAD_CPUTIME_ID);

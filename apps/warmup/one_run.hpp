@@ -6,15 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "apps/rays.hpp"
+#include "apps/options/detector.hpp"
 #include "apps/warmup/series.hpp"
+#include "common/rays.hpp"
 #include "runtime/options.hpp"
 
 namespace navjit::warmup {
 
 struct RunSetup {
-  std::string detector, setup;
-  apps::RaySource source;
+  apps::Detector detector;
+  common::RaySource source;
   unsigned threads = 1;
   double seconds = 5;        ///< how long rays are transported
   double interval = 0.02;    ///< between points of the series, s

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "apps/accuracy/gnuplot.hpp"
+#include "common/gnuplot.hpp"
 
 namespace navjit::warmup {
 namespace {
-
-using accuracy::literal;
-using accuracy::quoted;
 
 constexpr int bins = 80;
 
@@ -23,8 +20,8 @@ std::string lines_of(const VariantReport& each, double end) {
       rates.push_back(rate(run.record.series, from, to) / 1e6);
       shares.push_back(100 * share_at(run.record.swaps, to));
     }
-    lines += literal((from + to) / 2) + ' ' + literal(spread(rates).median) + ' ' +
-             literal(spread(shares).median) + '\n';
+    lines += common::literal((from + to) / 2) + ' ' + common::literal(spread(rates).median) + ' ' +
+             common::literal(spread(shares).median) + '\n';
   }
   return lines;
 }
@@ -47,14 +44,14 @@ void draw(const ExperimentReport& report, const std::string& title, const std::s
     data += block + " << EOD\n" + lines_of(each, end) + "EOD\n";
     const std::string look = " with lines lw 2 lc " + std::to_string(i + 1) + " title ";
     rates += (rates.empty() ? "plot " : ", ") + block + " using 1:2" + look +
-             quoted(each.variant.name) + " noenhanced";
+             common::quoted(each.variant.name) + " noenhanced";
     if (each.variant.mode == Mode::off) continue;
     shares += (shares.empty() ? "plot " : ", ") + block + " using 1:3" + look +
-              quoted(each.variant.name) + " noenhanced";
+              common::quoted(each.variant.name) + " noenhanced";
   }
-  std::string script = data + "set grid\nset xrange [0:" + literal(end) + "]\n";
+  std::string script = data + "set grid\nset xrange [0:" + common::literal(end) + "]\n";
   script += "set multiplot layout " + std::string(shares.empty() ? "1,1" : "2,1") + " title " +
-            quoted(title) + " noenhanced\n";
+            common::quoted(title) + " noenhanced\n";
   script += "set key bottom right\nset yrange [0:*]\nset ylabel 'million steps a second'\n" + rates;
   if (!shares.empty()) {
     script +=
@@ -62,7 +59,7 @@ void draw(const ExperimentReport& report, const std::string& title, const std::s
         "set ylabel 'steps specialised, %'\n" +
         shares;
   }
-  accuracy::plot(script + "\nunset multiplot", file);
+  common::plot(script + "\nunset multiplot", file);
 }
 
 }  // namespace navjit::warmup

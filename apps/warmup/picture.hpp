@@ -7,7 +7,7 @@
 
 namespace navjit::warmup {
 
-/// Medians over repetitions. Throws what accuracy::plot throws.
+/// Medians over repetitions. Throws what common::plot throws.
 void draw(const ExperimentReport& report, const std::string& title, const std::string& file);
 
 }  // namespace navjit::warmup

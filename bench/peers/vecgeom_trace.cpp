@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/clock.hpp"
+#include "common/clock.hpp"
 #include "vecgeom_peer.hpp"
 
 namespace {
@@ -143,9 +143,9 @@ void print_times(VecGeomPeer& peer, const std::vector<Ray>& rays, int repeats) {
   for (int repeat = -1; repeat < repeats; ++repeat) {  // the first round warms up
     for (std::size_t i = 0; i < std::size(navigators); ++i) {
       peer.use(navigators[i].navigator);
-      const double start = navjit::bench::thread_ns();
+      const double start = navjit::common::thread_ns();
       totals[i] = peer.transport(rays, max_steps_per_ray);
-      const double time = navjit::bench::thread_ns() - start;
+      const double time = navjit::common::thread_ns() - start;
       if (repeat >= 0)
         times[i].push_back(time / static_cast<double>(std::max<std::uint64_t>(totals[i].steps, 1)));
     }

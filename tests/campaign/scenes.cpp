@@ -10,7 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "apps/rays.hpp"
+#include "common/rays.hpp"
 #include "geometry/gdml/reader.hpp"
 #include "geometry/reference/wide_geometry.hpp"
 #include "tests/campaign/random_scene.hpp"
@@ -137,7 +137,7 @@ int main(int argc, char** argv) {
       const auto world = std::make_shared<const World>(read_gdml(file));
       write_rays(ray_file, *world, seed + i, rays);
       // Both sides normalise the directions that they read.
-      const std::vector<Ray> read = apps::read_rays(ray_file);
+      const std::vector<Ray> read = common::read_rays(ray_file);
       const Trace truth = reference_trace(world, read);
       const Trace made = reference::make_trace(world, read, JitMode::off);
       ours.add(truth, made);

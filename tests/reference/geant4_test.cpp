@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/rays.hpp"
+#include "common/rays.hpp"
 #include "geometry/gdml/reader.hpp"
 #include "tests/reference/trace.hpp"
 
@@ -171,7 +171,7 @@ class Geant4Reference : public ::testing::TestWithParam<Reference> {
 
   static void expect_agreement(std::shared_ptr<const World> world, JitMode jit) {
     const Reference& reference = GetParam();
-    const std::vector<Ray> rays = apps::read_rays(reference.rays());
+    const std::vector<Ray> rays = common::read_rays(reference.rays());
     const Trace theirs = read_trace(reference.trace(), rays.size());
     const Comparison result = compare(make_trace(std::move(world), rays, jit), theirs);
     EXPECT_GE(result.agreement(), least_agreement) << result;
@@ -205,7 +205,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// Read with a meaning of our own: rays get through, in both modes alike.
 using Geant4ReferenceOtherwise = Geant4Reference;
 TEST_P(Geant4ReferenceOtherwise, IsRead) {
-  const std::vector<Ray> rays = apps::read_rays(GetParam().rays());
+  const std::vector<Ray> rays = common::read_rays(GetParam().rays());
   const auto read = world();
   const Trace generic = make_trace(read, rays, JitMode::off);
   const Comparison result = compare(generic, make_trace(read, rays, JitMode::wait));
@@ -222,7 +222,7 @@ TEST(Geant4ReferenceTwistedTrap, AgreesWhereGeant4Steps) {
   if (!fs::exists(data / reference.detector) || !fs::exists(reference.trace())) {
     GTEST_SKIP() << reference.detector << " or its reference is not there";
   }
-  const std::vector<Ray> rays = apps::read_rays(reference.rays());
+  const std::vector<Ray> rays = common::read_rays(reference.rays());
   const Trace theirs = read_trace(reference.trace(), rays.size());
   const Trace ours = make_trace(std::make_shared<const World>(read_gdml(data / reference.detector)),
                                 rays, JitMode::off);

@@ -32,7 +32,7 @@
 #include <utility>
 #include <vector>
 
-#include "apps/rays.hpp"
+#include "common/rays.hpp"
 #include "geometry/gdml/reader.hpp"
 #include "tests/reference/trace.hpp"
 
@@ -45,7 +45,7 @@ struct Source {
   const char* name;
   const char* detector;   ///< a file of the project, without suffix
   const char* navigator;  ///< of VecGeom
-  apps::RaySource rays;
+  common::RaySource rays;
   std::size_t count = 3000;
 };
 
@@ -98,10 +98,10 @@ TEST_P(VecGeomReference, AgreesWithVecGeom) {
   const auto world = std::make_shared<const World>(read_gdml(detector));
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < source.count; ++i) {
-    rays.push_back(apps::make_ray(source.rays, *world, i));
+    rays.push_back(common::make_ray(source.rays, *world, i));
   }
   ASSERT_NO_FATAL_FAILURE(write_rays(ray_file, rays));
-  rays = apps::read_rays(ray_file);  // both sides normalise the directions that they read
+  rays = common::read_rays(ray_file);  // both sides normalise the directions that they read
   ASSERT_NO_FATAL_FAILURE(run({NAVJIT_PYTHON, NAVJIT_FLATTEN, detector, flat}));
   ASSERT_NO_FATAL_FAILURE(
       run({NAVJIT_VECGEOM_TRACE, flat, ray_file, trace_file, source.navigator}));

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <thread>
 
-#include "apps/rays.hpp"
+#include "common/rays.hpp"
 #include "geometry/gdml/reader.hpp"
 #include "runtime/runtime.hpp"
 #include "tests/stress/memory.hpp"
@@ -34,9 +34,9 @@ double processor_time() {
 
 /// Where particles come from, phase by phase: along z either way, from everywhere, and from the
 /// corners of the world.
-apps::RaySource source_of(const World& world, int phase) {
+common::RaySource source_of(const World& world, int phase) {
   const Extent& e = world.volumes[world.top].solid.extent;
-  apps::RaySource source;
+  common::RaySource source;
   source.seed = 1000 + static_cast<std::uint64_t>(phase);
   switch (phase % 5) {
     case 0:
@@ -65,7 +65,7 @@ struct Totals {
 };
 
 /// Blocks of rays, in turn with and without specialised navigators.
-Totals work(Runtime& runtime, Runtime& generic, const apps::RaySource& source, double seconds,
+Totals work(Runtime& runtime, Runtime& generic, const common::RaySource& source, double seconds,
             std::atomic<std::uint64_t>& next) {
   using Clock = std::chrono::steady_clock;
   constexpr std::uint64_t block = 32;
@@ -108,7 +108,7 @@ int run(const Options& options) {
   double settled_mb = 0;
   std::uint64_t steps = 0;
   for (int phase = 0; phase < phases; ++phase) {
-    const apps::RaySource source = source_of(runtime.world(), phase);
+    const common::RaySource source = source_of(runtime.world(), phase);
     std::atomic<std::uint64_t> next{0};
     std::vector<Totals> totals(options.threads);
     {

@@ -1,4 +1,4 @@
-#include "apps/run_report.hpp"
+#include "apps/run/report.hpp"
 
 #include <cerrno>
 #include <cmath>

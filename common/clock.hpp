@@ -8,7 +8,7 @@
 #include <chrono>
 #include <cstdint>
 
-namespace navjit::bench {
+namespace navjit::common {
 
 /// Time that this thread has been running, ns: what others take of a processor does not count.
 inline double thread_ns() {
@@ -61,4 +61,4 @@ inline double cycles_per_ns() {
   return best;
 }
 
-}  // namespace navjit::bench
+}  // namespace navjit::common

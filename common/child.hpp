@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace navjit::accuracy {
+namespace navjit::common {
 
 struct ChildResult {
   enum class End { exited, crashed, timed_out, not_started } end = End::not_started;
@@ -21,4 +21,4 @@ struct ChildResult {
 /// std::bad_alloc.
 ChildResult run_child(const std::vector<std::string>& words, double seconds);
 
-}  // namespace navjit::accuracy
+}  // namespace navjit::common

@@ -1,20 +1,35 @@
 // `navjit run`: transports rays, shows how it goes, and what specialisation won.
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
 #include "apps/commands.hpp"
-#include "apps/read_detector.hpp"
-#include "apps/run_report.hpp"
+#include "apps/options/detector.hpp"
+#include "apps/options/numbers.hpp"
+#include "apps/options/runtime.hpp"
+#include "apps/options/source.hpp"
+#include "apps/run/report.hpp"
 #include "runtime/runtime.hpp"
 
 namespace navjit::apps {
 namespace {
+
+struct Options {
+  Detector detector;
+  std::uint64_t rays = 100000;
+  common::RaySource source;
+  unsigned threads = 1;
+  RuntimeOptions runtime;
+  std::string report;        ///< JSON file; empty: none
+  std::string save_profile;  ///< file for `navjit specialise`; empty: none
+};
 
 using Clock = std::chrono::steady_clock;
 
@@ -100,7 +115,7 @@ struct Watch {
 
 /// What specialisation won, measured rather than estimated: the first rays of the run once more, in
 /// turn with the navigators as they are now and with generic ones, for about half a second.
-void compare_with_generic(Runtime& specialised, const RunOptions& options, RunReport& report) {
+void compare_with_generic(Runtime& specialised, const Options& options, RunReport& report) {
   RuntimeOptions off = options.runtime;
   off.jit = JitMode::off;
   off.cache = {};
@@ -131,10 +146,8 @@ void compare_with_generic(Runtime& specialised, const RunOptions& options, RunRe
   }
 }
 
-}  // namespace
-
-int run(const RunOptions& options) {
-  Runtime runtime(read_detector(options.detector, options.setup), options.runtime);
+int run(const Options& options) {
+  Runtime runtime(read(options.detector), options.runtime);
   const World& world = runtime.world();
   const std::uint64_t chunks = (options.rays + rays_per_chunk - 1) / rays_per_chunk;
   std::vector<ChunkTotals> totals(chunks);
@@ -171,7 +184,7 @@ int run(const RunOptions& options) {
   watcher.join();
 
   RunReport report;
-  report.detector = options.detector;
+  report.detector = options.detector.file;
   report.rays = options.rays;
   report.threads = options.threads;
   report.jit = options.runtime.jit;
@@ -207,6 +220,27 @@ int run(const RunOptions& options) {
                              " steps differed from the generic navigator's");
   }
   return 0;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("run", "Transport rays with the JIT on");
+  add_detector(command, options->detector);
+  command
+      .add_option("--budget", options->runtime.budget,
+                  "how far from its surface a step may end: told scene by scene")
+      ->check(CLI::PositiveNumber)
+      ->option_text("MM");
+  command.add_option("--rays", options->rays, "number of rays")->check(CLI::PositiveNumber);
+  add_source(command, options->source);
+  command.add_option("--report", options->report, "write a JSON report")->option_text("FILE");
+  command.add_option("--save-profile", options->save_profile, "write what navjit specialise needs")
+      ->option_text("FILE");
+  add_threads(command, options->threads);
+  add_runtime_options(command, options->runtime);
+  command.callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
 }  // namespace navjit::apps

@@ -1,4 +1,4 @@
-#include "apps/accuracy/gnuplot.hpp"
+#include "common/gnuplot.hpp"
 
 #include <unistd.h>
 
@@ -8,9 +8,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "apps/accuracy/child.hpp"
+#include "common/child.hpp"
 
-namespace navjit::accuracy {
+namespace navjit::common {
 namespace {
 
 std::string terminal_of(const std::string& file) {
@@ -74,4 +74,4 @@ void plot(const std::string& plots, const std::string& file) {
   }
 }
 
-}  // namespace navjit::accuracy
+}  // namespace navjit::common

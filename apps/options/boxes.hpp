@@ -5,6 +5,10 @@
 
 #include "geometry/navigation/geometry.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace navjit::apps {
 
 /// Entries with commas between them, later ones override earlier ones: a structure for all scenes
@@ -12,5 +16,7 @@ namespace navjit::apps {
 /// volume ("*" for all). "auto" leaves the choice to the library. Throws std::invalid_argument
 /// that says which entry is wrong.
 void parse_boxes(const std::string& text, GeometryOptions& options);
+
+void add_boxes(CLI::App& command, GeometryOptions& options);
 
 }  // namespace navjit::apps

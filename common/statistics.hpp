@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace navjit::bench {
+namespace navjit::common {
 
 /// The q-quantile (0..1) of values, linearly interpolated; 0 for none.
 inline double quantile(std::vector<double> values, double q) {
@@ -31,4 +31,4 @@ inline Summary ratio(const std::vector<double>& a, const std::vector<double>& b)
   return summarise(ratios);
 }
 
-}  // namespace navjit::bench
+}  // namespace navjit::common

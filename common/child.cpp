@@ -1,4 +1,4 @@
-#include "apps/accuracy/child.hpp"
+#include "common/child.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -15,7 +15,7 @@
 
 extern char** environ;
 
-namespace navjit::accuracy {
+namespace navjit::common {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -122,4 +122,4 @@ ChildResult run_child(const std::vector<std::string>& words, double seconds) {
   return result;
 }
 
-}  // namespace navjit::accuracy
+}  // namespace navjit::common

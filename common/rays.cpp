@@ -1,4 +1,4 @@
-#include "apps/rays.hpp"
+#include "common/rays.hpp"
 
 #include <zlib.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace navjit::apps {
+namespace navjit::common {
 namespace {
 
 struct CloseFile {
@@ -100,4 +100,14 @@ Ray make_ray(const RaySource& source, const World& world, std::uint64_t index) {
   return ray;
 }
 
-}  // namespace navjit::apps
+std::vector<Ray> rays_of(const std::string& text, const RaySource& source, const World& world) {
+  std::uint64_t count = 0;
+  const char* end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, count);
+  if (error != std::errc{} || at != end) return read_rays(text);
+  std::vector<Ray> rays;
+  for (std::uint64_t i = 0; i < count; ++i) rays.push_back(make_ray(source, world, i));
+  return rays;
+}
+
+}  // namespace navjit::common

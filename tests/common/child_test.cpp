@@ -1,8 +1,8 @@
-#include "apps/accuracy/child.hpp"
+#include "common/child.hpp"
 
 #include <gtest/gtest.h>
 
-namespace navjit::accuracy {
+namespace navjit::common {
 namespace {
 
 ChildResult shell(const std::string& script, double seconds = 30) {
@@ -44,4 +44,4 @@ TEST(Child, SaysThatAProgramIsNotThere) {
 }
 
 }  // namespace
-}  // namespace navjit::accuracy
+}  // namespace navjit::common

@@ -8,7 +8,7 @@
 #include "geometry/model/world.hpp"
 #include "runtime/transport.hpp"
 
-namespace navjit::apps {
+namespace navjit::common {
 
 /// Reads `x,y,z,dx,dy,dz` (mm; header required; plain or gzip); directions are normalised. Throws
 /// std::runtime_error with file and line on anything else.
@@ -23,4 +23,8 @@ struct RaySource {
 /// Ray number `index` of a source: depends on nothing else, so that threads may share the work.
 Ray make_ray(const RaySource& source, const World& world, std::uint64_t index);
 
-}  // namespace navjit::apps
+/// The rays of a file, or so many of a source where `text` is a number. Throws std::runtime_error
+/// as read_rays.
+std::vector<Ray> rays_of(const std::string& text, const RaySource& source, const World& world);
+
+}  // namespace navjit::common

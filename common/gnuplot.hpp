@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace navjit::accuracy {
+namespace navjit::common {
 
 /// Throws std::runtime_error if the file's suffix is not that of a picture (.svg, .png), or if
 /// there is no gnuplot: to be asked before anything was measured.
@@ -16,4 +16,4 @@ void plot(const std::string& script, const std::string& file);
 std::string quoted(const std::string& text);
 std::string literal(double value);
 
-}  // namespace navjit::accuracy
+}  // namespace navjit::common

@@ -1,5 +1,6 @@
-#include "apps/boxes_option.hpp"
+#include "apps/options/boxes.hpp"
 
+#include <CLI/CLI.hpp>
 #include <sstream>
 #include <stdexcept>
 
@@ -25,6 +26,22 @@ void parse_boxes(const std::string& text, GeometryOptions& options) {
       options.boxes_of.erase(name);
     }
   }
+}
+
+void add_boxes(CLI::App& command, GeometryOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--boxes",
+          [&options](const std::string& text) {
+            try {
+              parse_boxes(text, options);
+            } catch (const std::invalid_argument& error) {
+              throw CLI::ValidationError("--boxes", error.what());
+            }
+          },
+          "how daughters' boxes are searched: auto, linear, two-level or\nregular-tree, the last "
+          "two with :surface, :k-means or :furthest")
+      ->option_text("[VOLUME=]SEARCH,...");
 }
 
 }  // namespace navjit::apps

@@ -1,0 +1,122 @@
+// `navjit accuracy`: what each way of navigating costs, and how wrong it is.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "apps/accuracy/experiment.hpp"
+#include "apps/accuracy/picture.hpp"
+#include "apps/accuracy/report.hpp"
+#include "apps/commands.hpp"
+#include "apps/options/boxes.hpp"
+#include "apps/options/detector.hpp"
+#include "apps/options/numbers.hpp"
+#include "apps/options/source.hpp"
+#include "common/gnuplot.hpp"
+
+namespace navjit::apps {
+namespace {
+
+struct Options {
+  Detector detector;
+  std::string rays = "1000";  ///< a file, or a number
+  common::RaySource source;
+  unsigned threads = 1;
+  int repetitions = 5;
+  std::uint64_t boundaries = 100000;  ///< of the long track
+  std::size_t scenes = 12;            ///< in the table; the report has all
+  GeometryOptions geometry;
+  std::string report;            ///< JSON file; empty: none
+  std::string picture;           ///< SVG or PNG file; empty: none
+  std::string vecgeom;           ///< vecgeom_trace; empty: beside navjit; "off": without
+  std::string vecgeom_detector;  ///< the detector as VecGeom can read it; empty: the same
+  std::string vecgeom_navigator = "automatic";
+  double vecgeom_seconds = 300;  ///< for each of its runs
+};
+
+/// Exit status 1 if one of navjit's own levels is wrong anywhere.
+int accuracy(const Options& options) {
+  if (!options.picture.empty()) common::check_picture(options.picture);
+  const auto world = read(options.detector);
+  accuracy::ExperimentOptions experiment;
+  experiment.rays = common::rays_of(options.rays, options.source, *world);
+  if (experiment.rays.empty())
+    throw std::runtime_error("no rays are asked for; at least one is needed");
+  experiment.seed = options.source.seed;
+  experiment.threads = options.threads;
+  experiment.repetitions = options.repetitions;
+  experiment.boundaries = options.boundaries;
+  experiment.geometry = options.geometry;
+  if (options.vecgeom != "off") {
+    std::optional<std::string> program = options.vecgeom.empty()
+                                             ? accuracy::VecGeom::beside_this_program()
+                                             : std::optional(options.vecgeom);
+    if (program) {
+      const std::string& detector =
+          options.vecgeom_detector.empty() ? options.detector.file : options.vecgeom_detector;
+      experiment.vecgeom = {*program, detector, options.vecgeom_navigator, options.vecgeom_seconds};
+    } else {
+      std::fprintf(stderr, "navjit: without VecGeom: there is no vecgeom_trace beside navjit\n");
+    }
+  }
+  const accuracy::ExperimentReport report = accuracy::run_experiment(world, experiment);
+  accuracy::print_tables(*world, report, options.scenes);
+  if (!options.report.empty()) {
+    std::ofstream out(options.report);
+    out << accuracy::to_json(*world, options.detector.file, report).dump(2) << '\n';
+    if (!out.flush()) throw std::runtime_error(options.report + ": cannot be written");
+  }
+  if (!options.picture.empty()) {
+    accuracy::draw(report, std::filesystem::path(options.detector.file).filename(),
+                   options.picture);
+  }
+  // The levels of navjit have to be right; how VecGeom fares is a result.
+  for (const accuracy::EngineReport& engine : report.engines) {
+    if (engine.name == "VecGeom") continue;
+    const accuracy::EngineFigures& f = engine.figures;
+    if (f.stuck + f.lost + f.all.wrong_volume + f.all.wrong_end + f.beyond_bound > 0) return 1;
+    if (engine.name == "exact" && f.equal != f.made) return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_accuracy(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *app.add_subcommand("accuracy", "Hold every step against 113 bits: error and speed by level");
+  add_detector(command, options->detector);
+  command.add_option("--rays", options->rays, "CSV file of rays, or their number")
+      ->option_text("FILE|N");
+  add_source(command, options->source);
+  command.add_option("--repetitions", options->repetitions, "of the timing")
+      ->check(CLI::Range(1, 1000));
+  command.add_option("--boundaries", options->boundaries, "on the long track; 0: none");
+  command.add_option("--scenes", options->scenes, "in the table");
+  command.add_option("--report", options->report, "write a JSON report")->option_text("FILE");
+  command.add_option("--picture", options->picture, "speed against error; by gnuplot")
+      ->option_text("FILE.svg|.png");
+  command
+      .add_option("--vecgeom", options->vecgeom,
+                  "the program vecgeom_trace, or off (default: the one\nbeside navjit)")
+      ->option_text("PROGRAM|off");
+  command
+      .add_option("--vecgeom-detector", options->vecgeom_detector,
+                  "the same detector, as VecGeom can read it")
+      ->option_text("FILE");
+  command.add_option("--vecgeom-navigator", options->vecgeom_navigator, "of VecGeom")
+      ->check(CLI::IsMember({"simple", "abbox", "hybrid", "bvh", "automatic"}))
+      ->option_text("NAME");
+  command.add_option("--vecgeom-seconds", options->vecgeom_seconds, "for each of its runs")
+      ->check(CLI::PositiveNumber)
+      ->option_text("S");
+  add_threads(command, options->threads);
+  add_boxes(command, options->geometry);
+  command.callback([options, &action] { action = [options] { return accuracy(*options); }; });
+}
+
+}  // namespace navjit::apps

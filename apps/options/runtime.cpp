@@ -1,0 +1,71 @@
+#include "apps/options/runtime.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "apps/options/boxes.hpp"
+#include "common/choices.hpp"
+
+namespace navjit::apps {
+namespace {
+
+using common::Choices;
+
+const Choices<JitMode> jit_modes{{"off", JitMode::off},
+                                 {"on", JitMode::on},
+                                 {"wait", JitMode::wait},
+                                 {"shadow", JitMode::shadow}};
+const Choices<Level> levels{
+    {"exact", Level::exact}, {"fast", Level::fast}, {"single", Level::single}};
+
+}  // namespace
+
+void add_cache_option(CLI::App& command, Cache& cache, bool may_be_off) {
+  cache = Cache::user_default();
+  command
+      .add_option_function<std::string>(
+          "--cache",
+          [&cache](const std::string& text) { cache = text == "off" ? Cache{} : Cache::in(text); },
+          may_be_off ? "of compiled code: a directory, or off (default: the user's)"
+                     : "directory (default: the user's)")
+      ->envname("NAVJIT_CACHE")
+      ->option_text(may_be_off ? "DIR|off" : "DIR");
+}
+
+void add_code_options(CLI::App& command, RuntimeOptions& options) {
+  command
+      .add_option("--level", options.level,
+                  "accuracy: exact, fast or single (at present all exact)")
+      ->transform(CLI::CheckedTransformer(levels).description(""))
+      ->option_text("LEVEL");
+  command
+      .add_option("--isa", options.specialiser.instruction_set,
+                  "instructions of generated code: native, sse4.2, avx2 or avx512")
+      ->transform(CLI::CheckedTransformer(common::instruction_sets).description(""))
+      ->option_text("SET");
+  command.add_option("--nice", options.specialiser.nice, "priority of the compiler's thread")
+      ->check(CLI::Range(0, 19))
+      ->option_text("0..19");
+}
+
+void add_jit_options(CLI::App& command, RuntimeOptions& options) {
+  options.specialiser.safety = false;  // the commands' rays never ask for it
+  add_cache_option(command, options.cache, true);
+  command.add_option("--jit", options.jit, "off, on, wait (specialise first) or shadow (compare)")
+      ->transform(CLI::CheckedTransformer(jit_modes).description(""))
+      ->option_text("MODE");
+  command.add_option("--plugin", options.plugin, "made by navjit specialise; used from the start")
+      ->option_text("FILE");
+  command.add_option("--opt", options.specialiser.optimisation, "compiler's optimisation, 0 to 3")
+      ->check(CLI::Range(0, 3))
+      ->option_text("N");
+  command.add_flag("--perf-map", options.specialiser.perf_map,
+                   "name generated functions for perf (/tmp/perf-PID.map)");
+  add_boxes(command, options.geometry);
+}
+
+void add_runtime_options(CLI::App& command, RuntimeOptions& options) {
+  add_jit_options(command, options);
+  add_code_options(command, options);
+}
+
+}  // namespace navjit::apps

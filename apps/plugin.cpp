@@ -1,0 +1,29 @@
+// `navjit plugin`: plugins that were compiled from `navjit specialise --emit cpp` elsewhere.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <stdexcept>
+
+#include "apps/commands.hpp"
+#include "runtime/make_plugin.hpp"
+
+namespace navjit::apps {
+namespace {
+
+int seal(const std::string& library) {
+  const std::string problem = seal_plugin(library);
+  if (!problem.empty()) throw std::runtime_error(problem);
+  return 0;
+}
+
+}  // namespace
+
+void add_plugin(CLI::App& app, Action& action) {
+  const auto library = std::make_shared<std::string>();
+  CLI::App& command = *app.add_subcommand("plugin", "Plugins that were compiled elsewhere");
+  command.require_subcommand(1);
+  CLI::App& sealing = *command.add_subcommand("seal", "make a plugin of a shared library");
+  sealing.add_option("library", *library, "file, changed in place")->required();
+  sealing.callback([library, &action] { action = [library] { return seal(*library); }; });
+}
+
+}  // namespace navjit::apps

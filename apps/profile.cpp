@@ -1,0 +1,47 @@
+// `navjit profile`: profiles of several runs made into one.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "apps/commands.hpp"
+#include "runtime/step_profile.hpp"
+
+namespace navjit::apps {
+namespace {
+
+struct Options {
+  std::vector<std::string> profiles;
+  std::string out;
+};
+
+int merge_profiles(const Options& options) {
+  StepProfile merged = read_profile(options.profiles.at(0));
+  for (std::size_t i = 1; i < options.profiles.size(); ++i) {
+    const StepProfile next = read_profile(options.profiles[i]);
+    try {
+      merged = merge(merged, next);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(options.profiles[0] + ", " + options.profiles[i] + ": " +
+                               error.what());
+    }
+  }
+  write_profile(merged, options.out);
+  std::printf("%zu volumes, %llu runs\n", merged.volumes.size(),
+              static_cast<unsigned long long>(merged.runs));
+  return 0;
+}
+
+}  // namespace
+
+void add_profile(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("profile", "Profiles of several runs");
+  command.require_subcommand(1);
+  CLI::App& merging = *command.add_subcommand("merge", "add profiles up");
+  merging.add_option("profiles", options->profiles, "files")->required();
+  merging.add_option("-o,--out", options->out, "file to write")->required()->option_text("FILE");
+  merging.callback([options, &action] { action = [options] { return merge_profiles(*options); }; });
+}
+
+}  // namespace navjit::apps

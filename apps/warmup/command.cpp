@@ -1,0 +1,131 @@
+// `navjit warmup`: what the JIT costs before it pays, and what it pays.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "apps/commands.hpp"
+#include "apps/options/numbers.hpp"
+#include "apps/warmup/experiment.hpp"
+#include "apps/warmup/one_run_options.hpp"
+#include "apps/warmup/picture.hpp"
+#include "apps/warmup/report.hpp"
+#include "common/gnuplot.hpp"
+#include "jit/compiler.hpp"
+
+namespace navjit::apps {
+namespace {
+
+struct Options {
+  warmup::RunSetup every;  ///< what all runs have in common
+  /// The same as words of a command line, as far as it was given.
+  std::vector<std::string> words;
+  double seconds = 5;         ///< of a run
+  double prime_seconds = 10;  ///< of the run that fills the cache
+  int repetitions = 5;
+  std::vector<std::string> modes{"cold", "cache", "plugin"};
+  std::vector<int> optimisations{2};
+  std::string report;   ///< JSON file; empty: none
+  std::string csv;      ///< every point; empty: none
+  std::string picture;  ///< SVG or PNG file; empty: none
+};
+
+std::vector<warmup::Variant> variants_of(const Options& options) {
+  using warmup::Mode;
+  std::vector<warmup::Variant> variants{{"off", Mode::off, {}}};
+  for (const int opt : options.optimisations) {
+    for (const Mode mode : {Mode::cold, Mode::cache, Mode::plugin}) {
+      const std::string name = warmup::mode_name(mode);
+      if (std::find(options.modes.begin(), options.modes.end(), name) == options.modes.end()) {
+        continue;
+      }
+      const std::string level = std::to_string(opt);
+      variants.push_back(
+          {options.optimisations.size() > 1 ? name + " -O" + level : name, mode, {"--opt", level}});
+    }
+  }
+  return variants;
+}
+
+void write(const std::string& path, const std::string& text) {
+  std::ofstream out(path);
+  out << text;
+  if (!out.flush()) throw std::runtime_error(path + ": cannot be written");
+}
+
+/// Throws also if the same rays had different steps in different runs.
+int warmup(const Options& options) {
+  if (!options.picture.empty()) common::check_picture(options.picture);
+  if (!jit::has_compiler()) {
+    throw std::runtime_error("this program was built without a compiler: nothing warms up");
+  }
+  read(options.every.detector);  // what is wrong with it is told at once
+  warmup::ExperimentOptions experiment;
+  experiment.program = std::filesystem::read_symlink("/proc/self/exe");
+  experiment.words = options.words;
+  experiment.detector = options.every.detector.file;
+  experiment.setup = options.every.detector.setup;
+  experiment.variants = variants_of(options);
+  experiment.repetitions = options.repetitions;
+  experiment.seconds = options.seconds;
+  experiment.prime_seconds = options.prime_seconds;
+  const warmup::ExperimentReport report = warmup::run_experiment(experiment);
+  warmup::print_table(report);
+  if (!options.report.empty()) {
+    nlohmann::ordered_json json{{"detector", options.every.detector.file},
+                                {"threads", options.every.threads},
+                                {"seconds", options.seconds},
+                                {"repetitions", options.repetitions}};
+    json.update(warmup::to_json(report));
+    write(options.report, json.dump(1) + '\n');
+  }
+  if (!options.csv.empty()) write(options.csv, warmup::to_csv(report));
+  if (!options.picture.empty()) {
+    warmup::draw(report, std::filesystem::path(options.every.detector.file).filename(),
+                 options.picture);
+  }
+  if (!report.same_rays) throw std::runtime_error("runs differ in the steps of the same rays");
+  return 0;
+}
+
+}  // namespace
+
+void add_warmup(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *app.add_subcommand("warmup", "What the JIT costs before it pays: steps/s against time");
+  const std::vector<CLI::Option*> shared = warmup::add_shared_options(command, options->every);
+  command.add_option("--seconds", options->seconds, "of each run")
+      ->check(within(0.05, 3600.0))
+      ->option_text("S");
+  command
+      .add_option("--prime", options->prime_seconds,
+                  "seconds of the run that fills the cache and makes the\nplugin's profile")
+      ->check(within(0.05, 3600.0))
+      ->option_text("S");
+  command.add_option("--repetitions", options->repetitions, "of each run, in turn")
+      ->check(CLI::Range(1, 1000))
+      ->option_text("N");
+  command.add_option("--modes", options->modes, "of cold, cache and plugin; off is always there")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"cold", "cache", "plugin"}).description(""))
+      ->option_text("LIST");
+  command.add_option("--opt", options->optimisations, "compiler's optimisations to compare")
+      ->delimiter(',')
+      ->check(CLI::Range(0, 3))
+      ->option_text("LIST");
+  command.add_option("--report", options->report, "write a JSON report")->option_text("FILE");
+  command.add_option("--csv", options->csv, "write every point")->option_text("FILE");
+  command.add_option("--picture", options->picture, "speed and share against time; by gnuplot")
+      ->option_text("FILE.svg|.png");
+  command.callback([options, shared, &action] {
+    options->words = warmup::words_given(shared);
+    action = [options] { return warmup(*options); };
+  });
+}
+
+}  // namespace navjit::apps

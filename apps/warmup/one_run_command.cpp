@@ -1,0 +1,61 @@
+// `navjit warmup-run`: one run of navjit warmup, whose record goes to standard output.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "apps/commands.hpp"
+#include "apps/options/numbers.hpp"
+#include "apps/options/runtime.hpp"
+#include "apps/options/source.hpp"
+#include "apps/warmup/one_run_options.hpp"
+
+namespace navjit {
+
+namespace warmup {
+
+std::vector<CLI::Option*> add_shared_options(CLI::App& command, RunSetup& setup) {
+  const std::vector<CLI::Option*> before = command.get_options();
+  apps::add_detector(command, setup.detector);
+  apps::add_source(command, setup.source);
+  apps::add_threads(command, setup.threads);
+  apps::add_code_options(command, setup.runtime);
+  command.add_option("--interval", setup.interval, "between points of the series, s")
+      ->check(apps::within(0.001, 10.0))
+      ->option_text("S");
+  std::vector<CLI::Option*> added = command.get_options();
+  added.erase(added.begin(), added.begin() + static_cast<std::ptrdiff_t>(before.size()));
+  return added;
+}
+
+std::vector<std::string> words_given(const std::vector<CLI::Option*>& options) {
+  std::vector<std::string> words;
+  for (const CLI::Option* option : options) {
+    if (option->count() == 0) continue;
+    if (!option->get_positional()) words.push_back(option->get_name());
+    words.push_back(option->results().at(0));
+  }
+  return words;
+}
+
+}  // namespace warmup
+
+namespace apps {
+
+void add_warmup_run(CLI::App& app, Action& action) {
+  const auto setup = std::make_shared<warmup::RunSetup>();
+  CLI::App& command = *app.add_subcommand("warmup-run", "One run of navjit warmup");
+  command.group("");  // for navjit itself
+  warmup::add_shared_options(command, *setup);
+  command.add_option("--seconds", setup->seconds)->check(within(0.05, 3600.0));
+  command.add_option("--save-profile", setup->save_profile);
+  add_jit_options(command, setup->runtime);
+  command.callback([setup, &action] {
+    action = [setup] {
+      std::puts(to_text(run_once(*setup)).c_str());
+      return 0;
+    };
+  });
+}
+
+}  // namespace apps
+}  // namespace navjit
