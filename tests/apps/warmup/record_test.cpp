@@ -10,7 +10,7 @@ namespace {
 
 RunSetup short_run() {
   RunSetup setup;
-  setup.detector = std::string(NAVJIT_DETECTORS_DIR) + "/absorber.gdml";
+  setup.detector.file = std::string(NAVJIT_DETECTORS_DIR) + "/absorber.gdml";
   setup.seconds = 0.2;
   setup.interval = 0.01;
   setup.threads = 2;
