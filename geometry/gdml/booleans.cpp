@@ -36,12 +36,12 @@ const NamedSolid& operand(FileContext& file, const XmlElement& boolean, const Xm
 void check_depth(FileContext& file, const XmlElement& element, const NamedSolid& made) {
   const GdmlLimits& limits = file.session.options.limits;
   if (made.depth > limits.max_solid_depth) {
-    fail(element, "booleans are nested more than " + std::to_string(limits.max_solid_depth) +
-                      " deep; split the solid, or raise GdmlLimits::max_solid_depth");
+    refuse(element, "booleans are nested more than " + std::to_string(limits.max_solid_depth) +
+                        " deep; split the solid, or raise GdmlLimits::max_solid_depth");
   }
   if (made.parts > limits.max_solid_parts) {
-    fail(element, "the boolean has more than " + std::to_string(limits.max_solid_parts) +
-                      " parts; split the solid, or raise GdmlLimits::max_solid_parts");
+    refuse(element, "the boolean has more than " + std::to_string(limits.max_solid_parts) +
+                        " parts; split the solid, or raise GdmlLimits::max_solid_parts");
   }
 }
 

@@ -5,18 +5,32 @@
 namespace navjit::gdml {
 namespace {
 
-std::string known_units(Dimension dimension) {
+bool is_empty(std::string_view text) {
+  return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
+/// How messages call a dimension, and which units they suggest.
+struct DimensionWords {
+  const char *kind, *units;
+};
+constexpr DimensionWords words_of(Dimension dimension) {
   switch (dimension) {
     case Dimension::length:
-      return "use mm, cm, m, km, um or nm";
+      return {"length", "use mm, cm, m, km, um or nm"};
     case Dimension::angle:
-      return "use deg, rad or mrad";
+      return {"angle", "use deg, rad or mrad"};
     case Dimension::density:
-      return "use g/cm3, mg/cm3 or kg/m3";
+      return {"density", "use g/cm3, mg/cm3 or kg/m3"};
+    case Dimension::temperature:
+      return {"temperature", "use K"};
+    case Dimension::pressure:
+      return {"pressure", "use pascal, bar or atmosphere"};
+    case Dimension::molar_mass:
+      return {"molar mass", "use g/mole"};
     case Dimension::other:
       break;
   }
-  return "use a unit that Geant4 knows";
+  return {"this kind", "use a unit that Geant4 knows"};
 }
 
 /// The first element of the tree that defines the name, in any section.
@@ -39,12 +53,21 @@ const XmlElement* find_definition(const XmlElement& root, const std::string& wha
 
 std::string FileContext::resolved(const XmlElement& element, std::string_view text, bool always) {
   if (text.size() > session.options.limits.max_name_length) {
-    fail(element, "a name is longer than " +
-                      std::to_string(session.options.limits.max_name_length) +
-                      " characters; raise GdmlLimits::max_name_length if this is meant");
+    refuse(element, "a name is longer than " +
+                        std::to_string(session.options.limits.max_name_length) +
+                        " characters; raise GdmlLimits::max_name_length if this is meant");
   }
   if (loops == 0 && !always) return std::string(text);
-  return at_element(element, [&] { return evaluator.resolve_brackets(text); });
+  std::string name = at_element(element, [&] { return evaluator.resolve_brackets(text); });
+  if (loops > 0) {
+    const GdmlLimits& limits = session.options.limits;
+    session.loop_name_bytes += name.size();
+    if (session.loop_name_bytes > 512 * limits.max_loop_iterations) {
+      refuse(element,
+             "loops make too long names; raise GdmlLimits::max_loop_iterations if this is meant");
+    }
+  }
+  return name;
 }
 
 std::string FileContext::name(const XmlElement& element) {
@@ -67,8 +90,14 @@ std::string FileContext::reference(const XmlElement& element, std::string_view a
 
 double FileContext::evaluate(const XmlElement& element, std::string_view expression,
                              std::string_view what) {
+  if (is_empty(expression)) {
+    note(element, std::string(what) + " is empty and counts as 0, as in Geant4");
+    return 0;
+  }
   try {
     return evaluator.evaluate(expression);
+  } catch (const BrokenDefinition& e) {
+    fail_needing(element, e.what());
   } catch (const ExpressionError& e) {
     fail(element, std::string(what) + ": " + e.what());
   }
@@ -92,8 +121,11 @@ int FileContext::integer(const XmlElement& element, std::string_view attribute) 
   if (!value) {
     fail(element, "attribute '" + std::string(attribute) + "' is missing; give it an integer");
   }
+  if (is_empty(*value)) return static_cast<int>(evaluate(element, *value, attribute));
   try {
     return evaluator.evaluate_integer(*value);
+  } catch (const BrokenDefinition& e) {
+    fail_needing(element, e.what());
   } catch (const ExpressionError& e) {
     fail(element, std::string(attribute) + ": " + e.what());
   }
@@ -109,11 +141,9 @@ double FileContext::unit(const XmlElement& element, std::string_view attribute, 
   if (!text) return fallback;
   const auto found = find_unit(*text);
   if (!found || (dimension != Dimension::other && found->dimension != dimension)) {
+    const DimensionWords words = words_of(dimension);
     fail(element, std::string(attribute) + ": '" + printable(*text) + "' is not a unit of " +
-                      (dimension == Dimension::length  ? "length"
-                       : dimension == Dimension::angle ? "angle"
-                                                       : "this kind") +
-                      "; " + known_units(dimension));
+                      words.kind + "; " + words.units);
   }
   return found->value;
 }
@@ -141,9 +171,9 @@ Vector FileContext::vector(const XmlElement& element, Dimension dimension, doubl
 void FileContext::charge(const XmlElement& element) {
   if (loops == 0) return;
   if (++session.loop_elements > session.options.limits.max_loop_iterations) {
-    fail(element, "loops process more than " +
-                      std::to_string(session.options.limits.max_loop_iterations) +
-                      " elements; raise GdmlLimits::max_loop_iterations if this is meant");
+    refuse(element, "loops process more than " +
+                        std::to_string(session.options.limits.max_loop_iterations) +
+                        " elements; raise GdmlLimits::max_loop_iterations if this is meant");
   }
 }
 
@@ -158,19 +188,67 @@ void FileContext::loop(const XmlElement& element, const std::function<void()>& b
   if (from > to && step >= 0) fail(element, "the loop never ends; make 'step' negative");
   if (from == to && step <= 0) fail(element, "the loop never ends; make 'step' positive");
   if (from > to) note(element, "a loop that counts down: ran no turn, as Geant4 does");
-  ++loops;
+  const struct Inside {
+    explicit Inside(int& the_loops) : loops(the_loops) { ++loops; }
+    ~Inside() { --loops; }
+    int& loops;
+  } inside(loops);
   for (long long i = from; i <= to; i += step) {
     charge(element);
     at_element(element, [&] { evaluator.set_variable(*variable, static_cast<double>(i)); });
     body();
   }
-  --loops;
+}
+
+void FileContext::leave_out(const XmlElement& element, const std::string& message) {
+  constexpr std::size_t most = 10'000;
+  if (++session.left_out > most) {
+    refuse(element,
+           "more than " + std::to_string(most) + " definitions cannot be read; mend the file");
+  }
+  // The place in the message is that of the part which is wrong.
+  const bool whole = message.starts_with(describe(element) + ": ");
+  session.notes.add_line("left out, since it cannot be read",
+                         message + (whole ? "; left out" : "; left out with " + label(element)));
+}
+
+void FileContext::define_if_readable(const XmlElement& element, const std::string& what,
+                                     const std::function<void()>& read) {
+  std::string message;
+  try {
+    return at_element(element, read);
+  } catch (const GdmlRefusal&) {
+    throw;
+  } catch (const GdmlError& e) {
+    message = e.what();
+  }
+  leave_out(element, message);
+  std::string name;
+  try {
+    name = optional_name(element);
+  } catch (const GdmlRefusal&) {
+    throw;
+  } catch (const GdmlError&) {
+    return;  // nothing can ask for it
+  }
+  if (name.empty()) return;
+  if (what == "value") {
+    evaluator.define_broken(name, message);
+  } else {
+    broken.insert_or_assign(what + ' ' + name, message);
+  }
+}
+
+void FileContext::check_readable(const XmlElement& element, const std::string& what,
+                                 const std::string& wanted) const {
+  const auto found = broken.find(what + ' ' + wanted);
+  if (found != broken.end()) fail_needing(element, found->second);
 }
 
 void FileContext::fail_unknown(const XmlElement& element, const std::string& what,
                                const std::string& wanted) {
   const std::string quoted = what + " '" + printable(wanted) + "'";
-  if (wanted == open_name) fail(element, quoted + " contains itself; remove the cycle");
+  if (wanted == open_name) refuse(element, quoted + " contains itself; remove the cycle");
   if (const XmlElement* later = find_definition(*document->root, what, wanted)) {
     fail(element, quoted + " is defined only later, or by itself, in line " +
                       std::to_string(later->line) +

@@ -69,6 +69,8 @@ struct Session {
   XmlBudget xml;
   int open_files = 0;
   std::size_t loop_elements = 0;
+  std::size_t loop_name_bytes = 0;
+  std::size_t left_out = 0;
   std::size_t placements = 0;
   std::size_t placement_name_bytes = 0;
   World world;
@@ -76,19 +78,22 @@ struct Session {
   Notes notes;
   /// Files read or being read, by canonical path.
   std::map<std::string, std::unique_ptr<FileContext>> files;
+  std::vector<FileContext*> files_in_order;
 };
 
 /// A name's definition, read or still being read.
 template <class T>
 using Definitions = StringMap<T>;
 
-/// One GDML file: names do not cross files.
+/// One GDML file. Names of values and frames are its own; where it lacks a material, solid or
+/// volume, those of the other files that were read hold, as in Geant4's stores.
 struct FileContext {
   explicit FileContext(Session& the_session) : session(the_session) {}
 
   Session& session;
   std::unique_ptr<XmlDocument> document;
   bool complete = false;  ///< false while it is being read
+  std::string problem;    ///< why it could not be read
 
   Evaluator evaluator;
   Definitions<Vector> positions, rotations, scales;
@@ -100,8 +105,10 @@ struct FileContext {
   Definitions<VolumeId> volumes;
   Definitions<Assembly> assemblies;
   std::vector<Setup> setups;
+  /// By "KIND NAME": what is wrong with definitions that could not be read.
+  Definitions<std::string> broken;
   int loops = 0;          ///< how many loops we are in: names hold indices there
-  std::string open_name;  ///< the volume or assembly that is being read
+  std::string open_name;  ///< the solid, volume or assembly that is being read
 
   /// Notes something odd at an element; `what` tells the kind, of which only the first few are
   /// kept.
@@ -137,16 +144,46 @@ struct FileContext {
   /// Resolves indices in a name where it is in a loop, and checks its length.
   std::string resolved(const XmlElement& element, std::string_view text, bool always = false);
 
+  /// Notes that an element was left out, and why, from an error's message.
+  void leave_out(const XmlElement& element, const std::string& message);
+  /// Runs `read`, which reads the definition of a `what`. If it cannot be read that is noted, and
+  /// is an error for whoever uses it.
+  void define_if_readable(const XmlElement& element, const std::string& what,
+                          const std::function<void()>& read);
   /// Runs `body` for every turn of a <loop>.
   void loop(const XmlElement& element, const std::function<void()>& body);
   /// Charges an element against the limit on loops, if we are in one.
   void charge(const XmlElement& element);
 
-  /// The definition of a name. Fails, saying where it is defined if it is, but too late.
+  /// The definition of a name, of this file or else of one that was read before; null if there is
+  /// none.
+  template <class T>
+  T* find(Definitions<T> FileContext::*definitions, const std::string& wanted) {
+    const auto own = (this->*definitions).find(wanted);
+    if (own != (this->*definitions).end()) return &own->second;
+    for (FileContext* other : session.files_in_order) {
+      const auto found = (other->*definitions).find(wanted);
+      if (found != (other->*definitions).end()) return &found->second;
+    }
+    return nullptr;
+  }
+  /// The same. Fails where there is none, saying where it is defined if it is, but too late.
+  template <class T>
+  T& look_up(Definitions<T> FileContext::*definitions, const XmlElement& element,
+             const std::string& what, const std::string& wanted) {
+    if (!broken.empty()) check_readable(element, what, wanted);
+    if (T* found = find(definitions, wanted)) return *found;
+    for (const FileContext* other : session.files_in_order) {
+      other->check_readable(element, what, wanted);
+    }
+    fail_unknown(element, what, wanted);
+  }
+  /// The definition of a name of this file. Fails where there is none, in the same way.
   template <class T>
   T& look_up(Definitions<T>& definitions, const XmlElement& element, const std::string& what,
              const std::string& wanted) {
     const auto found = definitions.find(wanted);
+    if (!broken.empty()) check_readable(element, what, wanted);
     if (found == definitions.end()) fail_unknown(element, what, wanted);
     return found->second;
   }
@@ -158,6 +195,10 @@ struct FileContext {
       note(element, "left out, since the first of several " + what + "s of the same name holds");
     }
   }
+
+  /// Fails if the definition of a `what` of this name could not be read.
+  void check_readable(const XmlElement& element, const std::string& what,
+                      const std::string& wanted) const;
 
  private:
   [[noreturn]] void fail_unknown(const XmlElement& element, const std::string& what,
@@ -172,6 +213,8 @@ template <class F>
 decltype(auto) at_element(const XmlElement& element, F&& f) {
   try {
     return f();
+  } catch (const BrokenDefinition& e) {
+    fail_needing(element, e.what());
   } catch (const ExpressionError& e) {
     fail(element, e.what());
   } catch (const GeometryError& e) {

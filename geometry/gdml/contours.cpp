@@ -39,9 +39,9 @@ NamedSolid read_xtru(FileContext& file, const XmlElement& element, const std::st
   // Cutting it into triangles takes time with the square of the corners.
   const std::size_t cost = polygon.size() * polygon.size() / 64;
   if (cost > file.session.xml.elements) {
-    fail(element,
-         "too many corners in the file's xtru; raise GdmlLimits::max_elements if this is "
-         "meant");
+    refuse(element,
+           "too many corners in the file's xtru; raise GdmlLimits::max_elements if this is "
+           "meant");
   }
   file.session.xml.elements -= cost;
   return made(make_extruded(name, polygon, sections));
@@ -82,7 +82,7 @@ std::vector<ContourPoint> read_contour(FileContext& file, const XmlElement& elem
     contour.push_back({file.length(child, "r", unit), file.length(child, "z", unit)});
   }
   if (contour.size() > static_cast<std::size_t>(file.session.options.limits.max_planes)) {
-    fail(element, "it has too many points; raise GdmlLimits::max_planes if this is meant");
+    refuse(element, "it has too many points; raise GdmlLimits::max_planes if this is meant");
   }
   return contour;
 }
@@ -100,10 +100,10 @@ NamedSolid read_generic_polyhedra(FileContext& file, const XmlElement& element,
   const double angle = angle_unit(file, element);
   const int sides = file.integer(element, "numsides");
   if (sides > file.session.options.limits.max_planes) {
-    fail(element, "it has too many sides; raise GdmlLimits::max_planes if this is meant");
+    refuse(element, "it has too many sides; raise GdmlLimits::max_planes if this is meant");
   }
   const auto cost = static_cast<std::size_t>(std::max(sides, 0));
-  if (cost > file.session.xml.elements) fail(element, "too many sides in the file");
+  if (cost > file.session.xml.elements) refuse(element, "too many sides in the file");
   file.session.xml.elements -= cost;
   return made(make_generic_polyhedra(name, read_contour(file, element), sides,
                                      file.number(element, "startphi", 0) * angle,

@@ -9,6 +9,9 @@ namespace {
 
 void define_constant(FileContext& file, const XmlElement& element, std::string_view name,
                      double value) {
+  if (file.evaluator.defined(name) == value) {
+    return file.note(element, "its name is already defined, with the same value");
+  }
   at_element(element, [&] { file.evaluator.define_constant(name, value); });
 }
 
@@ -29,13 +32,12 @@ void read_expression(FileContext& file, const XmlElement& element) {
 void read_quantity(FileContext& file, const XmlElement& element) {
   const std::string name = file.name(element);
   const double value = file.number(element, "value");
-  const auto unit = element.find("unit");
-  if (unit && !find_unit(*unit)) {
-    // Of no use to the geometry; using it nevertheless is an unknown name.
-    file.note(element, "left out, since its unit is unknown", printable(*unit));
-    return;
+  double product = value;
+  if (element.find("unit") == "") {
+    file.note(element, "took an empty unit for 1");
+  } else {
+    product *= file.unit(element, "unit", Dimension::other);
   }
-  const double product = value * file.unit(element, "unit", Dimension::other);
   file.quantities.insert_or_assign(name, product);
   define_constant(file, element, name, product);
 }
@@ -58,12 +60,27 @@ void read_matrix(FileContext& file, const XmlElement& element) {
   const std::string name = file.name(element);
   const int columns = file.integer(element, "coldim");
   std::string_view text = element.find("values").value_or("");
-  std::vector<double> values;
+  // An element that cannot be read matters only to who uses it.
+  std::vector<std::optional<double>> values;
+  std::string problem;
+  std::size_t problems = 0;
   for (;;) {
     const auto begin = text.find_first_not_of(" \t\r\n");
     if (begin == std::string_view::npos) break;
     const auto end = std::min(text.find_first_of(" \t\r\n", begin), text.size());
-    values.push_back(file.evaluate(element, text.substr(begin, end - begin), "values"));
+    if (file.session.xml.elements == 0) {
+      refuse(element,
+             "too many values in the file's matrices; raise GdmlLimits::max_elements if this is "
+             "meant");
+    }
+    --file.session.xml.elements;
+    values.emplace_back();
+    try {
+      values.back() = file.evaluate(element, text.substr(begin, end - begin), "values");
+    } catch (const GdmlError& e) {
+      if (++problems > 100) throw;
+      if (problem.empty()) problem = e.what();
+    }
     text.remove_prefix(end);
   }
   const auto size = static_cast<int>(values.size());
@@ -76,8 +93,14 @@ void read_matrix(FileContext& file, const XmlElement& element) {
     const std::string index = one_index
                                   ? std::to_string(i)
                                   : std::to_string(i / columns) + "_" + std::to_string(i % columns);
-    define_constant(file, element, name + "_" + index, values[static_cast<std::size_t>(i)]);
+    const std::optional<double> value = values[static_cast<std::size_t>(i)];
+    if (value) {
+      define_constant(file, element, name + "_" + index, *value);
+    } else {
+      file.evaluator.define_broken(name + "_" + index, problem);
+    }
   }
+  if (!problem.empty()) file.leave_out(element, problem);
 }
 
 constexpr struct {
@@ -95,17 +118,24 @@ void read_define(FileContext& file, const XmlElement& section) {
   for (const XmlElement& element : section.children()) {
     file.charge(element);
     if (element.tag == "loop") {
-      file.loop(element, [&] { read_define(file, element); });
+      file.define_if_readable(element, "loop",
+                              [&] { file.loop(element, [&] { read_define(file, element); }); });
+      continue;
+    }
+    if (element.tag == "auxiliary") {
+      file.skip("skipped <auxiliary>");
       continue;
     }
     const auto* reader = std::find_if(std::begin(readers), std::end(readers),
                                       [&](const auto& r) { return r.tag == element.tag; });
     if (reader == std::end(readers)) {
-      fail(element,
-           "unknown definition; use constant, variable, quantity, expression, position, "
-           "rotation, scale, matrix or loop");
+      file.note(element, "left out a definition of an unknown kind");
+      continue;
     }
-    reader->read(file, element);
+    const bool frame =
+        reader->tag == "position" || reader->tag == "rotation" || reader->tag == "scale";
+    file.define_if_readable(element, frame ? std::string(reader->tag) : "value",
+                            [&] { reader->read(file, element); });
   }
 }
 

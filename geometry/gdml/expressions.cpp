@@ -186,6 +186,7 @@ void Evaluator::define(std::string_view name, double value, bool variable) {
 }
 
 void Evaluator::set_variable(std::string_view name, double value) {
+  if (!broken_.empty()) check_readable(name);
   const auto found = values_.find(name);
   if (found == values_.end() || !found->second.variable) {
     throw ExpressionError("variable " + in_quotes(name) +
@@ -194,7 +195,32 @@ void Evaluator::set_variable(std::string_view name, double value) {
   found->second.number = value;
 }
 
+void Evaluator::define_broken(std::string_view name, const std::string& message) {
+  broken_.try_emplace(std::string(name), message);
+  // Parsers remember where the values are of names that they have met.
+  compiled_.clear();
+  parser_.reset();
+}
+
+std::optional<double> Evaluator::defined(std::string_view name) const {
+  const auto found = values_.find(name);
+  if (found == values_.end() || found->second.builtin) return std::nullopt;
+  return found->second.number;
+}
+
+/// Elements of a matrix are called like it, with one or two numbers behind.
+void Evaluator::check_readable(std::string_view name) const {
+  for (int indices = 0; indices <= 2; ++indices) {
+    const auto found = broken_.find(name);
+    if (found != broken_.end()) throw BrokenDefinition(found->second);
+    while (!name.empty() && is_digit(name.back())) name.remove_suffix(1);
+    if (!name.ends_with('_')) return;
+    name.remove_suffix(1);
+  }
+}
+
 const double* Evaluator::find(std::string_view name) {
+  if (!broken_.empty()) check_readable(name);
   const auto found = values_.find(name);
   if (found != values_.end()) return &found->second.number;
   const auto builtin = find_builtin(name);

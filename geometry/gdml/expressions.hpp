@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,6 +14,10 @@ namespace navjit::gdml {
 /// What is wrong with an expression; the caller adds where it stands.
 struct ExpressionError : std::runtime_error {
   using std::runtime_error::runtime_error;
+};
+/// The expression names a definition that could not be read; the message tells where that is.
+struct BrokenDefinition : ExpressionError {
+  using ExpressionError::ExpressionError;
 };
 
 struct StringHash : std::hash<std::string_view> {
@@ -32,6 +37,11 @@ class Evaluator {
   /// Throws ExpressionError if the file has already defined the name, or it is not a name.
   void define_constant(std::string_view name, double value);
   void define_variable(std::string_view name, double value);
+  /// From now on whatever uses the name, or an element of the matrix of that name, throws
+  /// BrokenDefinition with this message.
+  void define_broken(std::string_view name, const std::string& message);
+  /// The value that the file has defined for the name, if it has.
+  std::optional<double> defined(std::string_view name) const;
   /// Sets a defined variable; throws ExpressionError otherwise.
   void set_variable(std::string_view name, double value);
 
@@ -52,9 +62,11 @@ class Evaluator {
 
   void define(std::string_view name, double value, bool variable);
   const double* find(std::string_view name);
+  void check_readable(std::string_view name) const;
   double parse(const std::string& expression);
 
   StringMap<Value> values_;
+  StringMap<std::string> broken_;
   StringMap<std::unique_ptr<Parser>> compiled_;  ///< by expression, the first ones met
   std::unique_ptr<Parser> parser_;               ///< for the others
 };

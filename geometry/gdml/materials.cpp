@@ -1,5 +1,5 @@
 // <materials>: isotopes, elements, and materials with their densities, states and radiation
-// lengths.
+// lengths. What cannot be read of them counts as not given: no step depends on it.
 #include <algorithm>
 #include <cmath>
 
@@ -14,32 +14,71 @@ constexpr std::size_t most_components = 120;
 
 double unit_value(std::string_view name) { return find_unit(name)->value; }
 
+/// What `read` makes of an element; nothing, and a note, where it cannot be read.
+template <class F>
+auto if_readable(FileContext& file, const XmlElement& element, F&& read)
+    -> std::optional<decltype(read())> {
+  try {
+    return at_element(element, read);
+  } catch (const GdmlRefusal&) {
+    throw;
+  } catch (const GdmlError& e) {
+    file.leave_out(element, e.what());
+    return std::nullopt;
+  }
+}
+
+/// A number that is not negative.
+std::optional<double> number_of(FileContext& file, const XmlElement& element,
+                                const std::string& attribute) {
+  return if_readable(file, element, [&] {
+    const double value = file.number(element, attribute);
+    if (value < 0) fail(element, attribute + ": it is negative");
+    return value;
+  });
+}
+
 /// The value of the element's child `tag`, or of the quantity that `tag`ref names, in `unit`.
+/// Nothing where it is negative.
 std::optional<double> read_quantity(FileContext& file, const XmlElement& element,
-                                    const std::string& tag, std::string_view unit) {
-  for (const XmlElement& child : element.children()) {
+                                    const std::string& tag, std::string_view unit,
+                                    Dimension dimension) {
+  const auto read = [&](const XmlElement& child) {
+    double value = 0;
     if (child.tag == tag) {
-      const double named = file.unit(child, "unit", Dimension::other, unit_value(unit));
-      return file.number(child, "value", 0) * named / unit_value(unit);
+      const double named = file.unit(child, "unit", dimension, unit_value(unit));
+      value = file.number(child, "value", 0) * named;
+    } else {
+      const std::string name = file.reference(child);
+      const auto quantity = file.quantities.find(name);
+      if (quantity == file.quantities.end()) {
+        fail(child, "quantity '" + printable(name) + "' is not defined; define it before its use");
+      }
+      value = quantity->second;
     }
-    if (child.tag == tag + "ref") {
-      const auto quantity = file.quantities.find(file.reference(child));
-      if (quantity != file.quantities.end()) return quantity->second / unit_value(unit);
-    }
+    value /= unit_value(unit);
+    if (!(value >= 0 && value <= 1e30)) fail(child, "no such value is possible; check its unit");
+    return value;
+  };
+  for (const XmlElement& child : element.children()) {
+    if (child.tag != tag && child.tag != tag + "ref") continue;
+    if (const auto value = if_readable(file, child, [&] { return read(child); })) return value;
   }
   return std::nullopt;
 }
 
 /// g/cm3; 0 where the file gives none.
 double read_density(FileContext& file, const XmlElement& material) {
-  for (const XmlElement& child : material.children()) {
-    if (child.tag == "D") file.unit(child, "unit", Dimension::density);
-  }
-  return read_quantity(file, material, "D", "g/cm3").value_or(0);
+  return read_quantity(file, material, "D", "g/cm3", Dimension::density).value_or(0);
 }
 
+/// g/mole; 0 where the file gives none. Units of mass do as well.
 double molar_mass(FileContext& file, const XmlElement& element) {
-  return read_quantity(file, element, "atom", "g/mole").value_or(0);
+  return read_quantity(file, element, "atom", "g/mole", Dimension::other).value_or(0);
+}
+
+double atomic_number(FileContext& file, const XmlElement& element) {
+  return element.find("Z") ? number_of(file, element, "Z").value_or(0) : 0;
 }
 
 void merge(Components& all, const MaterialComponent& one) {
@@ -63,20 +102,21 @@ Components normalised(Components all) {
 
 void read_isotope(FileContext& file, const XmlElement& element) {
   file.define(file.isotopes, element, "isotope", file.name(element),
-              MaterialComponent{file.number(element, "Z", 0), molar_mass(file, element), 1});
+              MaterialComponent{atomic_number(file, element), molar_mass(file, element), 1});
 }
 
 /// An element given by its isotopes counts as one nuclide of the mean mass.
 void read_element(FileContext& file, const XmlElement& element) {
-  double z = file.number(element, "Z", 0), a = molar_mass(file, element), sum = 0, mass = 0;
+  double z = atomic_number(file, element), a = molar_mass(file, element), sum = 0, mass = 0;
   for (const XmlElement& child : element.children()) {
     if (child.tag != "fraction") continue;
-    const auto isotope = file.isotopes.find(file.reference(child));
-    if (isotope == file.isotopes.end()) continue;
-    const double n = file.number(child, "n");
-    z = isotope->second.z;
-    sum += n;
-    mass += n * isotope->second.a;
+    const std::string isotope_name = file.reference(child);
+    const MaterialComponent* isotope = file.find(&FileContext::isotopes, isotope_name);
+    const auto n = number_of(file, child, "n");
+    if (isotope == nullptr || !n) continue;
+    z = isotope->z;
+    sum += *n;
+    mass += *n * isotope->a;
   }
   if (sum > 0) a = mass / sum;
   file.define(file.elements, element, "element", file.name(element), MaterialComponent{z, a, 1});
@@ -88,17 +128,18 @@ Components read_components(FileContext& file, const XmlElement& material) {
   for (const XmlElement& child : material.children()) {
     const bool by_mass = child.tag == "fraction";
     if (!by_mass && child.tag != "composite") continue;
-    const double n = file.number(child, "n");
+    const auto n = number_of(file, child, "n");
+    if (!n) return {};
     const std::string name = file.reference(child);
-    const auto element = file.elements.find(name);
-    const auto other = file.compositions.find(name);
-    if (element != file.elements.end()) {
-      MaterialComponent c = element->second;
-      c.fraction = by_mass ? n : n * c.a;
+    const MaterialComponent* element = file.find(&FileContext::elements, name);
+    const Components* other = file.find(&FileContext::compositions, name);
+    if (element != nullptr) {
+      MaterialComponent c = *element;
+      c.fraction = by_mass ? *n : *n * c.a;
       merge(all, c);
-    } else if (by_mass && other != file.compositions.end() && !other->second.empty()) {
-      for (MaterialComponent c : other->second) {
-        c.fraction *= n;
+    } else if (by_mass && other != nullptr && !other->empty()) {
+      for (MaterialComponent c : *other) {
+        c.fraction *= *n;
         merge(all, c);
       }
     } else {
@@ -107,7 +148,7 @@ Components read_components(FileContext& file, const XmlElement& material) {
     if (all.size() > most_components) return {};
   }
   if (all.empty() && material.find("Z")) {
-    all.push_back({file.number(material, "Z"), molar_mass(file, material), 1});
+    all.push_back({atomic_number(file, material), molar_mass(file, material), 1});
   }
   return normalised(std::move(all));
 }
@@ -120,9 +161,13 @@ void read_material(FileContext& file, const XmlElement& element) {
                    : state == "liquid" ? MaterialState::liquid
                    : state == "gas"    ? MaterialState::gas
                                        : MaterialState::undefined;
-  material.temperature = read_quantity(file, element, "T", "K").value_or(material.temperature);
-  material.pressure = read_quantity(file, element, "P", "pascal").value_or(material.pressure);
-  Components components = read_components(file, element);
+  material.temperature =
+      read_quantity(file, element, "T", "K", Dimension::temperature).value_or(material.temperature);
+  material.pressure =
+      read_quantity(file, element, "P", "pascal", Dimension::pressure).value_or(material.pressure);
+  Components components = if_readable(file, element, [&] {
+                            return read_components(file, element);
+                          }).value_or(Components{});
   const double per_area = radiation_length(components);
   if (per_area > 0 && material.density > 0) {
     material.radiation_length = per_area / material.density * 10;
@@ -147,15 +192,18 @@ constexpr struct {
 void read_materials(FileContext& file, const XmlElement& section) {
   for (const auto& reader : first_readers) {
     for (const XmlElement& element : section.children()) {
-      if (element.tag == reader.tag) reader.read(file, element);
+      if (element.tag != reader.tag) continue;
+      file.define_if_readable(element, reader.tag == "define" ? "section" : std::string(reader.tag),
+                              [&] { reader.read(file, element); });
     }
   }
   for (const XmlElement& element : section.children()) {
     file.charge(element);
     if (element.tag == "loop") {
-      file.loop(element, [&] { read_materials(file, element); });
+      file.define_if_readable(element, "loop",
+                              [&] { file.loop(element, [&] { read_materials(file, element); }); });
     } else if (element.tag == "material") {
-      read_material(file, element);
+      file.define_if_readable(element, "material", [&] { read_material(file, element); });
     } else if (std::none_of(std::begin(first_readers), std::end(first_readers),
                             [&](const auto& r) { return r.tag == element.tag; })) {
       file.skip("skipped <" + printable(element.tag) + "> in <materials>");

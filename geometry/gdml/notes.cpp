@@ -9,12 +9,19 @@ std::size_t* Notes::counter(std::map<std::string, std::size_t>& kinds, const std
 }
 
 void Notes::add(const XmlElement& element, const std::string& what, const std::string& detail) {
-  std::size_t* const count = counter(odd_, what);
-  if (count == nullptr) {
-    ++others_;
-  } else if (++*count <= lines_of_a_kind) {
+  if (wanted(what)) {
     lines_.push_back(describe(element) + ": " + what + (detail.empty() ? "" : ": ") + detail);
   }
+}
+
+void Notes::add_line(const std::string& what, const std::string& line) {
+  if (wanted(what)) lines_.push_back(line);
+}
+
+bool Notes::wanted(const std::string& what) {
+  std::size_t* const count = counter(odd_, what);
+  ++(count == nullptr ? others_ : *count);
+  return count != nullptr && *count <= lines_of_a_kind;
 }
 
 void Notes::count(const std::string& what) {

@@ -18,12 +18,16 @@ struct Notes {
 
   /// Something odd in the file: "FILE:LINE: <element>: what: detail". `what` tells the kind.
   void add(const XmlElement& element, const std::string& what, const std::string& detail = {});
+  /// The same with a line that is made already.
+  void add_line(const std::string& what, const std::string& line);
   /// Something common that means nothing for the geometry, or is as Geant4 has it: only counted.
   void count(const std::string& what);
   /// Adds what was collected to a report.
   void tell(GdmlReport& report) const;
 
  private:
+  /// Counts one of a kind; true where its line is to be kept.
+  bool wanted(const std::string& what);
   static std::size_t* counter(std::map<std::string, std::size_t>& kinds, const std::string& what);
 
   std::vector<std::string> lines_;

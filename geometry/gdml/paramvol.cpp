@@ -43,6 +43,8 @@ void read_parameters(Parameterised& all, const XmlElement& element) {
   for (const XmlElement& child : element.children()) {
     if (child.tag.ends_with(suffix)) {
       copy.volume = volume_of(all, child);
+    } else if (child.tag == "auxiliary") {
+      file.skip("skipped <auxiliary> in <parameters>");
     } else if (!read_frame(file, child, "", frame)) {
       fail(child, "unknown element in parameters; use position, rotation or dimensions");
     }
@@ -63,6 +65,8 @@ void read_contents(Parameterised& all, const XmlElement& element) {
       read_contents(all, child);
     } else if (child.tag == "loop") {
       all.file.loop(child, [&] { read_contents(all, child); });
+    } else if (child.tag == "auxiliary") {
+      all.file.skip("skipped <auxiliary> in <paramvol>");
     } else if (child.tag != "volumeref") {
       fail(child,
            "unknown element in a paramvol; use parameterised_position_size, parameters or "
@@ -80,7 +84,8 @@ void read_paramvol(FileContext& file, const XmlElement& element, Mother& mother)
     if (child.tag == "volumeref") reference = &child;
   }
   if (reference == nullptr) fail(element, "it has no <volumeref>; add one");
-  all.volume = file.look_up(file.volumes, *reference, "volume", file.reference(*reference));
+  all.volume =
+      file.look_up(&FileContext::volumes, *reference, "volume", file.reference(*reference));
   const NamedSolid* solid = file.session.volume_solids[all.volume];
   if (solid != nullptr && solid->element != nullptr) all.kind = solid->element->tag;
   all.name = file.optional_name(element);

@@ -19,7 +19,7 @@ struct Target {
 Target find_target(FileContext& file, const XmlElement& element, const std::string& name) {
   const auto assembly = file.assemblies.find(name);
   if (assembly != file.assemblies.end()) return {&assembly->second, 0, name};
-  return {nullptr, file.look_up(file.volumes, element, "volume", name), name};
+  return {nullptr, file.look_up(&FileContext::volumes, element, "volume", name), name};
 }
 
 /// <file name='...' volname='...'>: the module's volume of that name, or its world.
@@ -84,6 +84,8 @@ void read_physvol(FileContext& file, const XmlElement& element, Mother& mother) 
       scale = signs(file, child, file.vector(child, Dimension::other, 1));
     } else if (child.tag == "scaleref") {
       scale = signs(file, child, file.look_up(file.scales, child, "scale", file.reference(child)));
+    } else if (child.tag == "auxiliary") {
+      file.skip("skipped <auxiliary> in <physvol>");
     } else if (!read_frame(file, child, "", frame)) {
       fail(child, "unknown element in a physvol; remove it");
     }

@@ -42,7 +42,7 @@ class Dimensions {
     const int n = file_.integer(element_, attribute);
     check_count(n, "sides");
     const auto cost = static_cast<std::size_t>(std::max(n, 0));
-    if (cost > file_.session.xml.elements) fail(element_, "too many sides in the file");
+    if (cost > file_.session.xml.elements) gdml::refuse(element_, "too many sides in the file");
     file_.session.xml.elements -= cost;
     return n;
   }
@@ -69,8 +69,8 @@ class Dimensions {
   void check_count(int n, const char* what) const {
     const int most = file_.session.options.limits.max_planes;
     if (n <= most) return;
-    fail(element_, "it has more than " + std::to_string(most) + ' ' + what +
-                       "; raise GdmlLimits::max_planes if this is meant");
+    gdml::refuse(element_, "it has more than " + std::to_string(most) + ' ' + what +
+                               "; raise GdmlLimits::max_planes if this is meant");
   }
 
   FileContext& file_;

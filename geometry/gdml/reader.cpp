@@ -15,9 +15,10 @@ constexpr int max_open_files = 32;
 
 void read_setup(FileContext& file, const XmlElement& setup) {
   for (const XmlElement& child : setup.children()) {
-    if (child.tag == "world") {
-      file.setups.push_back({file.name(setup), file.reference(child), &child});
-    }
+    if (child.tag != "world") continue;
+    file.define_if_readable(child, "setup", [&] {
+      file.setups.push_back({file.optional_name(setup), file.reference(child), &child});
+    });
   }
 }
 
@@ -42,7 +43,8 @@ void read_root(FileContext& file) {
     const auto* section = std::find_if(std::begin(sections), std::end(sections),
                                        [&](const auto& s) { return s.tag == element.tag; });
     if (section == std::end(sections)) {
-      fail(element, "unknown section; use define, materials, solids, structure or setup");
+      file.note(element, "left out a section of an unknown kind");
+      continue;
     }
     at_element(element, [&] { section->read(file, element); });
   }
@@ -59,18 +61,27 @@ std::string canonical_name(const fs::path& path) {
 FileContext& read_file(Session& session, const fs::path& path, const XmlElement* from) {
   auto& file = session.files[canonical_name(path)];
   if (file != nullptr) {
+    if (!file->problem.empty()) fail_needing(*from, file->problem);
     if (!file->complete) {
-      fail(*from, "file '" + printable_path(path.string()) + "' includes itself; remove the cycle");
+      refuse(*from,
+             "file '" + printable_path(path.string()) + "' includes itself; remove the cycle");
     }
     return *file;
   }
   if (++session.open_files > max_open_files) {
-    fail(*from, "modules are nested more than " + std::to_string(max_open_files) +
-                    " deep; name them in one file");
+    refuse(*from, "modules are nested more than " + std::to_string(max_open_files) +
+                      " deep; name them in one file");
   }
   file = std::make_unique<FileContext>(session);
-  file->document = parse_xml(path, session.options.limits, session.xml, from);
-  read_root(*file);
+  session.files_in_order.push_back(file.get());
+  try {
+    file->document = parse_xml(path, session.options.limits, session.xml, from);
+    read_root(*file);
+  } catch (const GdmlError& e) {
+    file->problem = e.what();
+    --session.open_files;
+    throw;
+  }
   file->complete = true;
   --session.open_files;
   return *file;
@@ -106,7 +117,7 @@ World read_world(const std::filesystem::path& path, const GdmlOptions& options,
   if (file.assemblies.contains(setup.world)) {
     gdml::fail(world_element, "the world is an assembly; place it in a volume");
   }
-  world.top = file.look_up(file.volumes, world_element, "volume", setup.world);
+  world.top = file.look_up(&gdml::FileContext::volumes, world_element, "volume", setup.world);
   gdml::at_element(world_element, [&] { finish(world); });
   if (world.volumes[world.top].touchables > options.limits.max_touchables) {
     gdml::fail(world_element, "the world has " +

@@ -23,8 +23,9 @@ struct GdmlLimits {
   std::size_t max_bytes = 512u << 20;           ///< XML text read
   std::size_t max_elements = 8'000'000;         ///< XML elements
   std::size_t max_depth = 1000;                 ///< levels of nested XML elements
-  std::size_t max_entities = 1000;              ///< entity declarations in one document
-  std::size_t max_name_length = 512;            ///< characters in a name
+  std::size_t max_entities = 100'000;           ///< entity declarations in one document
+  std::size_t max_name_length = 65'536;         ///< characters in a name; 512 for each
+                                                ///< iteration of loops on average
   std::size_t max_loop_iterations = 1'000'000;  ///< elements processed by loops, and their turns
   std::size_t max_placements = 1'000'000;       ///< daughters of all volumes and assemblies; 64
                                                 ///< characters of name for each

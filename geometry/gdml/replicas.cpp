@@ -17,7 +17,7 @@ const XmlElement& child(const XmlElement& element, std::string_view tag) {
 
 VolumeId placed_volume(FileContext& file, const XmlElement& element) {
   const XmlElement& volume = child(element, "volumeref");
-  return file.look_up(file.volumes, volume, "volume", file.reference(volume));
+  return file.look_up(&FileContext::volumes, volume, "volume", file.reference(volume));
 }
 
 /// Adds copy `i`, turned by `turn` about z; its name ends in its number.
@@ -122,9 +122,9 @@ Division read_counts(FileContext& file, const XmlElement& element, const Divisib
   d.number = positive_count(file, element,
                             number > 0 ? number : std::floor((*whole - d.offset) / d.width));
   if (static_cast<std::size_t>(d.number) * shape.planes.size() > file.session.xml.elements) {
-    fail(element,
-         "too many copies of different shapes; raise GdmlLimits::max_elements if this is "
-         "meant");
+    refuse(element,
+           "too many copies of different shapes; raise GdmlLimits::max_elements if this is "
+           "meant");
   }
   const int sections = static_cast<int>(shape.planes.size()) - 1;
   if (shape.sides > 0 && d.axis == DivisionAxis::phi) {

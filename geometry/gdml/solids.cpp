@@ -15,6 +15,18 @@ SolidReader find_reader(std::string_view tag) {
   return nullptr;
 }
 
+void read_solid(FileContext& file, const XmlElement& element) {
+  const std::string name = file.name(element);
+  NamedSolid solid;
+  const bool taken = file.solids.contains(name);
+  if (const SolidReader read = taken ? nullptr : find_reader(element.tag)) {
+    file.open_name = name;
+    solid = at_element(element, [&] { return read(file, element, name); });
+  }
+  solid.element = &element;
+  file.define(file.solids, element, "solid", name, std::move(solid));
+}
+
 }  // namespace
 
 NamedSolid read_dimensions(FileContext& file, const XmlElement& element, std::string_view kind,
@@ -37,7 +49,7 @@ NamedSolid read_dimensions(FileContext& file, const XmlElement& element, std::st
 const NamedSolid& find_solid(FileContext& file, const XmlElement& element,
                              std::string_view attribute) {
   const NamedSolid& found =
-      file.look_up(file.solids, element, "solid", file.reference(element, attribute));
+      file.look_up(&FileContext::solids, element, "solid", file.reference(element, attribute));
   if (!found.solid) {
     fail(*found.element, "unsupported solid '" + printable(found.element->tag) +
                              "'; replace it by a supported one or take it out");
@@ -67,22 +79,15 @@ void read_solids(FileContext& file, const XmlElement& section) {
   for (const XmlElement& element : section.children()) {
     file.charge(element);
     if (element.tag == "loop") {
-      file.loop(element, [&] { read_solids(file, element); });
+      file.define_if_readable(element, "loop",
+                              [&] { file.loop(element, [&] { read_solids(file, element); }); });
     } else if (element.tag == "define") {
       read_define(file, element);
-    } else if (element.tag == "opticalsurface") {
-      file.skip("skipped <opticalsurface>");
+    } else if (element.tag == "opticalsurface" || element.tag == "auxiliary") {
+      file.skip("skipped <" + std::string(element.tag) + ">");
     } else {
-      const std::string name = file.name(element);
-      NamedSolid solid;
-      const bool taken = file.solids.find(name) != file.solids.end();
-      if (const SolidReader read = taken ? nullptr : find_reader(element.tag)) {
-        file.open_name = name;
-        solid = at_element(element, [&] { return read(file, element, name); });
-        file.open_name.clear();
-      }
-      solid.element = &element;
-      file.define(file.solids, element, "solid", name, std::move(solid));
+      file.define_if_readable(element, "solid", [&] { read_solid(file, element); });
+      file.open_name.clear();
     }
   }
 }

@@ -39,13 +39,13 @@ void read_daughters(FileContext& file, const XmlElement& section, Mother& mother
 std::uint32_t find_material(FileContext& file, const XmlElement& element) {
   const std::string name = file.reference(element);
   // Geant4 makes materials of these names from its NIST table.
-  if (name.starts_with("G4_") && !file.materials.contains(name)) {
+  if (name.starts_with("G4_") && file.find(&FileContext::materials, name) == nullptr) {
     auto& materials = file.session.world.materials;
     file.materials.emplace(name, static_cast<std::uint32_t>(materials.size()));
     materials.push_back({.name = name});
     file.skip("kept the name but no density of materials from Geant4's NIST table");
   }
-  return file.look_up(file.materials, element, "material", name);
+  return file.look_up(&FileContext::materials, element, "material", name);
 }
 
 std::uint32_t nameless_material(FileContext& file, const XmlElement& element) {
@@ -59,6 +59,7 @@ std::uint32_t nameless_material(FileContext& file, const XmlElement& element) {
 
 void read_volume(FileContext& file, const XmlElement& element) {
   const std::string name = file.name(element);
+  if (file.volumes.contains(name)) return file.define(file.volumes, element, "volume", name, 0u);
   const NamedSolid* solid = nullptr;
   std::optional<std::uint32_t> material;
   for (const XmlElement& child : element.children()) {
@@ -73,7 +74,6 @@ void read_volume(FileContext& file, const XmlElement& element) {
   file.open_name = name;
   Mother mother{volume.daughters, 1, solid};
   read_daughters(file, element, mother);
-  file.open_name.clear();
   const VolumeId id = add_volume(file.session, std::move(volume), solid);
   file.define(file.volumes, element, "volume", name, id);
 }
@@ -84,7 +84,6 @@ void read_assembly(FileContext& file, const XmlElement& element) {
   file.open_name = name;
   Mother mother{assembly.placements};
   read_daughters(file, element, mother);
-  file.open_name.clear();
   assembly.depth = mother.assembly_depth;
   file.define(file.assemblies, element, "assembly", name, std::move(assembly));
 }
@@ -100,11 +99,11 @@ VolumeId add_volume(Session& session, LogicalVolume volume, const NamedSolid* so
 VolumeId with_solid(FileContext& file, const XmlElement& element, VolumeId id, Solid solid,
                     std::size_t size) {
   // Copies cost memory as elements do, and more of it.
-  const std::size_t cost = 16 + size;
+  const std::size_t cost = 16 + size + file.session.world.volumes[id].name.size() / 16;
   if (cost > file.session.xml.elements) {
-    fail(element,
-         "too many copies of different shapes; raise GdmlLimits::max_elements if this is "
-         "meant");
+    refuse(element,
+           "too many copies of different shapes; raise GdmlLimits::max_elements if this is "
+           "meant");
   }
   file.session.xml.elements -= cost;
   const LogicalVolume& model = file.session.world.volumes[id];
@@ -123,9 +122,9 @@ void check_placements(FileContext& file, const XmlElement& element, std::size_t 
   const GdmlLimits& limits = session.options.limits;
   if (count > limits.max_placements - std::min(session.placements, limits.max_placements) ||
       session.placement_name_bytes > 64 * limits.max_placements) {
-    fail(element, "more than " + std::to_string(limits.max_placements) +
-                      " placements, or too long names of them; raise GdmlLimits::max_placements "
-                      "if this is meant");
+    refuse(element, "more than " + std::to_string(limits.max_placements) +
+                        " placements, or too long names of them; raise GdmlLimits::max_placements "
+                        "if this is meant");
   }
 }
 
@@ -140,13 +139,17 @@ void add_placement(FileContext& file, const XmlElement& element, Mother& mother,
 void read_structure(FileContext& file, const XmlElement& section) {
   for (const XmlElement& element : section.children()) {
     file.charge(element);
-    if (element.tag == "volume") {
-      read_volume(file, element);
-    } else if (element.tag == "assembly") {
-      read_assembly(file, element);
+    if (element.tag == "volume" || element.tag == "assembly") {
+      // Where a volume is asked for an assembly may stand in.
+      file.define_if_readable(element, "volume", [&] {
+        element.tag == "volume" ? read_volume(file, element) : read_assembly(file, element);
+      });
+      file.open_name.clear();
     } else if (element.tag == "loop") {
-      file.loop(element, [&] { read_structure(file, element); });
-    } else if (element.tag == "bordersurface" || element.tag == "skinsurface") {
+      file.define_if_readable(element, "loop",
+                              [&] { file.loop(element, [&] { read_structure(file, element); }); });
+    } else if (element.tag == "bordersurface" || element.tag == "skinsurface" ||
+               element.tag == "auxiliary") {
       file.skip("skipped <" + printable(element.tag) + ">");
     } else {
       fail(element, "unknown element in <structure>; use volume, assembly or loop");

@@ -6,7 +6,7 @@
 
 namespace navjit::gdml {
 
-enum class Dimension { length, angle, density, other };
+enum class Dimension { length, angle, density, molar_mass, temperature, pressure, other };
 
 struct Unit {
   std::string_view name;
@@ -14,9 +14,10 @@ struct Unit {
   Dimension dimension;
 };
 
-/// The unit of this name or symbol, if it is known.
+/// The unit of this name or symbol as a `unit` attribute gives it, if it is known.
 std::optional<Unit> find_unit(std::string_view name);
 /// The value of a name that expressions know without a definition: units, pi, twopi, halfpi, ...
+/// Fewer units than attributes have, as in Geant4.
 std::optional<double> find_builtin(std::string_view name);
 
 }  // namespace navjit::gdml

@@ -7,12 +7,16 @@
 #include <fstream>
 #include <vector>
 
+#include "geometry/gdml/entities.hpp"
+#include "geometry/gdml/gzip.hpp"
+
 namespace navjit::gdml {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr std::size_t max_entity_nesting = 32;
+constexpr std::size_t max_entity_chain = 1000;
 
 struct ParserDeleter {
   void operator()(XML_Parser parser) const { XML_ParserFree(parser); }
@@ -81,6 +85,7 @@ class Builder {
   std::vector<Open> open_;
   std::string text_;
   std::size_t entities_ = 0;
+  EntityReferences references_;
   std::string problem_;
   bool out_of_memory_ = false;
 };
@@ -180,13 +185,19 @@ void Builder::on_text(void* self, const XML_Char* text, int length) {
 }
 
 // Expat bounds how much text entities expand to, but follows a chain of them by recursion.
-void Builder::on_entity(void* self, const XML_Char*, int, const XML_Char*, int, const XML_Char*,
-                        const XML_Char*, const XML_Char*, const XML_Char*) {
+void Builder::on_entity(void* self, const XML_Char* name, int is_parameter, const XML_Char* value,
+                        int length, const XML_Char*, const XML_Char*, const XML_Char*,
+                        const XML_Char*) {
   auto* builder = static_cast<Builder*>(self);
   builder->guarded([&] {
     if (++builder->entities_ > builder->limits_.max_entities) {
       builder->stop(builder->here() + "more than " + std::to_string(builder->limits_.max_entities) +
                     " entities are declared; raise GdmlLimits::max_entities if this is meant");
+    } else if (is_parameter == 0 && value != nullptr &&
+               !builder->references_.declare(name, {value, static_cast<std::size_t>(length)},
+                                             max_entity_chain)) {
+      builder->stop(builder->here() + "more than " + std::to_string(max_entity_chain) +
+                    " entities refer to one another in a chain; write out what they mean");
     }
   });
 }
@@ -257,6 +268,11 @@ bool Builder::read_file(const fs::path& path, std::string& text, std::string& pr
     text.resize(size);
     stream.read(text.data(), static_cast<std::streamsize>(size));
     text.resize(static_cast<std::size_t>(stream.gcount()));
+    if (is_gzipped(text)) {
+      const std::string packed = std::move(text);
+      text = {};
+      if (!unpack_gzip(packed, budget_.bytes, text, problem)) return false;
+    }
     budget_.bytes -= text.size();
   }
   return problem.empty();

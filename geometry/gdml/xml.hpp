@@ -74,7 +74,18 @@ inline std::string printable_path(std::string_view path) { return printable(path
 std::string label(const XmlElement& element);
 /// "FILE:LINE: <tag name='...'>"
 std::string describe(const XmlElement& element);
-/// Throws GdmlError: "FILE:LINE: <tag name='...'>: problem".
+/// A file that asks for too much, or for something without an end: refused even where nothing uses
+/// it.
+struct GdmlRefusal : GdmlError {
+  using GdmlError::GdmlError;
+};
+
+/// Throws GdmlError: "FILE:LINE: <tag name='...'>: problem". Where the element is a definition,
+/// that matters only once something uses it.
 [[noreturn]] void fail(const XmlElement& element, const std::string& problem);
+/// Throws GdmlRefusal with the same message.
+[[noreturn]] void refuse(const XmlElement& element, const std::string& problem);
+/// Throws GdmlError: the message of the definition that could not be read, and who needs it.
+[[noreturn]] void fail_needing(const XmlElement& element, const std::string& message);
 
 }  // namespace navjit::gdml

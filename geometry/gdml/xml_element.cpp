@@ -43,4 +43,15 @@ void fail(const XmlElement& element, const std::string& problem) {
   throw GdmlError(describe(element) + ": " + problem);
 }
 
+void refuse(const XmlElement& element, const std::string& problem) {
+  throw GdmlRefusal(describe(element) + ": " + problem);
+}
+
+void fail_needing(const XmlElement& element, const std::string& message) {
+  constexpr std::string_view needed = " (needed by ";
+  // One that needs it is enough, however long the chain.
+  if (message.find(needed) != std::string::npos) throw GdmlError(message);
+  throw GdmlError(message + std::string(needed) + describe(element) + ')');
+}
+
 }  // namespace navjit::gdml

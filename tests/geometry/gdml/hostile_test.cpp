@@ -86,7 +86,8 @@ TEST_F(GdmlHostile, CyclicReferences) {
   expect_refused(
       in_world("<physvol><file name='" + (folder_ / "det.gdml").string() + "'/></physvol>"),
       "includes itself");
-  expect_refused(in_world("", "", "<constant name='a' value='b'/><constant name='b' value='a'/>"),
+  expect_refused(in_world(physvol("D", "<position x='a'/>"), "",
+                          "<constant name='a' value='b'/><constant name='b' value='a'/>"),
                  "unknown name 'b'");
   expect_refused(
       in_world("<divisionvol axis='kXAxis' number='2'><volumeref ref='W'/></divisionvol>"),
@@ -191,7 +192,8 @@ TEST_F(GdmlHostile, PolygonsOfManyCorners) {
 }
 
 TEST_F(GdmlHostile, Matrices) {
-  expect_refused(in_world("", "", "<matrix name='m' coldim='2147483647' values='1 2 3'/>"),
+  expect_refused(in_world(physvol("D", "<position x='m[1]'/>"), "",
+                          "<matrix name='m' coldim='2147483647' values='1 2 3'/>"),
                  "coldim=2147483647");
   GdmlOptions options;
   options.limits.max_bytes = 1 << 20;
@@ -228,7 +230,11 @@ TEST_F(GdmlHostile, NumbersThatAreNone) {
           "<torus name='s' rmin='0' rmax='1' rtor='V' deltaphi='1'/>"}) {
       std::string text = solid;
       text.replace(text.find('V'), 1, value);
-      EXPECT_LACKS(error_of(in_world("", text)), "\n") << text;
+      EXPECT_LACKS(error_of(Gdml{.solids = text,
+                                 .structure = "<volume name='S'><solidref ref='s'/></volume>" +
+                                              volume("W", physvol("S"))}),
+                   "\n")
+          << text;
     }
   }
 }

@@ -203,7 +203,7 @@ TEST_F(GdmlReader, UsesTheFirstOfSeveralDefinitions) {
                            &report);
   EXPECT_EQ(top(world).solid.extent.max.x, 10);
   EXPECT_EQ(top(world).daughters[0].volume, 0u);
-  EXPECT_EQ(world.volumes.size(), 3u);
+  EXPECT_EQ(world.volumes.size(), 2u);
   ASSERT_EQ(report.notes.size(), 2u);
   EXPECT_EQ(report.notes[0],
             (folder_ / "det.gdml").string() +

@@ -1,0 +1,27 @@
+// Which entities of a document refer to which.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/gdml/expressions.hpp"
+
+namespace navjit::gdml {
+
+/// How deep the internal entities of a document refer to one another, kept up to date as they are
+/// declared: the parser may follow them right after.
+struct EntityReferences {
+  /// Declares an entity and its text; of several declarations of a name the first holds. False
+  /// where some entity is now the first of a chain of more than `deepest`.
+  bool declare(std::string_view name, std::string_view text, std::size_t deepest);
+
+ private:
+  struct Entity {
+    std::size_t depth = 0;  ///< entities in the longest chain from here; 0 before it is declared
+    std::vector<Entity*> users;  ///< those whose text refers to it
+  };
+  StringMap<Entity> entities_;
+};
+
+}  // namespace navjit::gdml
