@@ -5,6 +5,8 @@
 
 #include "apps/commands.hpp"
 #include "apps/options/detector.hpp"
+#include "apps/options/numbers.hpp"
+#include "common/text.hpp"
 #include "geometry/check/overlaps.hpp"
 
 namespace navjit::apps {
@@ -23,12 +25,13 @@ int check(const Options& options) {
     const LogicalVolume& mother = world.volumes[o.volume];
     const auto name = [&](std::uint32_t k) {
       const Placement& p = mother.daughters[k];
-      return (p.name.empty() ? world.volumes[p.volume].name : p.name) + " (number " +
-             std::to_string(k) + ")";
+      return common::printable(p.name.empty() ? world.volumes[p.volume].name : p.name) +
+             " (number " + std::to_string(k) + ")";
     };
     const bool sticks_out = o.second == Overlap::mother;
-    std::printf("%s: %s %s%s by at least %.6g mm at %.9g,%.9g,%.9g\n", mother.name.c_str(),
-                name(o.first).c_str(), sticks_out ? "sticks out of it" : "overlaps ",
+    std::printf("%s: %s %s%s by at least %.6g mm at %.9g,%.9g,%.9g\n",
+                common::printable(mother.name).c_str(), name(o.first).c_str(),
+                sticks_out ? "sticks out of it" : "overlaps ",
                 sticks_out ? "" : name(o.second).c_str(), o.depth, o.point.x, o.point.y, o.point.z);
   }
   std::printf("%zu overlaps and protrusions deeper than %g mm, %zu points a daughter\n",
@@ -44,10 +47,10 @@ void add_check(CLI::App& app, Action& action) {
   add_detector(command, options->detector);
   command
       .add_option("--resolution", options->overlaps.resolution, "points on each daughter's surface")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100000000}))
+      ->transform(count(1, 100000000))
       ->option_text("N");
   command.add_option("--tolerance", options->overlaps.tolerance, "mm; shallower ones are not told")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number(0, 1e12))
       ->option_text("MM");
   command.callback([options, &action] { action = [options] { return check(*options); }; });
 }

@@ -2,8 +2,8 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
-#include <map>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 #include "analysis/error_bound.hpp"
@@ -12,6 +12,7 @@
 #include "apps/options/boxes.hpp"
 #include "apps/options/detector.hpp"
 #include "codegen/module.hpp"
+#include "common/text.hpp"
 #include "geometry/bvh/box_tree.hpp"
 
 namespace navjit::apps {
@@ -58,7 +59,10 @@ void print_level(const ErrorBound& bound) {
 void print_scene(const Geometry& geometry, const std::string& name, bool emit) {
   const VolumeId volume = find_volume(geometry.world(), name);
   const WorldFacts facts = analyse_world(geometry);
-  std::fputs(describe(geometry, plan_scene(geometry, facts, volume)).c_str(), stdout);
+  std::istringstream plan(describe(geometry, plan_scene(geometry, facts, volume)));
+  for (std::string line; std::getline(plan, line);) {
+    std::printf("%s\n", common::printable(line).c_str());
+  }
   std::printf("  touchables   %llu\n", static_cast<unsigned long long>(facts.touchables[volume]));
   const Scene& scene = geometry.scene(volume);
   std::printf("  search       %s", search_name(scene).c_str());
@@ -92,7 +96,7 @@ void print_materials(const World& world, const WorldFacts& facts) {
     if (!used[m]) continue;
     print(world.materials[m].density);
     print(world.materials[m].radiation_length / 10);
-    std::printf("%s\n", world.materials[m].name.c_str());
+    std::printf("%s\n", common::printable(world.materials[m].name).c_str());
   }
 }
 
@@ -110,8 +114,10 @@ void print_world(const Geometry& geometry, const std::string& file, const GdmlRe
       static_cast<unsigned long long>(world.volumes[world.top].touchables), world.depth,
       world.tolerance);
   if (unused > 0) std::printf("%zu volumes are not in the tree\n", unused);
-  for (const std::string& note : report.notes) std::printf("note: %s\n", note.c_str());
-  for (const std::string& note : report.skipped) std::printf("note: %s\n", note.c_str());
+  for (const std::string& note : report.notes)
+    std::printf("note: %s\n", common::printable(note).c_str());
+  for (const std::string& note : report.skipped)
+    std::printf("note: %s\n", common::printable(note).c_str());
   std::printf("\n%10s %6s %-13s %-21s %8s %-28s %s\n", "touchables", "daught", "solid", "search",
               "clusters", "arrangement", "volume");
   for (std::size_t v = 0; v < world.volumes.size(); ++v) {
@@ -123,7 +129,7 @@ void print_world(const Geometry& geometry, const std::string& file, const GdmlRe
                 static_cast<unsigned long long>(facts.touchables[v]),
                 world.volumes[v].daughters.size(), kind_name(world.volumes[v].solid.kind),
                 search_name(scene).c_str(), clusters_of(scene).c_str(), plan.pattern.c_str(),
-                world.volumes[v].name.c_str());
+                common::printable(world.volumes[v].name).c_str());
   }
   print_materials(world, facts);
 }

@@ -4,9 +4,16 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <new>
 
 #include "apps/commands.hpp"
+#include "common/interruption.hpp"
+#include "common/standard_streams.hpp"
+#include "common/text.hpp"
+#include "runtime/log_text.hpp"
+#include "runtime/version.hpp"
 
 namespace {
 
@@ -17,10 +24,16 @@ constexpr void (*commands[])(CLI::App&, apps::Action&) = {
     apps::add_cache,    apps::add_specialise, apps::add_profile,   apps::add_plugin,
     apps::add_accuracy, apps::add_warmup,     apps::add_warmup_run};
 
+/// One line, whatever names from files are in it.
+void print_error(const std::string& text) {
+  std::fprintf(stderr, "navjit: %s\n", common::printable(one_line(text, 4000)).c_str());
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app{"Particle transport through detectors, with navigators written while it runs"};
   app.name("navjit");
   app.require_subcommand(1);
+  app.set_version_flag("--version", version_line(), "what this program is made of");
   bool verbose = false;
   app.add_flag("-v,--verbose", verbose, "log decisions");
   apps::Action action;
@@ -30,7 +43,7 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::Error& error) {
-    std::fprintf(stderr, "navjit: %s; see navjit --help\n", error.what());
+    print_error(std::string(error.what()) + "; see navjit --help");
     return 2;
   }
   spdlog::set_default_logger(spdlog::stderr_color_mt("navjit"));
@@ -38,13 +51,28 @@ int parse_and_run(int argc, char** argv) {
   return action();
 }
 
+int guarded(int argc, char** argv) {
+  try {
+    const int status = parse_and_run(argc, argv);
+    common::finish_standard_output();
+    return status;
+  } catch (const common::Interrupted&) {
+  } catch (const std::bad_alloc&) {
+    print_error("out of memory; fewer --threads need less, and so does a larger limit (ulimit -v)");
+  } catch (const std::exception& error) {
+    print_error(error.what());
+  }
+  return 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return parse_and_run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "navjit: %s\n", error.what());
-    return 1;
-  }
+  common::secure_standard_streams();
+  common::watch_signals();
+  const int status = guarded(argc, argv);
+  const int signal = common::interruption();
+  if (signal == 0) return status;
+  print_error("ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")");
+  return 128 + signal;
 }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "apps/commands.hpp"
+#include "runtime/output_file.hpp"
 #include "runtime/step_profile.hpp"
 
 namespace navjit::apps {
@@ -16,6 +17,7 @@ struct Options {
 };
 
 int merge_profiles(const Options& options) {
+  OutputFile out(options.out);
   StepProfile merged = read_profile(options.profiles.at(0));
   for (std::size_t i = 1; i < options.profiles.size(); ++i) {
     const StepProfile next = read_profile(options.profiles[i]);
@@ -26,7 +28,8 @@ int merge_profiles(const Options& options) {
                                error.what());
     }
   }
-  write_profile(merged, options.out);
+  out.write(profile_text(merged));
+  out.finish();
   std::printf("%zu volumes, %llu runs\n", merged.volumes.size(),
               static_cast<unsigned long long>(merged.runs));
   return 0;

@@ -1,16 +1,15 @@
 // `navjit specialise`: navigators made ahead of time, as a plugin or as its source.
 #include <CLI/CLI.hpp>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 
 #include "analysis/plan.hpp"
 #include "apps/commands.hpp"
 #include "apps/options/detector.hpp"
+#include "apps/options/numbers.hpp"
 #include "runtime/make_plugin.hpp"
+#include "runtime/output_file.hpp"
 #include "runtime/plugin_text.hpp"
 
 namespace navjit::apps {
@@ -50,6 +49,8 @@ std::vector<VolumeId> named_scenes(const Geometry& geometry, const WorldFacts& f
 }
 
 int specialise(const Options& options) {
+  const bool source_only = options.emit == "cpp";
+  OutputFile out(options.out, source_only ? std::nullopt : std::optional(plugin_mode));
   const Geometry geometry(read(options.detector));
   const WorldFacts facts = analyse_world(geometry);
   std::vector<VolumeId> scenes = named_scenes(geometry, facts, options.scenes);
@@ -66,15 +67,14 @@ int specialise(const Options& options) {
     throw std::runtime_error("no scene is hot enough and worth compiling; --least-share may help");
   }
   const std::string source = plugin_source(geometry, facts, scenes);
-  if (options.emit == "cpp") {
-    std::ofstream out(options.out, std::ios::binary);
-    out << source;
-    out.close();
-    if (!out) throw std::runtime_error(options.out + ": " + std::strerror(errno));
+  if (source_only) {
+    out.write(source);
   } else {
-    const std::string problem = make_plugin(source, options.optimisation, options.out);
-    if (!problem.empty()) throw std::runtime_error(problem);
+    const auto plugin = plugin_bytes(source, options.optimisation);
+    if (!plugin) throw std::runtime_error(plugin.failure().message);
+    out.write(*plugin);
   }
+  out.finish();
   std::printf("%zu scenes\n", scenes.size());
   return 0;
 }
@@ -94,14 +94,14 @@ void add_specialise(CLI::App& app, Action& action) {
   command
       .add_option("--least-share", options->choice.least_share,
                   "of a profile's steps, for a scene to be taken")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number(0, 1))
       ->option_text("SHARE");
   command.add_option("--emit", options->emit, "so (a plugin) or cpp (its source)")
       ->required()
-      ->check(CLI::IsMember({"so", "cpp"}).description(""))
+      ->check(one_of({"so", "cpp"}))
       ->option_text("cpp|so");
   command.add_option("--opt", options->optimisation, "of the compiler, 0 to 3")
-      ->check(CLI::Range(0, 3))
+      ->transform(count(0, 3))
       ->option_text("N");
   command.add_option("-o,--out", options->out, "file to write")->required()->option_text("FILE");
   command.callback([options, &action] {

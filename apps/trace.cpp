@@ -6,13 +6,17 @@
 #include <cstring>
 #include <memory>
 #include <stdexcept>
-#include <thread>
 
 #include "apps/commands.hpp"
 #include "apps/options/detector.hpp"
 #include "apps/options/numbers.hpp"
 #include "apps/options/runtime.hpp"
 #include "apps/options/source.hpp"
+#include "common/interruption.hpp"
+#include "common/ordered_chunks.hpp"
+#include "common/parallel.hpp"
+#include "common/text.hpp"
+#include "runtime/output_file.hpp"
 #include "runtime/runtime.hpp"
 
 namespace navjit::apps {
@@ -27,64 +31,120 @@ struct Options {
   std::string out;  ///< empty: standard output
 };
 
-struct CloseFile {
-  void operator()(FILE* file) const {
-    if (file != stdout) std::fclose(file);
-  }
-};
-
 /// Rays traced as one piece of work, and written as one.
 constexpr std::size_t rays_per_chunk = 64;
+/// Pieces that may be under way for each thread: rays differ in length.
+constexpr std::uint64_t chunks_per_thread = 8;
 
-std::string trace_ray(Navigator& navigator, const World& world, const Ray& ray,
-                      std::size_t number) {
-  std::string rows;
+struct Work {
+  std::uint64_t first = 0;  ///< number of the first ray
+  std::vector<Ray> rays;
+};
+
+struct Rows {
+  std::string text;
+  std::uint64_t rays = 0, outside = 0;
+};
+
+/// Where the rows go: a file, or standard output.
+class Sink {
+ public:
+  explicit Sink(const std::string& path) {
+    if (!path.empty()) file_.emplace(path);
+  }
+  void write(const std::string& text) {
+    if (file_) {
+      file_->write(text);
+    } else if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) {
+      throw std::runtime_error(std::string("standard output cannot be written: ") +
+                               std::strerror(errno));
+    }
+  }
+  void finish() {
+    if (file_) file_->finish();
+  }
+
+ private:
+  std::optional<OutputFile> file_;
+};
+
+/// Names of volumes as fields of a CSV file.
+std::vector<std::string> fields_of(const World& world) {
+  std::vector<std::string> fields;
+  for (const LogicalVolume& volume : world.volumes)
+    fields.push_back(common::csv_field(volume.name));
+  return fields;
+}
+
+/// Appends a ray's steps to `rows`. `fields` has the names of the volumes.
+void trace_ray(Navigator& navigator, const World& world, const std::vector<std::string>& fields,
+               const Ray& ray, std::uint64_t number, Rows& rows) {
   char text[64];
   std::size_t step = 0;
   State last;
   const auto totals = transport(navigator, ray, world.tolerance, [&](const State& state, double l) {
     std::snprintf(text, sizeof text, "%.17g", l);
-    rows += std::to_string(number) + ',' + std::to_string(step++) + ',' +
-            world.volumes[state.volume()].name + ',' + text + '\n';
+    rows.text += std::to_string(number) + ',' + std::to_string(step++) + ',' +
+                 fields[state.volume()] + ',' + text + '\n';
     last = state;
   });
   if (totals.stuck) {
-    rows += std::to_string(number) + ',' + std::to_string(step) + ',' +
-            (last.inside() ? world.volumes[last.volume()].name : "") + ",stuck\n";
+    rows.text += std::to_string(number) + ',' + std::to_string(step) + ',' +
+                 (last.inside() ? fields[last.volume()] : "") + ",stuck\n";
   }
-  return rows;
+  ++rows.rays;
+  rows.outside += totals.steps == 0 && !totals.stuck ? 1 : 0;
 }
 
 int trace(const Options& options) {
+  Sink sink(options.out);
   Runtime runtime(read(options.detector), options.runtime);
   const World& world = runtime.world();
-  const std::vector<Ray> rays = common::rays_of(options.rays, options.source, world);
-  const std::unique_ptr<FILE, CloseFile> out(
-      options.out.empty() ? stdout : std::fopen(options.out.c_str(), "w"));
-  if (!out) throw std::runtime_error(options.out + ": " + std::strerror(errno));
+  const std::vector<std::string> fields = fields_of(world);
+  common::RayStream stream(options.rays, options.source, world);
+  const common::Interruptible interruptible;
+  sink.write("ray,step,volume,length\n");
 
-  std::vector<std::string> chunks((rays.size() + rays_per_chunk - 1) / rays_per_chunk);
-  std::atomic<std::size_t> next{0};
+  std::uint64_t asked = 0;
+  Rows all;
+  common::OrderedChunks<Work, Rows> chunks(
+      chunks_per_thread * options.threads,
+      [&]() -> std::optional<Work> {
+        Work work{asked, stream.next(rays_per_chunk)};
+        asked += work.rays.size();
+        return work.rays.empty() ? std::nullopt : std::optional(std::move(work));
+      },
+      [&](Rows&& rows) {
+        sink.write(rows.text);
+        all.rays += rows.rays;
+        all.outside += rows.outside;
+      });
+  std::atomic<bool> stop{false};
   std::atomic<std::uint64_t> differences{0};
-  const auto work = [&] {
+  common::in_parallel(options.threads, stop, [&] {
+    // Whoever ends wakes those that wait for work; whoever fails leaves a gap that nobody fills.
+    struct AtTheEnd {
+      decltype(chunks)& all;
+      ~AtTheEnd() { all.stop(); }
+    } const at_the_end{chunks};
     Navigator navigator = runtime.navigator();
-    for (std::size_t c; (c = next.fetch_add(1)) < chunks.size();) {
-      const std::size_t last = std::min(rays.size(), (c + 1) * rays_per_chunk);
-      for (std::size_t i = c * rays_per_chunk; i < last; ++i) {
-        chunks[c] += trace_ray(navigator, world, rays[i], i);
+    while (auto piece = chunks.take()) {
+      const Work& work = piece->work;
+      Rows rows;
+      while (rows.rays < work.rays.size() && common::interruption() == 0 && !stop) {
+        trace_ray(navigator, world, fields, work.rays[rows.rays], work.first + rows.rays, rows);
       }
+      const bool complete = rows.rays == work.rays.size();
+      chunks.give(piece->number, std::move(rows), complete);
+      if (!complete) break;
     }
     differences += navigator.counts().differences;
-  };
-  std::vector<std::jthread> threads;
-  for (unsigned t = 1; t < options.threads; ++t) threads.emplace_back(work);
-  work();
-  threads.clear();
-
-  std::fputs("ray,step,volume,length\n", out.get());
-  for (const std::string& chunk : chunks) std::fputs(chunk.c_str(), out.get());
-  if (std::fflush(out.get()) != 0 || std::ferror(out.get()) != 0) {
-    throw std::runtime_error(options.out + ": " + std::strerror(errno));
+  });
+  sink.finish();
+  if (all.outside > 0) {
+    std::fprintf(stderr, "navjit: %llu of %llu rays start outside the world and have no rows\n",
+                 static_cast<unsigned long long>(all.outside),
+                 static_cast<unsigned long long>(all.rays));
   }
   if (differences > 0) {
     throw std::runtime_error(std::to_string(differences.load()) +
@@ -101,6 +161,7 @@ void add_trace(CLI::App& app, Action& action) {
   add_detector(command, options->detector);
   command.add_option("--rays", options->rays, "CSV file of rays, or their number")
       ->required()
+      ->check(rays_or_count())
       ->option_text("FILE|N");
   add_seed(command, options->source.seed);
   command.add_option("--out", options->out, "CSV file (default: standard output)")

@@ -7,11 +7,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <thread>
+
+#include "common/interruption.hpp"
 
 extern char** environ;
 
@@ -20,6 +24,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::size_t most_output = std::size_t{16} << 20;
+
+/// For signal handlers, which reach nothing else. 0: none.
+std::atomic<pid_t> running{0};
 
 struct Pipe {
   int ends[2] = {-1, -1};
@@ -51,8 +58,20 @@ pid_t start(const std::vector<std::string>& words, Pipe& out, Pipe& err) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, out.ends[1], STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, err.ends[1], STDERR_FILENO);
+  // What this process ignores (common/standard_streams.hpp) is none of the program's business.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t ours;
+  sigemptyset(&ours);
+  sigaddset(&ours, SIGPIPE);
+  sigaddset(&ours, SIGXFSZ);
+  posix_spawnattr_setsigdefault(&attributes, &ours);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   pid_t pid = -1;
-  if (posix_spawn(&pid, arguments[0], &actions, nullptr, arguments.data(), environ) != 0) pid = -1;
+  if (posix_spawn(&pid, arguments[0], &actions, &attributes, arguments.data(), environ) != 0) {
+    pid = -1;
+  }
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   return pid;
 }
@@ -88,10 +107,18 @@ ChildResult run_child(const std::vector<std::string>& words, double seconds) {
   if (pid < 0) return result;
   out.close_end(1);
   err.close_end(1);
-  const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
+  running = pid;
+  auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
   bool killed = false;
   bool reading_out = true, reading_err = true;
+  bool interrupted = false;
   const auto check_time = [&] {
+    if (!interrupted && interruption() != 0) {
+      // It may have something to tidy up.
+      ::kill(pid, SIGTERM);
+      interrupted = true;
+      deadline = std::min(deadline, Clock::now() + std::chrono::duration<double>(2));
+    }
     if (killed || Clock::now() < deadline) return;
     ::kill(pid, SIGKILL);
     killed = true;
@@ -104,12 +131,18 @@ ChildResult run_child(const std::vector<std::string>& words, double seconds) {
     if (files[1].revents != 0) reading_err = read_some(err.ends[0], result.error);
     check_time();
   }
-  // It may close its streams and stay.
-  int status = 0;
-  while (::waitpid(pid, &status, WNOHANG) == 0) {
+  // It may close its streams and stay. Its number is its own until it is waited for.
+  siginfo_t ended{};
+  while (::waitid(P_PID, static_cast<id_t>(pid), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+         ended.si_pid == 0) {
     check_time();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
+  running = 0;
+  int status = 0;
+  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  stop_if_interrupted();
   if (killed) {
     result.end = ChildResult::End::timed_out;
   } else if (WIFSIGNALED(status)) {
@@ -120,6 +153,10 @@ ChildResult run_child(const std::vector<std::string>& words, double seconds) {
     result.status = WEXITSTATUS(status);
   }
   return result;
+}
+
+void end_child() noexcept {
+  if (const pid_t pid = running.load()) ::kill(pid, SIGTERM);
 }
 
 }  // namespace navjit::common

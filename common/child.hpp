@@ -17,8 +17,12 @@ struct ChildResult {
   std::string words(double seconds) const;
 };
 
-/// Runs a program (no shell; words[0] is its path) for at most so many seconds. Throws nothing but
-/// std::bad_alloc.
+/// Runs a program (no shell; words[0] is its path) for at most so many seconds. A signal to this
+/// process that is noted meanwhile (common/interruption.hpp) ends the program, and Interrupted is
+/// thrown; nothing else is but std::bad_alloc.
 ChildResult run_child(const std::vector<std::string>& words, double seconds);
+
+/// Tells the program that is being run to end, if there is one. May be called in a signal handler.
+void end_child() noexcept;
 
 }  // namespace navjit::common

@@ -6,9 +6,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "common/child.hpp"
+#include "runtime/output_file.hpp"
+#include "runtime/private_folder.hpp"
 
 namespace navjit::common {
 namespace {
@@ -55,23 +58,19 @@ void check_picture(const std::string& file) {
   find_gnuplot();
 }
 
-void plot(const std::string& plots, const std::string& file) {
+std::string plot(const std::string& plots, const std::string& file) {
   const std::string program = find_gnuplot();
-  const std::filesystem::path absolute = std::filesystem::absolute(file);
-  const std::string script = "set terminal " + terminal_of(file) + "\nset output " +
-                             quoted(absolute.string()) + "\n" + plots + "\nunset output\n";
-  std::string name = (std::filesystem::temp_directory_path() / "navjit_plot_XXXXXX").string();
-  const int handle = mkstemp(name.data());
-  if (handle < 0) throw std::runtime_error(name + ": cannot be written");
-  close(handle);
-  std::ofstream(name) << script;
-  std::error_code ignored;
-  std::filesystem::remove(absolute, ignored);  // so that what is there afterwards is the picture
-  const ChildResult result = run_child({program, name}, 60);
-  std::filesystem::remove(name, ignored);
-  if (!result.good() || !std::filesystem::exists(absolute)) {
+  const PrivateFolder folder;
+  const TemporaryPath picture(folder.file("picture")), script(folder.file("script"));
+  write_output(script.path(), "set terminal " + terminal_of(file) + "\nset output " +
+                                  quoted(picture.path()) + "\n" + plots + "\nunset output\n");
+  const ChildResult result = run_child({program, script.path()}, 60);
+  std::ifstream in(picture.path(), std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!result.good() || bytes.empty()) {
     throw std::runtime_error(file + ": gnuplot " + result.words(60));
   }
+  return bytes;
 }
 
 }  // namespace navjit::common

@@ -9,8 +9,9 @@ namespace navjit::common {
 /// there is no gnuplot: to be asked before anything was measured.
 void check_picture(const std::string& file);
 
-/// Runs a script that plots, and writes the file. Throws as above, and if gnuplot fails.
-void plot(const std::string& script, const std::string& file);
+/// Runs a script that plots; gives the picture, of the kind that the file's suffix asks for. Throws
+/// as above, and if gnuplot fails.
+std::string plot(const std::string& script, const std::string& file);
 
 /// In gnuplot's double quotes; what could end or steer the text is left out.
 std::string quoted(const std::string& text);

@@ -4,17 +4,19 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <random>
 #include <stdexcept>
+#include <string_view>
+
+#include "common/numbers.hpp"
+#include "runtime/runtime.hpp"
 
 namespace navjit::common {
 namespace {
-
-struct CloseFile {
-  void operator()(gzFile file) const { gzclose(file); }
-};
 
 /// splitmix64 (Steele, Lea and Flood 2014): a good generator even from consecutive seeds.
 struct Generator {
@@ -27,49 +29,69 @@ struct Generator {
   }
 };
 
-[[noreturn]] void fail(const std::string& path, int line, const std::string& what) {
-  throw std::runtime_error(path + ":" + std::to_string(line) + ": " + what);
-}
-
 }  // namespace
 
-std::vector<Ray> read_rays(const std::string& path) {
-  const std::unique_ptr<gzFile_s, CloseFile> file(gzopen(path.c_str(), "rb"));
-  if (!file) throw std::runtime_error(path + ": cannot be opened");
-  std::vector<Ray> rays;
-  char text[1024];
-  for (int line = 1; gzgets(file.get(), text, sizeof text) != nullptr; ++line) {
-    std::string_view row(text);
-    if (row.size() + 1 == sizeof text) fail(path, line, "the line is too long");
-    while (!row.empty() && (row.back() == '\n' || row.back() == '\r')) row.remove_suffix(1);
-    if (line == 1) {
-      if (row != "x,y,z,dx,dy,dz") fail(path, line, "the header must be x,y,z,dx,dy,dz");
-      continue;
-    }
-    if (row.empty()) continue;
-    double value[6];
-    const char *at = row.data(), *end = row.data() + row.size();
-    for (int i = 0; i < 6; ++i) {
-      const auto [next, error] = std::from_chars(at, end, value[i]);
-      if (error != std::errc{} || !std::isfinite(value[i])) {
-        fail(path, line, "field " + std::to_string(i + 1) + " is not a finite number");
-      }
-      at = next;
-      if (i < 5) {
-        if (at == end || *at != ',') fail(path, line, "six numbers are needed");
-        ++at;
-      }
-    }
-    if (at != end) fail(path, line, "more than six numbers");
-    const double length = std::hypot(value[3], value[4], value[5]);
-    if (!(length > 0) || !std::isfinite(length)) fail(path, line, "the direction has no length");
-    rays.push_back({{value[0], value[1], value[2]},
-                    {value[3] / length, value[4] / length, value[5] / length}});
+void RayFile::Close::operator()(gzFile_s* file) const { gzclose(file); }
+
+void RayFile::fail(const std::string& what) const {
+  throw std::runtime_error(path_ + ":" + std::to_string(line_) + ": " + what);
+}
+
+RayFile::RayFile(std::string path) : path_(std::move(path)), file_(gzopen(path_.c_str(), "rb")) {
+  if (!file_) throw std::runtime_error(path_ + ": cannot be opened");
+  std::string_view header;
+  if (!read_line(header)) throw std::runtime_error(path_ + ": no rays");
+  if (header != "x,y,z,dx,dy,dz") fail("the header must be x,y,z,dx,dy,dz");
+}
+
+/// False at the end of the file.
+bool RayFile::read_line(std::string_view& row) {
+  if (gzgets(file_.get(), text_, sizeof text_) == nullptr) {
+    int error = 0;
+    const char* message = gzerror(file_.get(), &error);
+    if (error != Z_OK && error != Z_STREAM_END) throw std::runtime_error(path_ + ": " + message);
+    return false;
   }
-  int error = 0;
-  const char* message = gzerror(file.get(), &error);
-  if (error != Z_OK && error != Z_STREAM_END) throw std::runtime_error(path + ": " + message);
-  if (rays.empty()) throw std::runtime_error(path + ": no rays");
+  ++line_;
+  row = text_;
+  if (row.size() + 1 == sizeof text_) fail("the line is too long");
+  while (!row.empty() && (row.back() == '\n' || row.back() == '\r')) row.remove_suffix(1);
+  return true;
+}
+
+std::optional<Ray> RayFile::next() {
+  std::string_view row;
+  do {
+    if (!read_line(row)) {
+      if (rays_ == 0) throw std::runtime_error(path_ + ": no rays");
+      return std::nullopt;
+    }
+  } while (row.empty());
+  double value[6];
+  const char *at = row.data(), *end = row.data() + row.size();
+  for (int i = 0; i < 6; ++i) {
+    const auto [next, error] = std::from_chars(at, end, value[i]);
+    if (error != std::errc{} || !std::isfinite(value[i])) {
+      fail("field " + std::to_string(i + 1) + " is not a finite number");
+    }
+    at = next;
+    if (i < 5) {
+      if (at == end || *at != ',') fail("six numbers are needed");
+      ++at;
+    }
+  }
+  if (at != end) fail("more than six numbers");
+  const double length = std::hypot(value[3], value[4], value[5]);
+  if (!(length > 0) || !std::isfinite(length)) fail("the direction has no length");
+  ++rays_;
+  return Ray{{value[0], value[1], value[2]},
+             {value[3] / length, value[4] / length, value[5] / length}};
+}
+
+std::vector<Ray> read_rays(const std::string& path) {
+  RayFile file(path);
+  std::vector<Ray> rays;
+  while (const std::optional<Ray> ray = file.next()) rays.push_back(*ray);
   return rays;
 }
 
@@ -100,14 +122,53 @@ Ray make_ray(const RaySource& source, const World& world, std::uint64_t index) {
   return ray;
 }
 
-std::vector<Ray> rays_of(const std::string& text, const RaySource& source, const World& world) {
-  std::uint64_t count = 0;
-  const char* end = text.data() + text.size();
-  const auto [at, error] = std::from_chars(text.data(), end, count);
-  if (error != std::errc{} || at != end) return read_rays(text);
+RayStream::RayStream(const std::string& text, const RaySource& source, const World& world)
+    : source_(source), world_(&world) {
+  if (looks_like_number(text)) {
+    count_ = parse_count(text);
+  } else {
+    file_.emplace(text);
+  }
+}
+
+std::vector<Ray> RayStream::next(std::size_t most) {
   std::vector<Ray> rays;
-  for (std::uint64_t i = 0; i < count; ++i) rays.push_back(make_ray(source, world, i));
+  while (rays.size() < most) {
+    if (file_) {
+      const std::optional<Ray> ray = file_->next();
+      if (!ray) break;
+      rays.push_back(*ray);
+    } else {
+      if (made_ == count_) break;
+      rays.push_back(make_ray(source_, *world_, made_++));
+    }
+  }
   return rays;
+}
+
+std::vector<Ray> rays_of(const std::string& text, const RaySource& source, const World& world) {
+  return RayStream(text, source, world).next(std::numeric_limits<std::size_t>::max());
+}
+
+void check_origin(const RaySource& source, std::shared_ptr<const World> world) {
+  if (!source.origin) return;
+  Runtime generic(world, {.jit = JitMode::off});
+  Navigator navigator = generic.navigator();
+  const Vec3& p = *source.origin;
+  // A point on the surface may be outside for half of all directions only.
+  for (const double sign : {1.0, -1.0}) {
+    for (const Vec3 direction : {Vec3{sign, 0, 0}, Vec3{0, sign, 0}, Vec3{0, 0, sign}}) {
+      if (navigator.locate(p, direction).inside()) return;
+    }
+  }
+  const Extent& e = world->volumes[world->top].solid.extent;
+  char text[320];
+  std::snprintf(
+      text, sizeof text,
+      "the origin %.9g,%.9g,%.9g is outside the world, which is within %.9g,%.9g,%.9g and "
+      "%.9g,%.9g,%.9g mm: no ray would meet anything",
+      p.x, p.y, p.z, e.min.x, e.min.y, e.min.z, e.max.x, e.max.y, e.max.z);
+  throw std::runtime_error(text);
 }
 
 }  // namespace navjit::common

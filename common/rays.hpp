@@ -1,6 +1,8 @@
 // Rays: read from files, or made up.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,10 +10,34 @@
 #include "geometry/model/world.hpp"
 #include "runtime/transport.hpp"
 
+struct gzFile_s;
+
 namespace navjit::common {
 
-/// Reads `x,y,z,dx,dy,dz` (mm; header required; plain or gzip); directions are normalised. Throws
-/// std::runtime_error with file and line on anything else.
+/// A file of rays, read one by one: `x,y,z,dx,dy,dz` (mm; header required; plain or gzip);
+/// directions are normalised. Throws std::runtime_error with file and line on anything else, and on
+/// a file without rays.
+class RayFile {
+ public:
+  explicit RayFile(std::string path);
+
+  /// The next ray; none at the end.
+  std::optional<Ray> next();
+
+ private:
+  struct Close {
+    void operator()(gzFile_s* file) const;
+  };
+  bool read_line(std::string_view& row);
+  [[noreturn]] void fail(const std::string& what) const;
+
+  std::string path_;
+  std::unique_ptr<gzFile_s, Close> file_;
+  char text_[1024];
+  std::uint64_t line_ = 0, rays_ = 0;
+};
+
+/// All rays of a file. Throws as RayFile.
 std::vector<Ray> read_rays(const std::string& path);
 
 struct RaySource {
@@ -23,8 +49,27 @@ struct RaySource {
 /// Ray number `index` of a source: depends on nothing else, so that threads may share the work.
 Ray make_ray(const RaySource& source, const World& world, std::uint64_t index);
 
-/// The rays of a file, or so many of a source where `text` is a number. Throws std::runtime_error
-/// as read_rays.
+/// The rays of a file, or so many of a source where `text` is a number, as they are needed.
+class RayStream {
+ public:
+  /// Throws as RayFile, and std::invalid_argument for a number that is no count.
+  RayStream(const std::string& text, const RaySource& source, const World& world);
+
+  /// At most so many; none at the end.
+  std::vector<Ray> next(std::size_t most);
+
+ private:
+  std::optional<RayFile> file_;
+  RaySource source_;
+  const World* world_;
+  std::uint64_t count_ = 0, made_ = 0;
+};
+
+/// All of them. Throws the same.
 std::vector<Ray> rays_of(const std::string& text, const RaySource& source, const World& world);
+
+/// Throws std::runtime_error if all rays of a source would start outside the world: if it has an
+/// origin, and that is not inside.
+void check_origin(const RaySource& source, std::shared_ptr<const World> world);
 
 }  // namespace navjit::common

@@ -2,13 +2,11 @@
 
 #include <fcntl.h>
 #include <spawn.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -18,36 +16,17 @@
 #include "jit/compiler.hpp"
 #include "jit/trust.hpp"
 #include "runtime/fingerprint.hpp"
+#include "runtime/output_file.hpp"
 #include "runtime/plugin.hpp"
 #include "runtime/plugin_text.hpp"
+#include "runtime/private_folder.hpp"
 
 namespace navjit {
 namespace {
 
 constexpr std::size_t max_library_bytes = std::size_t{256} << 20;
 
-/// Removes a file at the end, whatever happens.
-struct Temporary {
-  std::string path;
-  ~Temporary() { unlink(path.c_str()); }
-};
-
 std::string system_problem(const std::string& what) { return what + ": " + std::strerror(errno); }
-
-/// Writes a new file; empty on success.
-std::string write_file(const std::string& path, std::string_view bytes) {
-  const jit::File file(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
-  if (!file) return system_problem(path);
-  // Also where the user's files are made to be written by a group: such plugins are refused.
-  fchmod(file.get(), 0644);
-  while (!bytes.empty()) {
-    const ssize_t n = write(file.get(), bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return system_problem(path);
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return "";
-}
 
 /// Runs a program and waits for it; empty if it ended well.
 std::string run(const std::vector<std::string>& command) {
@@ -69,22 +48,28 @@ std::string run(const std::vector<std::string>& command) {
                                                        : "the linker '" + command[0] + "' failed";
 }
 
-std::string seal_to(const std::string& from, const std::string& to) {
-  const jit::File file(open(from.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file) return system_problem(from);
+/// The bytes of a library, with what a plugin ends with.
+jit::Expected<std::string> sealed(const std::string& path) {
+  const jit::File file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file) return jit::Failure{system_problem(path)};
   const auto bytes = jit::read_all(file, max_library_bytes);
-  if (!bytes) return from + ": " + bytes.failure().message;
-  std::string sealed(bytes->data(), bytes->size());
-  if (check_plugin_seal(sealed).empty()) return from + " is sealed already";
-  if (sealed.substr(0, 4) !=
+  if (!bytes) return jit::Failure{path + ": " + bytes.failure().message};
+  std::string library(bytes->data(), bytes->size());
+  if (check_plugin_seal(library).empty()) return jit::Failure{path + " is sealed already"};
+  if (library.substr(0, 4) !=
       "\x7f"
-      "ELF")
-    return from + " is no shared library";
-  sealed += plugin_seal(sealed);
-  const Temporary beside{to + ".new" + std::to_string(getpid())};
-  std::string problem = write_file(beside.path, sealed);
-  if (problem.empty() && rename(beside.path.c_str(), to.c_str()) != 0) problem = system_problem(to);
-  return problem;
+      "ELF") {
+    return jit::Failure{path + " is no shared library"};
+  }
+  return library + plugin_seal(library);
+}
+
+/// Empty on success.
+std::string write(const jit::Expected<std::string>& plugin, OutputFile& file) {
+  if (!plugin) return plugin.failure().message;
+  file.write(*plugin);
+  file.finish();
+  return "";
 }
 
 }  // namespace
@@ -119,23 +104,40 @@ std::vector<VolumeId> hot_scenes(const StepProfile& profile, const Geometry& geo
   return scenes;
 }
 
-std::string make_plugin(const std::string& source, int optimisation, const std::string& path) {
+jit::Expected<std::string> plugin_bytes(const std::string& source, int optimisation) {
   jit::CompileOptions options;
   options.optimisation = optimisation;
   options.features = features_to_avoid(jit::host_features());
   const auto object = jit::compile(source, "navjit_plugin", options);
-  if (!object) return object.failure().message;
-  const std::string stem = path + ".new" + std::to_string(getpid());
-  const Temporary object_file{stem + ".o"}, library{stem + ".so"};
-  std::string problem = write_file(object_file.path, {object->bytes.data(), object->bytes.size()});
-  if (!problem.empty()) return problem;
+  if (!object) return object.failure();
+  const PrivateFolder folder;
+  const TemporaryPath object_file(folder.file("plugin.o")), library(folder.file("plugin.so"));
+  write_output(object_file.path(), {object->bytes.data(), object->bytes.size()});
   const char* linker = std::getenv("NAVJIT_LD");
   // Calls between its own functions stay direct; all symbols are found on loading, or it fails.
-  problem = run({linker != nullptr ? linker : "ld", "-shared", "-Bsymbolic", "-z", "now", "-z",
-                 "relro", "-z", "noexecstack", "-o", library.path, object_file.path});
-  return problem.empty() ? seal_to(library.path, path) : problem;
+  const std::string problem =
+      run({linker != nullptr ? linker : "ld", "-shared", "-Bsymbolic", "-z", "now", "-z", "relro",
+           "-z", "noexecstack", "-o", library.path(), object_file.path()});
+  if (!problem.empty()) return jit::Failure{problem};
+  return sealed(library.path());
 }
 
-std::string seal_plugin(const std::string& path) { return seal_to(path, path); }
+std::string make_plugin(const std::string& source, int optimisation, const std::string& path) {
+  try {
+    OutputFile file(path, plugin_mode);
+    return write(plugin_bytes(source, optimisation), file);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+std::string seal_plugin(const std::string& path) {
+  try {
+    OutputFile file(path, plugin_mode);
+    return write(sealed(path), file);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
 
 }  // namespace navjit

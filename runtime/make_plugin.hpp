@@ -1,6 +1,8 @@
 // From a choice of scenes to a plugin's source, and to its file.
 #pragma once
 
+#include <sys/types.h>
+
 #include <string>
 #include <vector>
 
@@ -23,8 +25,16 @@ std::vector<VolumeId> hot_scenes(const StepProfile& profile, const Geometry& geo
                                  const WorldFacts& facts, const PluginChoice& choice = {});
 
 /// Compiles a plugin's source for this machine's processor and links it with the system's linker:
-/// `ld`, or what NAVJIT_LD names. The file is moved into place when it is complete. Returns why it
-/// could not be made; empty if it was.
+/// `ld`, or what NAVJIT_LD names. The plugin's bytes, or why there are none. Temporary files are in
+/// a PrivateFolder, which may throw.
+jit::Expected<std::string> plugin_bytes(const std::string& source, int optimisation);
+
+/// Permissions of plugins: also where the user's files are made to be written by a group, which
+/// would have them refused.
+constexpr mode_t plugin_mode = 0644;
+
+/// The same, into a file (runtime/output_file.hpp). Returns why it could not be made; empty if it
+/// was.
 std::string make_plugin(const std::string& source, int optimisation, const std::string& path);
 
 /// Seals a library that was compiled by other means: appends what a plugin ends with. Returns why

@@ -4,15 +4,14 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "jit/trust.hpp"
+#include "runtime/output_file.hpp"
 
 namespace navjit {
 namespace {
@@ -60,7 +59,7 @@ std::vector<char> bytes_of(const std::string& path) {
 
 }  // namespace
 
-void write_profile(const StepProfile& profile, const std::string& path) {
+std::string profile_text(const StepProfile& profile) {
   Json json{{"format", format},
             {"version", version},
             {"geometry", profile.geometry},
@@ -72,15 +71,11 @@ void write_profile(const StepProfile& profile, const std::string& path) {
                        {"steps", v.steps},
                        {"relocations", v.relocations}});
   }
-  const std::string beside = path + ".new" + std::to_string(getpid());
-  std::ofstream out(beside, std::ios::binary);
-  out << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
-  out.close();
-  if (!out || std::rename(beside.c_str(), path.c_str()) != 0) {
-    const std::string why = std::strerror(errno);
-    std::remove(beside.c_str());
-    fail(path, why);
-  }
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void write_profile(const StepProfile& profile, const std::string& path) {
+  write_output(path, profile_text(profile));
 }
 
 StepProfile read_profile(const std::string& path) {

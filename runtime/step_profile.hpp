@@ -21,7 +21,10 @@ struct StepProfile {
   std::vector<Volume> volumes;  ///< by number; those that were used
 };
 
-/// JSON (docs/cache.md). Written beside and moved into place. Throws std::runtime_error.
+/// JSON (docs/cache.md).
+std::string profile_text(const StepProfile& profile);
+
+/// Writes it to a file, as OutputFile does. Throws std::runtime_error.
 void write_profile(const StepProfile& profile, const std::string& path);
 
 /// Throws std::runtime_error, naming the file, for what is no profile: every value is checked. The

@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -14,8 +13,10 @@
 #include "apps/options/boxes.hpp"
 #include "apps/options/detector.hpp"
 #include "apps/options/numbers.hpp"
+#include "apps/options/outputs.hpp"
 #include "apps/options/source.hpp"
 #include "common/gnuplot.hpp"
+#include "common/interruption.hpp"
 
 namespace navjit::apps {
 namespace {
@@ -40,7 +41,10 @@ struct Options {
 /// Exit status 1 if one of navjit's own levels is wrong anywhere.
 int accuracy(const Options& options) {
   if (!options.picture.empty()) common::check_picture(options.picture);
+  Output json(options.report), picture(options.picture);
+  const common::Interruptible interruptible;
   const auto world = read(options.detector);
+  common::check_origin(options.source, world);
   accuracy::ExperimentOptions experiment;
   experiment.rays = common::rays_of(options.rays, options.source, *world);
   if (experiment.rays.empty())
@@ -64,15 +68,18 @@ int accuracy(const Options& options) {
   }
   const accuracy::ExperimentReport report = accuracy::run_experiment(world, experiment);
   accuracy::print_tables(*world, report, options.scenes);
-  if (!options.report.empty()) {
-    std::ofstream out(options.report);
-    out << accuracy::to_json(*world, options.detector.file, report).dump(2) << '\n';
-    if (!out.flush()) throw std::runtime_error(options.report + ": cannot be written");
-  }
-  if (!options.picture.empty()) {
-    accuracy::draw(report, std::filesystem::path(options.detector.file).filename(),
-                   options.picture);
-  }
+  attempt_all({[&] {
+                 json.write([&] {
+                   return accuracy::to_json(*world, options.detector.file, report).dump(2) + '\n';
+                 });
+               },
+               [&] {
+                 picture.write([&] {
+                   return accuracy::draw(report,
+                                         std::filesystem::path(options.detector.file).filename(),
+                                         options.picture);
+                 });
+               }});
   // The levels of navjit have to be right; how VecGeom fares is a result.
   for (const accuracy::EngineReport& engine : report.engines) {
     if (engine.name == "VecGeom") continue;
@@ -91,12 +98,14 @@ void add_accuracy(CLI::App& app, Action& action) {
       *app.add_subcommand("accuracy", "Hold every step against 113 bits: error and speed by level");
   add_detector(command, options->detector);
   command.add_option("--rays", options->rays, "CSV file of rays, or their number")
+      ->check(rays_or_count())
       ->option_text("FILE|N");
   add_source(command, options->source);
   command.add_option("--repetitions", options->repetitions, "of the timing")
-      ->check(CLI::Range(1, 1000));
-  command.add_option("--boundaries", options->boundaries, "on the long track; 0: none");
-  command.add_option("--scenes", options->scenes, "in the table");
+      ->transform(count(1, 1000));
+  command.add_option("--boundaries", options->boundaries, "on the long track; 0: none")
+      ->transform(count(0));
+  command.add_option("--scenes", options->scenes, "in the table")->transform(count(0));
   command.add_option("--report", options->report, "write a JSON report")->option_text("FILE");
   command.add_option("--picture", options->picture, "speed against error; by gnuplot")
       ->option_text("FILE.svg|.png");
@@ -109,10 +118,10 @@ void add_accuracy(CLI::App& app, Action& action) {
                   "the same detector, as VecGeom can read it")
       ->option_text("FILE");
   command.add_option("--vecgeom-navigator", options->vecgeom_navigator, "of VecGeom")
-      ->check(CLI::IsMember({"simple", "abbox", "hybrid", "bvh", "automatic"}))
+      ->check(one_of({"simple", "abbox", "hybrid", "bvh", "automatic"}))
       ->option_text("NAME");
   command.add_option("--vecgeom-seconds", options->vecgeom_seconds, "for each of its runs")
-      ->check(CLI::PositiveNumber)
+      ->check(number_above(0, 1e6))
       ->option_text("S");
   add_threads(command, options->threads);
   add_boxes(command, options->geometry);

@@ -4,10 +4,11 @@
 #include <atomic>
 #include <chrono>
 #include <mutex>
-#include <thread>
 
 #include "apps/accuracy/levels.hpp"
 #include "common/clock.hpp"
+#include "common/interruption.hpp"
+#include "common/parallel.hpp"
 #include "common/statistics.hpp"
 #include "geometry/model/vector.hpp"
 
@@ -18,18 +19,19 @@ using Clock = std::chrono::steady_clock;
 
 /// Calls work(index) for all of [0, count), on so many threads, with what each thread keeps.
 template <class Kept, class Make, class Work, class Merge>
-void in_parallel(std::size_t count, unsigned threads, Make make, Work work, Merge merge) {
+void for_all(std::size_t count, unsigned threads, Make make, Work work, Merge merge) {
   std::atomic<std::size_t> next{0};
   std::mutex merging;
-  const auto run = [&] {
+  std::atomic<bool> stop{false};
+  common::in_parallel(threads, stop, [&] {
     Kept kept = make();
-    for (std::size_t i; (i = next.fetch_add(1)) < count;) work(kept, i);
+    for (std::size_t i; !stop && (i = next.fetch_add(1)) < count;) {
+      common::stop_if_interrupted();
+      work(kept, i);
+    }
     const std::lock_guard lock(merging);
     merge(kept);
-  };
-  std::vector<std::jthread> workers;
-  for (unsigned t = 1; t < threads; ++t) workers.emplace_back(run);
-  run();
+  });
 }
 
 /// Steps of all levels, ray by ray: where a level does what the generic navigator does, to the last
@@ -43,7 +45,7 @@ void compare_levels(const reference::WideGeometry& reference, std::vector<LevelE
     std::vector<Navigator> navigators;
     std::vector<EngineFigures> figures;
   };
-  in_parallel<Kept>(
+  for_all<Kept>(
       rays.size(), threads,
       [&] {
         Kept kept;
@@ -77,6 +79,7 @@ std::uint64_t transport_all(Navigator& navigator, const World& world,
                             const std::vector<Ray>& rays) {
   std::uint64_t steps = 0;
   for (const Ray& ray : rays) {
+    common::stop_if_interrupted();
     transport(navigator, ray, world.tolerance,
               [&](const State&, double length) { steps += length > world.tolerance ? 1 : 0; });
   }
@@ -121,6 +124,7 @@ std::map<VolumeId, double> time_scenes(LevelEngine& level, const World& world,
   const double cost = clock_cost();
   std::map<VolumeId, std::vector<double>> times;
   for (const Ray& ray : rays) {
+    common::stop_if_interrupted();
     Vec3 point = ray.position;
     int standing = 0;
     for (State state = navigator.locate(point, ray.direction);
@@ -149,7 +153,7 @@ void add_vecgeom(const reference::WideGeometry& reference, const std::vector<Ray
   engine.failure = vecgeom.trace(rays, [&](MadeRay& ray) { made.push_back(std::move(ray)); });
   if (engine.failure.empty()) {
     const Tolerances tolerances = vecgeom_tolerances(world);
-    in_parallel<EngineFigures>(
+    for_all<EngineFigures>(
         made.size(), options.threads, [] { return EngineFigures{}; },
         [&](EngineFigures& figures, std::size_t i) {
           figures.add(world, rays[i], made[i],

@@ -12,33 +12,12 @@
 
 #include "common/child.hpp"
 #include "geometry/model/vector.hpp"
+#include "runtime/private_folder.hpp"
 
 namespace navjit::accuracy {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of this process's own that goes when this goes.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "navjit_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-      throw std::runtime_error(name + ": no folder for temporary files can be made there");
-    }
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
 
 /// A row ray,step,volume,length of a trace. Volume names hold no commas.
 bool parse_row(const std::string& line, std::size_t& ray, std::string& volume, double& length,
@@ -79,14 +58,14 @@ std::optional<std::string> VecGeom::beside_this_program() {
 
 std::string VecGeom::trace(std::span<const Ray> rays,
                            const std::function<void(MadeRay&)>& sink) const {
-  const Folder folder;
-  write_rays(folder / "rays.csv", rays);
+  const PrivateFolder folder;
+  write_rays(folder.file("rays.csv"), rays);
   const common::ChildResult result =
-      common::run_child({options_.program, "--as-given", options_.detector, folder / "rays.csv",
-                         folder / "steps.csv", options_.navigator},
+      common::run_child({options_.program, "--as-given", options_.detector, folder.file("rays.csv"),
+                         folder.file("steps.csv"), options_.navigator},
                         options_.seconds);
   if (!result.good()) return result.words(options_.seconds);
-  std::ifstream in(folder / "steps.csv");
+  std::ifstream in(folder.file("steps.csv"));
   std::string line, volume;
   std::getline(in, line);  // the header
   MadeRay made;
@@ -119,10 +98,10 @@ std::string VecGeom::trace(std::span<const Ray> rays,
 }
 
 std::string VecGeom::time(std::span<const Ray> rays, int repetitions, double& ns_per_step) const {
-  const Folder folder;
-  write_rays(folder / "rays.csv", rays);
+  const PrivateFolder folder;
+  write_rays(folder.file("rays.csv"), rays);
   const common::ChildResult result =
-      common::run_child({options_.program, "--time", options_.detector, folder / "rays.csv",
+      common::run_child({options_.program, "--time", options_.detector, folder.file("rays.csv"),
                          std::to_string(repetitions)},
                         options_.seconds);
   if (!result.good()) return result.words(options_.seconds);
@@ -142,11 +121,11 @@ std::string VecGeom::time(std::span<const Ray> rays, int repetitions, double& ns
 }
 
 std::string VecGeom::follow(const Track& track, std::vector<LegEnd>& ends) const {
-  const Folder folder;
+  const PrivateFolder folder;
   {
-    const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen((folder / "legs.csv").c_str(), "w"),
-                                                     std::fclose);
-    if (!file) throw std::runtime_error((folder / "legs.csv").string() + ": cannot be written");
+    const std::unique_ptr<FILE, int (*)(FILE*)> file(
+        std::fopen(folder.file("legs.csv").c_str(), "w"), std::fclose);
+    if (!file) throw std::runtime_error(folder.file("legs.csv") + ": cannot be written");
     std::fputs("x,y,z,dx,dy,dz,length\n", file.get());
     for (const Leg& leg : track.legs) {
       const Vec3 &p = track.start, &v = leg.direction;
@@ -155,11 +134,11 @@ std::string VecGeom::follow(const Track& track, std::vector<LegEnd>& ends) const
     }
   }
   const common::ChildResult result =
-      common::run_child({options_.program, "--track", options_.detector, folder / "legs.csv",
-                         folder / "ends.csv", options_.navigator},
+      common::run_child({options_.program, "--track", options_.detector, folder.file("legs.csv"),
+                         folder.file("ends.csv"), options_.navigator},
                         options_.seconds);
   if (!result.good()) return result.words(options_.seconds);
-  std::ifstream in(folder / "ends.csv");
+  std::ifstream in(folder.file("ends.csv"));
   std::string line;
   std::getline(in, line);
   while (std::getline(in, line)) {

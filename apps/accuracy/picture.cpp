@@ -15,7 +15,8 @@ constexpr double least = 0.01;
 
 }  // namespace
 
-void draw(const ExperimentReport& report, const std::string& title, const std::string& file) {
+std::string draw(const ExperimentReport& report, const std::string& title,
+                 const std::string& file) {
   std::string data, plots;
   double slowest = 0;
   for (const EngineReport& engine : report.engines) {
@@ -31,7 +32,7 @@ void draw(const ExperimentReport& report, const std::string& title, const std::s
     slowest = std::max(slowest, engine.ns_per_step);
   }
   if (plots.empty()) throw std::runtime_error(file + ": nothing was measured that could be drawn");
-  common::plot(
+  return common::plot(
       "set title " + common::quoted(title) + " noenhanced\nset xlabel 'ns a step'\n" +
           "set ylabel 'error of the length, ulp of the coordinates: median, 99.9%, largest'\n" +
           "set logscale y\nset format y '10^{%L}'\nset xrange [0:" +

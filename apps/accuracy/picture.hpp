@@ -7,8 +7,8 @@
 
 namespace navjit::accuracy {
 
-/// Writes an SVG or a PNG, by the file's suffix. Throws std::runtime_error if the suffix is
-/// another, if there is no gnuplot, or if it fails.
-void draw(const ExperimentReport& report, const std::string& title, const std::string& file);
+/// An SVG or a PNG, by the file's suffix. Throws std::runtime_error if the suffix is another, if
+/// there is no gnuplot, or if it fails.
+std::string draw(const ExperimentReport& report, const std::string& title, const std::string& file);
 
 }  // namespace navjit::accuracy

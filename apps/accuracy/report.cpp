@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "common/text.hpp"
+
 namespace navjit::accuracy {
 namespace {
 
@@ -100,7 +102,7 @@ void print_scenes(const World& world, const ExperimentReport& report, std::size_
     for (const EngineReport& engine : report.engines) {
       const auto found = engine.figures.scenes.find(volumes[i]);
       if (found == engine.figures.scenes.end()) continue;
-      std::printf("| %s | %s | %llu | ", world.volumes[volumes[i]].name.c_str(),
+      std::printf("| %s | %s | %llu | ", common::printable(world.volumes[volumes[i]].name).c_str(),
                   engine.name.c_str(), number(found->second.steps));
       const auto ns = engine.scene_ns.find(volumes[i]);
       if (ns != engine.scene_ns.end()) {
@@ -122,8 +124,8 @@ void print_given_up(const WorstStep& w) {
   std::printf(
       "- ray %zu from (%.17g, %.17g, %.17g) along (%.17g, %.17g, %.17g): %s, after %zu steps, at "
       "(%.17g, %.17g, %.17g)\n",
-      w.ray_index, p.x, p.y, p.z, v.x, v.y, v.z, w.claim.c_str(), w.judged.step + 1, w.point.x,
-      w.point.y, w.point.z);
+      w.ray_index, p.x, p.y, p.z, v.x, v.y, v.z, common::printable(w.claim).c_str(),
+      w.judged.step + 1, w.point.x, w.point.y, w.point.z);
 }
 
 void print_step(const char* what, const WorstStep& w) {
@@ -131,8 +133,9 @@ void print_step(const char* what, const WorstStep& w) {
   std::printf(
       "- %s: ray %zu, step %zu in %s from (%.17g, %.17g, %.17g) along (%.17g, %.17g, %.17g): "
       "%.17g mm instead of %.17g, off by %.3g ulp, %.3g ulp from the surface\n",
-      what, w.ray_index, w.judged.step, w.claim.c_str(), p.x, p.y, p.z, v.x, v.y, v.z, w.length,
-      w.judged.reference, w.judged.error / w.judged.ulp, w.judged.across / w.judged.ulp);
+      what, w.ray_index, w.judged.step, common::printable(w.claim).c_str(), p.x, p.y, p.z, v.x, v.y,
+      v.z, w.length, w.judged.reference, w.judged.error / w.judged.ulp,
+      w.judged.across / w.judged.ulp);
 }
 
 Json to_json(const Quantiles& q) {

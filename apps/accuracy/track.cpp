@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "common/interruption.hpp"
 #include "geometry/model/random.hpp"
 #include "geometry/model/vector.hpp"
 
@@ -81,6 +82,7 @@ Track make_track(const reference::WideGeometry& reference, Navigator& navigator,
   for (std::size_t tries = 0;
        traveller.boundaries < boundaries && track.legs.size() < most_legs && tries < 10 * most_legs;
        ++tries) {
+    common::stop_if_interrupted();
     const std::optional<Vec3> target = interior_point(reference, random);
     if (!target) break;
     const Vec3 way = *target - traveller.point;

@@ -1,33 +1,84 @@
 #include "apps/options/numbers.hpp"
 
-#include <cmath>
-#include <cstdlib>
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
 
 namespace navjit::apps {
+namespace {
 
-CLI::Validator within(double low, double high) {
-  // CLI::Range lets through what is no number.
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", value);
+  return text;
+}
+
+CLI::Validator in_range(double low, double high, bool with_low) {
   return CLI::Validator(
-      [low, high](std::string& text) {
-        double value = 0;
-        const bool good = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
-        return good
-                   ? std::string()
-                   : text + " is not within " + std::to_string(low) + " to " + std::to_string(high);
+      [=](std::string& text) -> std::string {
+        try {
+          const double value = common::parse_number(text);
+          if (value <= high && (with_low ? value >= low : value > low)) return "";
+          return "'" + text + "' is not " + (with_low ? "from " : "above ") + shown(low) +
+                 (with_low ? " to " : " and up to ") + shown(high);
+        } catch (const std::invalid_argument& error) {
+          return error.what();
+        }
       },
       "");
 }
 
+}  // namespace
+
+CLI::Validator count(std::uint64_t least, std::uint64_t most) {
+  return CLI::Validator(
+      [=](std::string& text) -> std::string {
+        try {
+          text = std::to_string(common::parse_count(text, least, most));
+          return "";
+        } catch (const std::invalid_argument& error) {
+          return error.what();
+        }
+      },
+      "");
+}
+
+CLI::Validator rays_or_count() {
+  return CLI::Validator(
+      [](std::string& text) {
+        return common::looks_like_number(text) ? count()(text) : std::string();
+      },
+      "");
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + words[i];
+  }
+  return text;
+}
+
+CLI::Validator one_of(std::vector<std::string> words) {
+  return CLI::Validator(
+      [words = std::move(words)](std::string& text) {
+        const bool found = std::find(words.begin(), words.end(), text) != words.end();
+        return found ? std::string() : "'" + text + "' is not " + listed(words);
+      },
+      "");
+}
+
+CLI::Validator number(double low, double high) { return in_range(low, high, true); }
+CLI::Validator number_above(double low, double high) { return in_range(low, high, false); }
+
 std::vector<double> numbers(const std::string& option, const std::string& text, std::size_t count) {
   std::vector<double> values;
-  std::size_t at = 0;
-  while (at <= text.size()) {
+  for (std::size_t at = 0; at <= text.size();) {
     const std::size_t comma = std::min(text.find(',', at), text.size());
-    const std::string field = text.substr(at, comma - at);
-    char* end = nullptr;
-    values.push_back(std::strtod(field.c_str(), &end));
-    if (field.empty() || *end != '\0' || !std::isfinite(values.back())) {
-      throw CLI::ValidationError(option, "'" + field + "' is not a finite number");
+    try {
+      values.push_back(common::parse_number(text.substr(at, comma - at)));
+    } catch (const std::invalid_argument& error) {
+      throw CLI::ValidationError(option, error.what());
     }
     at = comma + 1;
   }
@@ -39,7 +90,7 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
 
 void add_threads(CLI::App& command, unsigned& threads) {
   command.add_option("--threads", threads, "navigating threads")
-      ->check(CLI::Range(1U, 1024U))
+      ->transform(count(1, 1024))
       ->option_text("T");
 }
 

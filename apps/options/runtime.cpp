@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/options/boxes.hpp"
+#include "apps/options/numbers.hpp"
 #include "common/choices.hpp"
 
 namespace navjit::apps {
@@ -32,31 +33,27 @@ void add_cache_option(CLI::App& command, Cache& cache, bool may_be_off) {
 }
 
 void add_code_options(CLI::App& command, RuntimeOptions& options) {
-  command
-      .add_option("--level", options.level,
-                  "accuracy: exact, fast or single (at present all exact)")
-      ->transform(CLI::CheckedTransformer(levels).description(""))
+  add_choice(command, "--level", options.level, levels,
+             "accuracy: exact, fast or single (at present all exact)")
       ->option_text("LEVEL");
-  command
-      .add_option("--isa", options.specialiser.instruction_set,
-                  "instructions of generated code: native, sse4.2, avx2 or avx512")
-      ->transform(CLI::CheckedTransformer(common::instruction_sets).description(""))
+  add_choice(command, "--isa", options.specialiser.instruction_set, common::instruction_sets,
+             "instructions of generated code: native, sse4.2, avx2 or avx512")
       ->option_text("SET");
   command.add_option("--nice", options.specialiser.nice, "priority of the compiler's thread")
-      ->check(CLI::Range(0, 19))
+      ->transform(count(0, 19))
       ->option_text("0..19");
 }
 
 void add_jit_options(CLI::App& command, RuntimeOptions& options) {
   options.specialiser.safety = false;  // the commands' rays never ask for it
   add_cache_option(command, options.cache, true);
-  command.add_option("--jit", options.jit, "off, on, wait (specialise first) or shadow (compare)")
-      ->transform(CLI::CheckedTransformer(jit_modes).description(""))
+  add_choice(command, "--jit", options.jit, jit_modes,
+             "off, on, wait (specialise first) or shadow (compare)")
       ->option_text("MODE");
   command.add_option("--plugin", options.plugin, "made by navjit specialise; used from the start")
       ->option_text("FILE");
   command.add_option("--opt", options.specialiser.optimisation, "compiler's optimisation, 0 to 3")
-      ->check(CLI::Range(0, 3))
+      ->transform(count(0, 3))
       ->option_text("N");
   command.add_flag("--perf-map", options.specialiser.perf_map,
                    "name generated functions for perf (/tmp/perf-PID.map)");

@@ -7,7 +7,9 @@
 namespace navjit::apps {
 
 void add_seed(CLI::App& command, std::uint64_t& seed) {
-  command.add_option("--seed", seed, "of the random rays");
+  command.add_option("--seed", seed, "of the random rays")
+      ->transform(count(0, ~std::uint64_t{0}))
+      ->option_text("N");
 }
 
 void add_source(CLI::App& command, common::RaySource& source) {

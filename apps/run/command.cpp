@@ -1,6 +1,4 @@
 // `navjit run`: transports rays, shows how it goes, and what specialisation won.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
@@ -13,9 +11,13 @@
 #include "apps/commands.hpp"
 #include "apps/options/detector.hpp"
 #include "apps/options/numbers.hpp"
+#include "apps/options/outputs.hpp"
 #include "apps/options/runtime.hpp"
 #include "apps/options/source.hpp"
+#include "apps/run/progress.hpp"
 #include "apps/run/report.hpp"
+#include "common/interruption.hpp"
+#include "common/parallel.hpp"
 #include "runtime/runtime.hpp"
 
 namespace navjit::apps {
@@ -42,6 +44,7 @@ double seconds_since(Clock::time_point start) {
 constexpr std::uint64_t rays_per_chunk = 64;
 
 struct ChunkTotals {
+  std::uint64_t rays = 0;
   std::uint64_t steps = 0;
   std::uint64_t stuck = 0;
   double length = 0;
@@ -68,19 +71,6 @@ SceneCounts count_scenes(const RuntimeReport& report) {
   return counts;
 }
 
-void print_progress(const Progress& progress, std::uint64_t rays, const RuntimeReport& report,
-                    double seconds, double steps_per_second, bool terminal) {
-  const SceneCounts scenes = count_scenes(report);
-  std::fprintf(stderr,
-               "%s%6.1f s  %llu of %llu rays  %7.3f M steps/s  scenes: %zu hot, %zu compiling, "
-               "%zu swapped%s",
-               terminal ? "\r\033[K" : "", seconds,
-               static_cast<unsigned long long>(progress.rays.load()),
-               static_cast<unsigned long long>(rays), steps_per_second / 1e6, scenes.hot,
-               scenes.compiling, scenes.swapped, terminal ? "" : "\n");
-  std::fflush(stderr);
-}
-
 /// Watches until the run is done: the progress line, and when the last swap was.
 struct Watch {
   double last_swap_s = 0;
@@ -88,8 +78,7 @@ struct Watch {
 
   void follow(const Runtime& runtime, const Progress& progress, std::uint64_t rays,
               Clock::time_point start) {
-    const bool terminal = isatty(STDERR_FILENO) != 0;
-    const double interval = terminal ? 0.2 : 2.0;
+    const bool terminal = terminal_columns() > 0;
     double shown = 0;
     std::uint64_t shown_steps = 0;
     std::size_t swapped = 0;
@@ -102,10 +91,15 @@ struct Watch {
         last_swap_s = t;
         steps_at_last_swap = progress.steps.load();
       }
-      if (t - shown < interval) continue;
+      if (!terminal || t - shown < 0.2) continue;
       const std::uint64_t steps = progress.steps.load();
-      print_progress(progress, rays, runtime.report(), t,
-                     static_cast<double>(steps - shown_steps) / (t - shown), terminal);
+      const SceneCounts scenes = count_scenes(runtime.report());
+      const std::string line = progress_line(
+          {t, progress.rays.load(), rays, static_cast<double>(steps - shown_steps) / (t - shown),
+           scenes.hot, scenes.compiling, scenes.swapped},
+          terminal_columns());
+      std::fprintf(stderr, "\r\033[K%s", line.c_str());
+      std::fflush(stderr);
       shown = t;
       shown_steps = steps;
     }
@@ -147,25 +141,32 @@ void compare_with_generic(Runtime& specialised, const Options& options, RunRepor
 }
 
 int run(const Options& options) {
-  Runtime runtime(read(options.detector), options.runtime);
+  Output profile(options.save_profile), json(options.report);
+  const auto detector = read(options.detector);
+  common::check_origin(options.source, detector);
+  Runtime runtime(detector, options.runtime);
+  const common::Interruptible interruptible;
   const World& world = runtime.world();
   const std::uint64_t chunks = (options.rays + rays_per_chunk - 1) / rays_per_chunk;
   std::vector<ChunkTotals> totals(chunks);
   Progress progress;
   std::atomic<std::uint64_t> next{0};
+  std::atomic<bool> stop{false};
   std::atomic<std::uint64_t> differences{0}, declined{0};
   const auto work = [&] {
     Navigator navigator = runtime.navigator();
-    for (std::uint64_t c; (c = next.fetch_add(1)) < chunks;) {
+    for (std::uint64_t c; !stop && (c = next.fetch_add(1)) < chunks;) {
       const std::uint64_t last = std::min(options.rays, (c + 1) * rays_per_chunk);
-      for (std::uint64_t i = c * rays_per_chunk; i < last; ++i) {
+      for (std::uint64_t i = c * rays_per_chunk; i < last && common::interruption() == 0; ++i) {
         const RayTotals ray =
             transport(navigator, make_ray(options.source, world, i), world.tolerance);
         totals[c].steps += ray.steps;
         totals[c].length += ray.length;
         totals[c].stuck += ray.stuck ? 1 : 0;
+        ++totals[c].rays;
       }
-      progress.rays.fetch_add(last - c * rays_per_chunk, std::memory_order_relaxed);
+      stop = stop || common::interruption() != 0;
+      progress.rays.fetch_add(totals[c].rays, std::memory_order_relaxed);
       progress.steps.fetch_add(totals[c].steps, std::memory_order_relaxed);
     }
     differences += navigator.counts().differences;
@@ -175,22 +176,25 @@ int run(const Options& options) {
   const Clock::time_point start = Clock::now();
   Watch watch;
   std::jthread watcher([&] { watch.follow(runtime, progress, options.rays, start); });
-  std::vector<std::jthread> threads;
-  for (unsigned t = 1; t < options.threads; ++t) threads.emplace_back(work);
-  work();
-  threads.clear();
+  {
+    // The watcher has to end also where the transport fails.
+    struct Done {
+      std::atomic<bool>& flag;
+      ~Done() { flag = true; }
+    } const done{progress.done};
+    common::in_parallel(options.threads, stop, work);
+  }
   const double seconds = seconds_since(start);
-  progress.done = true;
   watcher.join();
 
   RunReport report;
   report.detector = options.detector.file;
-  report.rays = options.rays;
   report.threads = options.threads;
   report.jit = options.runtime.jit;
   report.level = options.runtime.level;
   report.budget = options.runtime.budget;
   for (const ChunkTotals& chunk : totals) {
+    report.rays += chunk.rays;
     report.steps += chunk.steps;
     report.stuck += chunk.stuck;
     report.length_mm += chunk.length;
@@ -209,12 +213,13 @@ int run(const Options& options) {
   report.declined = declined;
   report.differences = differences;
   report.runtime = runtime.final_report();
-  if (count_scenes(report.runtime).swapped > 0 && options.runtime.jit != JitMode::shadow) {
+  if (common::interruption() == 0 && count_scenes(report.runtime).swapped > 0 &&
+      options.runtime.jit != JitMode::shadow) {
     compare_with_generic(runtime, options, report);
   }
   print_table(report);
-  if (!options.save_profile.empty()) write_profile(runtime.step_profile(), options.save_profile);
-  if (!options.report.empty()) write_json(report, options.report);
+  attempt_all({[&] { profile.write([&] { return profile_text(runtime.step_profile()); }); },
+               [&] { json.write([&] { return json_text(report); }); }});
   if (differences > 0) {
     throw std::runtime_error(std::to_string(differences.load()) +
                              " steps differed from the generic navigator's");
@@ -231,9 +236,9 @@ void add_run(CLI::App& app, Action& action) {
   command
       .add_option("--budget", options->runtime.budget,
                   "how far from its surface a step may end: told scene by scene")
-      ->check(CLI::PositiveNumber)
+      ->check(number_above(0, 1e12))
       ->option_text("MM");
-  command.add_option("--rays", options->rays, "number of rays")->check(CLI::PositiveNumber);
+  command.add_option("--rays", options->rays, "number of rays")->transform(count());
   add_source(command, options->source);
   command.add_option("--report", options->report, "write a JSON report")->option_text("FILE");
   command.add_option("--save-profile", options->save_profile, "write what navjit specialise needs")

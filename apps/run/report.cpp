@@ -1,12 +1,10 @@
 #include "apps/run/report.hpp"
 
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+
+#include "common/text.hpp"
 
 namespace navjit::apps {
 namespace {
@@ -54,7 +52,8 @@ void print_budget(const RunReport& report) {
   std::printf("budget %g mm: promised in %zu of %zu scenes, %.2f%% of the steps", *report.budget,
               scenes, all, 100 * kept);
   if (first != nullptr) {
-    std::printf("; not in %s: %s", first->volume.c_str(), first->budget->why.c_str());
+    std::printf("; not in %s: %s", common::printable(first->volume).c_str(),
+                common::printable(first->budget->why).c_str());
   }
   std::printf("\n");
 }
@@ -80,14 +79,12 @@ void print_table(const RunReport& report) {
       ++others;
       continue;
     }
-    const std::string name =
-        s.volume.size() <= 44 ? s.volume : "..." + s.volume.substr(s.volume.size() - 41);
-    std::printf("%-44s %6.2f%% %9s %9s %9s %8s  %s%s%s\n", name.c_str(), 100 * s.share,
-                figure(s.generic_ns_per_step, "%.1f").c_str(),
+    std::printf("%s %6.2f%% %9s %9s %9s %8s  %s%s%s\n", common::fitted(s.volume, 44).c_str(),
+                100 * s.share, figure(s.generic_ns_per_step, "%.1f").c_str(),
                 figure(s.specialised_ns_per_step, "%.1f").c_str(),
                 figure(s.compile_ms, "%.1f").c_str(), figure(s.swapped_at_s, "%.2f").c_str(),
                 status_name(s.status), s.note.empty() ? "" : ": ",
-                s.note.substr(0, s.note.find('\n')).c_str());
+                common::printable(s.note.substr(0, s.note.find('\n'))).c_str());
   }
   if (others > 0) {
     std::printf("%-44s %6.2f%%\n", ("(" + std::to_string(others) + " more)").c_str(), 100 * rest);
@@ -120,7 +117,7 @@ void print_table(const RunReport& report) {
   if (report.budget) print_budget(report);
 }
 
-void write_json(const RunReport& report, const std::string& path) {
+std::string json_text(const RunReport& report) {
   nlohmann::ordered_json json{
       {"detector", report.detector},
       {"rays", report.rays},
@@ -162,10 +159,7 @@ void write_json(const RunReport& report, const std::string& path) {
                       {"note", s.note}});
     if (s.budget) scenes.back()["budget"] = to_json(*s.budget);
   }
-  std::ofstream out(path);
-  out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-  out.flush();
-  if (!out) throw std::runtime_error(path + ": " + std::strerror(errno));
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace navjit::apps

@@ -30,7 +30,6 @@ struct RunReport {
 };
 
 void print_table(const RunReport& report);
-/// Throws std::runtime_error if the file cannot be written.
-void write_json(const RunReport& report, const std::string& path);
+std::string json_text(const RunReport& report);
 
 }  // namespace navjit::apps

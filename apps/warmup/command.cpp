@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "apps/commands.hpp"
 #include "apps/options/numbers.hpp"
+#include "apps/options/outputs.hpp"
 #include "apps/warmup/experiment.hpp"
 #include "apps/warmup/one_run_options.hpp"
 #include "apps/warmup/picture.hpp"
 #include "apps/warmup/report.hpp"
 #include "common/gnuplot.hpp"
+#include "common/interruption.hpp"
 #include "jit/compiler.hpp"
 
 namespace navjit::apps {
@@ -51,19 +52,16 @@ std::vector<warmup::Variant> variants_of(const Options& options) {
   return variants;
 }
 
-void write(const std::string& path, const std::string& text) {
-  std::ofstream out(path);
-  out << text;
-  if (!out.flush()) throw std::runtime_error(path + ": cannot be written");
-}
-
 /// Throws also if the same rays had different steps in different runs.
 int warmup(const Options& options) {
   if (!options.picture.empty()) common::check_picture(options.picture);
+  Output json(options.report), csv(options.csv), picture(options.picture);
+  const common::Interruptible interruptible;
   if (!jit::has_compiler()) {
     throw std::runtime_error("this program was built without a compiler: nothing warms up");
   }
-  read(options.every.detector);  // what is wrong with it is told at once
+  // What is wrong with it is told at once.
+  common::check_origin(options.every.source, read(options.every.detector));
   warmup::ExperimentOptions experiment;
   experiment.program = std::filesystem::read_symlink("/proc/self/exe");
   experiment.words = options.words;
@@ -75,19 +73,23 @@ int warmup(const Options& options) {
   experiment.prime_seconds = options.prime_seconds;
   const warmup::ExperimentReport report = warmup::run_experiment(experiment);
   warmup::print_table(report);
-  if (!options.report.empty()) {
-    nlohmann::ordered_json json{{"detector", options.every.detector.file},
-                                {"threads", options.every.threads},
-                                {"seconds", options.seconds},
-                                {"repetitions", options.repetitions}};
-    json.update(warmup::to_json(report));
-    write(options.report, json.dump(1) + '\n');
-  }
-  if (!options.csv.empty()) write(options.csv, warmup::to_csv(report));
-  if (!options.picture.empty()) {
-    warmup::draw(report, std::filesystem::path(options.every.detector.file).filename(),
-                 options.picture);
-  }
+  const auto make_json = [&] {
+    nlohmann::ordered_json all{{"detector", options.every.detector.file},
+                               {"threads", options.every.threads},
+                               {"seconds", options.seconds},
+                               {"repetitions", options.repetitions}};
+    all.update(warmup::to_json(report));
+    return all.dump(1) + '\n';
+  };
+  attempt_all(
+      {[&] { json.write(make_json); }, [&] { csv.write([&] { return warmup::to_csv(report); }); },
+       [&] {
+         picture.write([&] {
+           return warmup::draw(report,
+                               std::filesystem::path(options.every.detector.file).filename(),
+                               options.picture);
+         });
+       }});
   if (!report.same_rays) throw std::runtime_error("runs differ in the steps of the same rays");
   return 0;
 }
@@ -100,23 +102,23 @@ void add_warmup(CLI::App& app, Action& action) {
       *app.add_subcommand("warmup", "What the JIT costs before it pays: steps/s against time");
   const std::vector<CLI::Option*> shared = warmup::add_shared_options(command, options->every);
   command.add_option("--seconds", options->seconds, "of each run")
-      ->check(within(0.05, 3600.0))
+      ->check(number(0.05, 3600.0))
       ->option_text("S");
   command
       .add_option("--prime", options->prime_seconds,
                   "seconds of the run that fills the cache and makes the\nplugin's profile")
-      ->check(within(0.05, 3600.0))
+      ->check(number(0.05, 3600.0))
       ->option_text("S");
   command.add_option("--repetitions", options->repetitions, "of each run, in turn")
-      ->check(CLI::Range(1, 1000))
+      ->transform(count(1, 1000))
       ->option_text("N");
   command.add_option("--modes", options->modes, "of cold, cache and plugin; off is always there")
       ->delimiter(',')
-      ->check(CLI::IsMember({"cold", "cache", "plugin"}).description(""))
+      ->check(one_of({"cold", "cache", "plugin"}))
       ->option_text("LIST");
   command.add_option("--opt", options->optimisations, "compiler's optimisations to compare")
       ->delimiter(',')
-      ->check(CLI::Range(0, 3))
+      ->transform(count(0, 3))
       ->option_text("LIST");
   command.add_option("--report", options->report, "write a JSON report")->option_text("FILE");
   command.add_option("--csv", options->csv, "write every point")->option_text("FILE");

@@ -7,8 +7,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "apps/warmup/private_folder.hpp"
 #include "common/child.hpp"
+#include "runtime/private_folder.hpp"
 
 namespace navjit::warmup {
 namespace {

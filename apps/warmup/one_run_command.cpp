@@ -20,7 +20,7 @@ std::vector<CLI::Option*> add_shared_options(CLI::App& command, RunSetup& setup)
   apps::add_threads(command, setup.threads);
   apps::add_code_options(command, setup.runtime);
   command.add_option("--interval", setup.interval, "between points of the series, s")
-      ->check(apps::within(0.001, 10.0))
+      ->check(apps::number(0.001, 10.0))
       ->option_text("S");
   std::vector<CLI::Option*> added = command.get_options();
   added.erase(added.begin(), added.begin() + static_cast<std::ptrdiff_t>(before.size()));
@@ -46,7 +46,7 @@ void add_warmup_run(CLI::App& app, Action& action) {
   CLI::App& command = *app.add_subcommand("warmup-run", "One run of navjit warmup");
   command.group("");  // for navjit itself
   warmup::add_shared_options(command, *setup);
-  command.add_option("--seconds", setup->seconds)->check(within(0.05, 3600.0));
+  command.add_option("--seconds", setup->seconds)->check(number(0.05, 3600.0));
   command.add_option("--save-profile", setup->save_profile);
   add_jit_options(command, setup->runtime);
   command.callback([setup, &action] {

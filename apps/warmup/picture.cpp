@@ -28,7 +28,8 @@ std::string lines_of(const VariantReport& each, double end) {
 
 }  // namespace
 
-void draw(const ExperimentReport& report, const std::string& title, const std::string& file) {
+std::string draw(const ExperimentReport& report, const std::string& title,
+                 const std::string& file) {
   double end = 0;
   for (const VariantReport& each : report.variants) {
     for (const RunFigures& run : each.runs) {
@@ -59,7 +60,7 @@ void draw(const ExperimentReport& report, const std::string& title, const std::s
         "set ylabel 'steps specialised, %'\n" +
         shares;
   }
-  common::plot(script + "\nunset multiplot", file);
+  return common::plot(script + "\nunset multiplot", file);
 }
 
 }  // namespace navjit::warmup

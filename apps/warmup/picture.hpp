@@ -8,6 +8,6 @@
 namespace navjit::warmup {
 
 /// Medians over repetitions. Throws what common::plot throws.
-void draw(const ExperimentReport& report, const std::string& title, const std::string& file);
+std::string draw(const ExperimentReport& report, const std::string& title, const std::string& file);
 
 }  // namespace navjit::warmup

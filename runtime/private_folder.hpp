@@ -1,9 +1,13 @@
-// A folder that plugins may be loaded from: nobody else can write it, or move it.
+// A folder for temporary files that plugins may be loaded from: nobody else can write it, or move
+// it.
 #pragma once
 
+#include <optional>
 #include <string>
 
-namespace navjit::warmup {
+#include "runtime/temporary_path.hpp"
+
+namespace navjit {
 
 /// Gone with all that is in it on destruction. In the folder for temporary files, or in the user's
 /// cache where that one is not trusted.
@@ -16,9 +20,11 @@ class PrivateFolder {
   ~PrivateFolder();
 
   const std::string& path() const { return path_; }
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
 
  private:
   std::string path_;
+  std::optional<TemporaryPath> temporary_;  ///< also where a signal ends the process
 };
 
-}  // namespace navjit::warmup
+}  // namespace navjit

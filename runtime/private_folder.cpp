@@ -1,4 +1,4 @@
-#include "apps/warmup/private_folder.hpp"
+#include "runtime/private_folder.hpp"
 
 #include <cerrno>
 #include <cstdlib>
@@ -10,12 +10,12 @@
 #include "jit/trust.hpp"
 #include "runtime/cache.hpp"
 
-namespace navjit::warmup {
+namespace navjit {
 namespace {
 
 /// Makes a folder in `parent`; empty, and `why`, if it cannot be, or is not trusted.
 std::string make_in(const std::string& parent, std::string& why) {
-  std::string path = parent + "/navjit-warmup-XXXXXX";
+  std::string path = parent + "/navjit-XXXXXX";
   if (mkdtemp(path.data()) == nullptr) {  // 0700
     why = parent + ": " + std::strerror(errno);
     return {};
@@ -34,13 +34,17 @@ PrivateFolder::PrivateFolder() {
   std::error_code none;
   std::string why;
   path_ = make_in(std::filesystem::temp_directory_path(none).string(), why);
-  if (!path_.empty()) return;
+  if (!path_.empty()) {
+    temporary_.emplace(path_);
+    return;
+  }
   const std::string user = Cache::user_default().directory;
   if (!user.empty() && jit::open_trusted_directory(user, true)) {
     std::string ignored;
     path_ = make_in(user, ignored);
   }
   if (path_.empty()) throw std::runtime_error("no place for temporary files: " + why);
+  temporary_.emplace(path_);
 }
 
 PrivateFolder::~PrivateFolder() {
@@ -48,4 +52,4 @@ PrivateFolder::~PrivateFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-}  // namespace navjit::warmup
+}  // namespace navjit

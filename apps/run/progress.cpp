@@ -1,0 +1,33 @@
+#include "apps/run/progress.hpp"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace navjit::apps {
+
+std::size_t terminal_columns() {
+  if (isatty(STDERR_FILENO) == 0) return 0;
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
+std::string progress_line(const RunProgress& p, std::size_t columns) {
+  char parts[3][80];
+  std::snprintf(parts[0], sizeof parts[0], "%.1f s  %llu of %llu rays", p.seconds,
+                static_cast<unsigned long long>(p.rays),
+                static_cast<unsigned long long>(p.of_rays));
+  std::snprintf(parts[1], sizeof parts[1], "  %.3f M steps/s", p.steps_per_second / 1e6);
+  std::snprintf(parts[2], sizeof parts[2], "  %zu hot, %zu compiling, %zu swapped", p.hot,
+                p.compiling, p.swapped);
+  std::string line;
+  for (const char* part : parts) {
+    if (line.size() + std::string_view(part).size() >= columns) break;
+    line += part;
+  }
+  return line;
+}
+
+}  // namespace navjit::apps

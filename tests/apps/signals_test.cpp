@@ -1,0 +1,169 @@
+// INT, TERM and HUP: what there is is written, nothing is left behind, exit status 128 + n.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/support/folder.hpp"
+#include "tests/support/process.hpp"
+
+namespace navjit::tests {
+namespace {
+
+namespace fs = std::filesystem;
+const std::string detector = NAVJIT_DETECTORS_DIR "/shashlik.gdml";
+
+std::vector<std::string> files_in(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// Whether a process has a child.
+bool has_child(pid_t pid) {
+  std::ifstream in("/proc/" + std::to_string(pid) + "/task/" + std::to_string(pid) + "/children");
+  return static_cast<bool>(in >> pid);
+}
+
+class Signals : public testing::TestWithParam<int> {
+ protected:
+  TemporaryFolder folder_, log_;
+  int number_ = GetParam();
+};
+
+TEST_P(Signals, TraceLeavesTheRaysThatAreComplete) {
+  const std::string out = folder_.file("steps.csv");
+  write_file(out, "before");
+  Process trace({NAVJIT_COMMAND, "trace", detector, "--rays", "1e12", "--threads", "3", "--jit",
+                 "off", "--out", out},
+                log_.file("log"));
+  // Beside it a file grows.
+  ASSERT_TRUE(eventually([&] {
+    for (const auto& entry : fs::directory_iterator(folder_.path())) {
+      std::error_code gone;
+      if (entry.path() != out && entry.file_size(gone) > 500000 && !gone) return true;
+    }
+    return false;
+  })) << trace.text();
+  EXPECT_EQ(read_file(out), "before");
+  trace.send(number_);
+  EXPECT_EQ(trace.wait(), 128 + number_) << trace.text();
+  EXPECT_EQ(files_in(folder_.path()), std::vector<std::string>{"steps.csv"});
+  const std::string text = read_file(out);
+  ASSERT_EQ(text.back(), '\n');
+  const std::size_t last = text.rfind('\n', text.size() - 2) + 1;
+  const std::uint64_t rays = std::stoull(text.substr(last)) + 1;
+  const Output whole =
+      run_navjit("trace " + detector + " --jit off --rays " + std::to_string(rays));
+  EXPECT_TRUE(whole.text == text) << "the first " << rays << " rays, complete";
+}
+
+TEST_P(Signals, RunWritesWhatItHas) {
+  Process run(
+      {NAVJIT_COMMAND, "-v", "run", detector, "--rays", "1e8", "--threads", "2", "--nice", "0",
+       "--report", folder_.file("report.json"), "--save-profile", folder_.file("profile.json")},
+      log_.file("log"));
+  ASSERT_TRUE(run.says("event=")) << run.text();
+  run.send(number_);
+  EXPECT_EQ(run.wait(), 128 + number_) << run.text();
+  EXPECT_EQ(files_in(folder_.path()), (std::vector<std::string>{"profile.json", "report.json"}));
+  const auto report = nlohmann::json::parse(read_file(folder_.file("report.json")));
+  EXPECT_GT(report.at("rays"), 0);
+  EXPECT_LT(report.at("rays"), 1e8);
+  EXPECT_GT(report.at("steps"), report.at("rays"));
+  EXPECT_NE(run.text().find("M steps/s"), std::string::npos) << run.text();
+  const Output merged = run_navjit("profile merge " + folder_.file("profile.json") + " -o " +
+                                   folder_.file("merged.json"));
+  EXPECT_EQ(merged.status, 0) << merged.text;
+}
+
+TEST_P(Signals, WarmupEndsItsChildAndTakesItsFolderAway) {
+  setenv("TMPDIR", folder_.path().c_str(), 1);
+  Process warmup({NAVJIT_COMMAND, "warmup", detector, "--seconds", "600", "--prime", "600",
+                  "--report", log_.file("report.json")},
+                 log_.file("log"));
+  unsetenv("TMPDIR");
+  ASSERT_TRUE(eventually([&] { return has_child(warmup.pid()); })) << warmup.text();
+  EXPECT_EQ(files_in(folder_.path()).size(), 1U);
+  std::ifstream in("/proc/" + std::to_string(warmup.pid()) + "/task/" +
+                   std::to_string(warmup.pid()) + "/children");
+  pid_t child = 0;
+  ASSERT_TRUE(in >> child);
+  warmup.send(number_);
+  EXPECT_EQ(warmup.wait(), 128 + number_) << warmup.text();
+  EXPECT_TRUE(files_in(folder_.path()).empty());
+  EXPECT_NE(kill(child, 0), 0) << "the child goes on";
+  EXPECT_EQ(files_in(log_.path()), std::vector<std::string>{"log"});
+}
+
+TEST_P(Signals, AccuracyEndsItsPeerAndTakesItsFilesAway) {
+  write_file(log_.file("peer"), "#!/bin/sh\nexec sleep 600\n");
+  fs::permissions(log_.file("peer"), fs::perms::owner_all);
+  setenv("TMPDIR", folder_.path().c_str(), 1);
+  Process accuracy({NAVJIT_COMMAND, "accuracy", NAVJIT_DETECTORS_DIR "/absorber.gdml", "--rays",
+                    "5", "--repetitions", "1", "--boundaries", "0", "--vecgeom", log_.file("peer")},
+                   log_.file("log"));
+  unsetenv("TMPDIR");
+  ASSERT_TRUE(eventually([&] { return has_child(accuracy.pid()); })) << accuracy.text();
+  accuracy.send(number_);
+  EXPECT_EQ(accuracy.wait(), 128 + number_) << accuracy.text();
+  EXPECT_TRUE(files_in(folder_.path()).empty());
+}
+
+TEST_P(Signals, CommandsThatHaveNothingYetEndAtOnce) {
+  const std::string long_check = "--resolution=100000000";
+  Process check({NAVJIT_COMMAND, "check", detector, long_check}, log_.file("log"));
+  // Its handlers are there when the detector is read.
+  ASSERT_TRUE(eventually([&] {
+    std::ifstream in("/proc/" + std::to_string(check.pid()) + "/status");
+    for (std::string line; std::getline(in, line);) {
+      if (line.starts_with("SigCgt:")) return (std::stoull(line.substr(7), nullptr, 16) & 1) != 0;
+    }
+    return false;
+  }));
+  check.send(number_);
+  EXPECT_EQ(check.wait(), 128 + number_) << check.text();
+}
+
+INSTANTIATE_TEST_SUITE_P(Apps, Signals, testing::Values(SIGINT, SIGTERM, SIGHUP),
+                         [](const auto& parameter) {
+                           return parameter.param == SIGINT    ? "INT"
+                                  : parameter.param == SIGTERM ? "TERM"
+                                                               : "HUP";
+                         });
+
+TEST(Signals, TheSecondEndsAtOnceAndLeavesNoTemporaryFile) {
+  const TemporaryFolder folder, log;
+  // Nobody reads: the writer is stuck in the middle of its work.
+  const std::string pipe = log.file("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  Process trace(
+      {NAVJIT_COMMAND, "trace", detector, "--rays", "1e12", "--jit", "off", "--out", pipe},
+      log.file("log"));
+  char some[1];
+  ASSERT_TRUE(eventually([&] { return read(reader, some, 1) == 1; })) << trace.text();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  trace.send(SIGTERM);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  trace.send(SIGTERM);
+  EXPECT_EQ(trace.wait(), 128 + SIGTERM) << trace.text();
+  close(reader);
+}
+
+TEST(Signals, WhatWasIgnoredStaysIgnored) {
+  const TemporaryFolder folder;
+  Process trace({"/bin/sh", "-c",
+                 "trap '' HUP; exec " NAVJIT_COMMAND " trace " + detector +
+                     " --rays 1e12 --jit off --out " + folder.file("steps.csv")},
+                folder.file("log"));
+  ASSERT_TRUE(eventually([&] { return files_in(folder.path()).size() == 2; })) << trace.text();
+  trace.send(SIGHUP);
+  trace.send(SIGINT);
+  EXPECT_EQ(trace.wait(), 128 + SIGINT) << trace.text();
+}
+
+}  // namespace
+}  // namespace navjit::tests

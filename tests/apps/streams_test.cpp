@@ -1,0 +1,111 @@
+// Standard output that is full, closed, or not read: never a success, never more than one line.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/command.hpp"
+#include "tests/support/folder.hpp"
+
+namespace navjit::tests {
+namespace {
+
+const std::string detector = NAVJIT_DETECTORS_DIR "/absorber.gdml";
+
+/// Arguments of navjit that print something and succeed; FOLDER stands for one.
+const std::vector<std::string> printing{
+    "--help",
+    "--version",
+    "run --help",
+    "inspect " + detector,
+    "inspect " + detector + " --scene World --emit",
+    "run " + detector + " --rays 10 --jit off",
+    "trace " + detector + " --rays 10 --jit off",
+    "check " + detector + " --resolution 10",
+    "accuracy " + detector + " --rays 5 --repetitions 1 --boundaries 0 --vecgeom off",
+    "cache path --cache FOLDER",
+    "cache list --cache FOLDER",
+    "cache verify --cache FOLDER",
+    "cache clear --cache FOLDER",
+    "profile merge FOLDER/profile.json FOLDER/profile.json -o FOLDER/merged.json",
+    "specialise " + detector + " --profile FOLDER/profile.json --emit cpp -o FOLDER/plugin.cpp",
+    "warmup-run " + detector + " --seconds 0.05 --jit off",
+    "warmup " + detector + " --seconds 0.05 --repetitions 1 --modes cold",
+};
+
+class Streams : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    const Output output = run_navjit("run " + detector + " --rays 2000 --jit off --save-profile " +
+                                     folder_.file("profile.json"));
+    ASSERT_EQ(output.status, 0) << output.text;
+    for (std::size_t at; (at = arguments_.find("FOLDER")) != std::string::npos;) {
+      arguments_.replace(at, 6, folder_.path());
+    }
+  }
+
+  TemporaryFolder folder_;
+  std::string arguments_ = GetParam();
+};
+
+TEST_P(Streams, FullOrClosedOutputIsAFailureOfOneLine) {
+  const std::string command = std::string(NAVJIT_COMMAND " ") + arguments_;
+  const Output good = run_command("(" + command, ")");
+  ASSERT_EQ(good.status, 0) << good.text;
+  struct Case {
+    std::string shell;
+    const char* why;
+  };
+  const Case cases[]{
+      {"(" + command + " > /dev/full", "No space left on device"},
+      {"(" + command + " >&-", "Bad file descriptor"},
+  };
+  for (const Case& c : cases) {
+    const Output output = run_command(c.shell, ")");
+    EXPECT_EQ(output.status, 1) << c.shell << ": " << output.text;
+    EXPECT_NE(output.text.find(c.why), std::string::npos) << c.shell << ": " << output.text;
+    EXPECT_EQ(std::count(output.text.begin(), output.text.end(), '\n'), 1) << output.text;
+  }
+}
+
+TEST_P(Streams, AReaderThatGoesIsAFailureOfOneLine) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  close(ends[0]);
+  const std::string log = folder_.file("log");
+  const std::string command =
+      std::string(NAVJIT_COMMAND " ") + arguments_ + " >&" + std::to_string(ends[1]) + " 2>" + log;
+  const int status = std::system(command.c_str());
+  close(ends[1]);
+  ASSERT_TRUE(WIFEXITED(status));
+  const std::string text = read_file(log);
+  EXPECT_EQ(WEXITSTATUS(status), 1) << text;
+  EXPECT_NE(text.find("standard output cannot be written: Broken pipe\n"), std::string::npos)
+      << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+}
+
+TEST_P(Streams, ClosedStreamsAreNoFiles) {
+  // What is opened first must not take the number of standard output or error.
+  const Output output =
+      run_command("(" NAVJIT_COMMAND " " + arguments_ + " <&- 2>&- > " + folder_.file("out"), ")");
+  EXPECT_EQ(output.status, 0);
+  EXPECT_EQ(output.text, "");
+  EXPECT_GT(read_file(folder_.file("out")).size(), 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Apps, Streams, testing::ValuesIn(printing),
+                         [](const auto& parameter) { return std::to_string(parameter.index); });
+
+TEST(Streams, AReportIsWrittenWhereTheTableIsNot) {
+  const TemporaryFolder folder;
+  const Output output =
+      run_command("(" NAVJIT_COMMAND " run " + detector + " --rays 10 --jit off --report " +
+                      folder.file("r.json") + " --save-profile " + folder.file("p.json"),
+                  "> /dev/full)");
+  EXPECT_EQ(output.status, 1) << output.text;
+  EXPECT_NE(read_file(folder.file("r.json")).find("\"steps\""), std::string::npos);
+  EXPECT_NE(read_file(folder.file("p.json")).find("\"volumes\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace navjit::tests
