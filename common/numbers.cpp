@@ -81,7 +81,8 @@ std::uint64_t parse_count(std::string_view text, std::uint64_t least, std::uint6
 double parse_number(std::string_view text) {
   double value = 0;
   const char* end = text.data() + text.size();
-  const auto [at, error] = std::from_chars(text.data(), end, value);
+  const std::size_t sign = text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0;
+  const auto [at, error] = std::from_chars(text.data() + sign, end, value);
   if (error == std::errc::result_out_of_range) refuse(text, "is too large or too small a number");
   if (error != std::errc{} || at != end || !std::isfinite(value)) {
     refuse(text, "is not a finite number");

@@ -67,11 +67,11 @@ TEST_P(Limits, NoCommandHangsOrCrashes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Apps, Limits,
-                         testing::Values("ulimit -v 500000", "ulimit -v 200000", "ulimit -v 100000",
-                                         "ulimit -s 200", "ulimit -n 12", "ulimit -n 5",
-                                         "ulimit -f 0", "ulimit -f 1"),
+                         testing::Values("ulimit -v 500000", "ulimit -v 300000", "ulimit -s 200",
+                                         "ulimit -n 12", "ulimit -n 5", "ulimit -f 0",
+                                         "ulimit -f 1"),
                          [](const auto& parameter) {
-                           std::string name = parameter.param.substr(7);
+                           std::string name = parameter.param.substr(8);
                            std::replace(name.begin(), name.end(), ' ', '_');
                            return name;
                          });

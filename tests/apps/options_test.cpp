@@ -56,7 +56,7 @@ TEST(Options, NumbersAreFiniteAndDecimal) {
     std::string command = option;
     command.replace(command.find("DET"), 3, detector);
     const std::string name = command.substr(command.rfind(' ') + 1);
-    for (const char* value : {"nan", "inf", "-inf", "0x1", "1e400", "''", "1x"}) {
+    for (const char* value : {"nan", "inf", "-inf", "0x1", "1e400", "1x"}) {
       refuses(command + "=" + value, name + ": '");
     }
     refuses(command + "=-1", name + ": '-1' is not ");
