@@ -51,18 +51,10 @@ TEST_P(Streams, FullOrClosedOutputIsAFailureOfOneLine) {
   const std::string command = std::string(NAVJIT_COMMAND " ") + arguments_;
   const Output good = run_command("(" + command, ")");
   ASSERT_EQ(good.status, 0) << good.text;
-  struct Case {
-    std::string shell;
-    const char* why;
-  };
-  const Case cases[]{
-      {"(" + command + " > /dev/full", "No space left on device"},
-      {"(" + command + " >&-", "Bad file descriptor"},
-  };
-  for (const Case& c : cases) {
-    const Output output = run_command(c.shell, ")");
-    EXPECT_EQ(output.status, 1) << c.shell << ": " << output.text;
-    EXPECT_NE(output.text.find(c.why), std::string::npos) << c.shell << ": " << output.text;
+  for (const char* out : {" > /dev/full", " >&-"}) {
+    const Output output = run_command("(" + command + out, ")");
+    EXPECT_EQ(output.status, 1) << out << ": " << output.text;
+    EXPECT_EQ(output.text.find("navjit: standard output cannot be written"), 0U) << output.text;
     EXPECT_EQ(std::count(output.text.begin(), output.text.end(), '\n'), 1) << output.text;
   }
 }
@@ -79,8 +71,7 @@ TEST_P(Streams, AReaderThatGoesIsAFailureOfOneLine) {
   ASSERT_TRUE(WIFEXITED(status));
   const std::string text = read_file(log);
   EXPECT_EQ(WEXITSTATUS(status), 1) << text;
-  EXPECT_NE(text.find("standard output cannot be written: Broken pipe\n"), std::string::npos)
-      << text;
+  EXPECT_EQ(text.find("navjit: standard output cannot be written"), 0U) << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
 }
 
