@@ -81,11 +81,10 @@ TEST(Limits, TooManyThreadsAreNamed) {
   const TemporaryFolder folder;
   for (const std::string command : {"trace", "run", "accuracy --vecgeom off --boundaries 0"}) {
     const std::string line = command + " " + detector + " --rays 500 --threads 8";
-    const Output output =
-        run_command("setpriv --reuid=65534 --regid=65534 --clear-groups sh -c 'ulimit -u 1; exec " +
-                        std::string(NAVJIT_COMMAND) + " " + line + "'",
-                    "");
-    if (output.text.find("setpriv:") != npos || output.text.find("sh: ") != npos) {
+    const Output output = run_command(
+        "prlimit --nproc=1 setpriv --reuid=65534 --regid=65534 --clear-groups " NAVJIT_COMMAND,
+        line);
+    if (output.text.find("setpriv:") != npos || output.text.find("prlimit:") != npos) {
       GTEST_SKIP() << output.text;
     }
     EXPECT_EQ(output.status, 1) << output.text;
