@@ -16,9 +16,7 @@ constexpr int max_open_files = 32;
 void read_setup(FileContext& file, const XmlElement& setup) {
   for (const XmlElement& child : setup.children()) {
     if (child.tag != "world") continue;
-    file.define_if_readable(child, "setup", [&] {
-      file.setups.push_back({file.optional_name(setup), file.reference(child), &child});
-    });
+    file.setups.push_back({file.optional_name(setup), file.reference(child), &child});
   }
 }
 

@@ -39,6 +39,15 @@ int XMLCALL on_unknown_encoding(void*, const XML_Char* name, XML_Encoding* encod
   return XML_STATUS_OK;
 }
 
+/// Where <auxiliary> may stand. Anywhere else it is nobody's, and in the way of those who know all
+/// children that they may have.
+bool may_have_tags(std::string_view tag) {
+  constexpr std::string_view tags[] = {
+      "volume",    "physvol", "userinfo", "auxiliary", "assembly", "structure",  "define",
+      "materials", "solids",  "loop",     "paramvol",  "gdml",     "parameters", "extension"};
+  return std::find(std::begin(tags), std::end(tags), tag) != std::end(tags);
+}
+
 /// Builds the tree from expat's callbacks. These are called from C, so none lets an exception
 /// through: the first problem is kept and the parsers are stopped.
 class Builder {
@@ -152,6 +161,8 @@ void Builder::start(const XML_Char* tag, const XML_Char** attributes) {
   element->attribute_count = count;
   if (open_.empty()) {
     document_.root = element;
+  } else if (element->tag == "auxiliary" && !may_have_tags(open_.back().element->tag)) {
+    // Stays out of the tree.
   } else {
     Open& mother = open_.back();
     if (mother.last_child != nullptr) {

@@ -212,6 +212,11 @@ TEST_F(GdmlErrors, Structure) {
 }
 
 TEST_F(GdmlErrors, WholeFiles) {
+  // The first setup cannot be left out for another one.
+  expect(
+      "<gdml><setup name='Default'>\n<world/></setup><setup name='x'><world "
+      "ref='W'/></setup></gdml>",
+      "2: <world>", "attribute 'ref' is missing");
   expect("<gdml/>", "1: <gdml>", "it has no <setup>");
   expect("<html/>", "1: <html>", "this is not a GDML file");
   expect("<gdml><what/></gdml>", "1: <gdml>", "it has no <setup>");

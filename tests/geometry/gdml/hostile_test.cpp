@@ -104,6 +104,21 @@ TEST_F(GdmlHostile, CyclesOfModules) {
   expect_refused(includes("other.gdml"), "includes itself");
 }
 
+TEST_F(GdmlHostile, LongNamesInLoops) {
+  GdmlOptions options;
+  options.limits.max_loop_iterations = 10'000;
+  expect_refused(in_world("",
+                          "<loop for='i' from='1' to='4000' step='1'><orb name='" +
+                              std::string(2000, 'n') + "[i]' r='1'/></loop>",
+                          "<variable name='i' value='0'/>"),
+                 "loops make too long names", options);
+}
+
+TEST_F(GdmlHostile, DefinitionsThatCannotBeRead) {
+  expect_refused(in_world("", "", repeated("<constant name='c' value='1+'/>", 20'000)),
+                 "more than 10000 definitions cannot be read");
+}
+
 TEST_F(GdmlHostile, CountsOfCopies) {
   const auto replicas = [](const std::string& number) {
     return in_world("<replicavol number='" + number +

@@ -171,6 +171,12 @@ TEST_F(GdmlTolerant, AuxiliariesAnywhere) {
                       .structure = auxiliary + volume("W", auxiliary + physvol("D", auxiliary))}))
           .daughters.size(),
       1u);
+  silent(Gdml{.solids = "<polycone name='s' deltaphi='7'>" + auxiliary +
+                        "<zplane z='0' rmax='1'/><zplane z='1' rmax='1'>" + auxiliary +
+                        "</zplane></polycone><union name='u'><first ref='s'/>" + auxiliary +
+                        "<second ref='b'/></union>",
+              .structure = "<volume name='W'><solidref ref='u'>" + auxiliary +
+                           "</solidref><materialref ref='G4_AIR'/></volume>"});
 }
 
 TEST_F(GdmlTolerant, LongNames) {
