@@ -204,6 +204,9 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
       }
       out << " " << plan.rings.others.size() << " besides";
       break;
+    case Candidates::tree:
+      out << "by the hierarchy of boxes";
+      break;
     case Candidates::buckets:
     case Candidates::boxes:
       out << "buckets " << plan.buckets.count[0] << " x " << plan.buckets.count[1] << " x "

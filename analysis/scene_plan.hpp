@@ -90,6 +90,7 @@ enum class Candidates : std::uint8_t {
   rings,    ///< those of the sectors that the ray passes
   buckets,  ///< those of the buckets that the ray passes
   boxes,    ///< of those, the ones whose boxes it passes
+  tree,     ///< by the generic navigator's hierarchy of boxes; bound to data only
 };
 
 enum class SafetyFrom : std::uint8_t {

@@ -58,8 +58,7 @@ std::string SceneText::descend() const {
     table = true;
   text += "    default: ";
   text += table ? std::string(
-                      "navigators_of(context, daughters[k].volume)->settle(stack, "
-                      "context, ") +
+                      "settle_in_table(stack, context, daughters[k].volume, ") +
                       point_values + ", -1); return;\n"
                 : "__builtin_unreachable();\n";
   return text + "  }\n}\n";
@@ -89,7 +88,7 @@ std::string SceneText::leave_to_mother(const char* blocked) const {
     if (plan_.volume == geometry_.world().top) return "  --stack->depth;\n";
     return std::string(
                "  const StackLevel& outer = stack->levels[--stack->depth];\n"
-               "  navigators_of(context, outer.volume)->settle(stack, context, ") +
+               "  settle_in_table(stack, context, outer.volume, ") +
            point_values + ", static_cast<int>(" + blocked + "));\n";
   }
   const VolumeId mother = *plan_.only_mother;
@@ -97,8 +96,8 @@ std::string SceneText::leave_to_mother(const char* blocked) const {
     return "  --stack->depth;\n  reenter_" + id(first) + "(stack, context, " + point_values + ", " +
            blocked + ");\n";
   }
-  return "  --stack->depth;\n  navigators_of(context, " + id(mother) +
-         ")->settle(stack, context, " + point_values + ", static_cast<int>(" + blocked + "));\n";
+  return "  --stack->depth;\n  settle_in_table(stack, context, " + id(mother) +
+         ", " + point_values + ", static_cast<int>(" + blocked + "));\n";
 }
 
 std::string SceneText::reenter() const {
@@ -132,7 +131,7 @@ std::string SceneText::reenter() const {
 
 std::string SceneText::step(const std::string& symbol) const {
   std::string text = "extern \"C\" double " + symbol +
-                     "(Stack* stack, [[maybe_unused]] const Context* context, " + point_arguments +
+                     "(Stack* stack, [[maybe_unused]] const Context* context, const void*, " + point_arguments +
                      ", double limit) {\n";
   text +=
       "  const StackLevel& level = stack->levels[stack->depth];\n"
@@ -170,7 +169,7 @@ std::string SceneText::step(const std::string& symbol) const {
 
 std::string SceneText::settle(const std::string& symbol) const {
   std::string text = "extern \"C\" void " + symbol +
-                     "([[maybe_unused]] Stack* stack, [[maybe_unused]] const Context* context";
+                     "([[maybe_unused]] Stack* stack, [[maybe_unused]] const Context* context, const void*";
   for (const char* name : {"x", "y", "z"}) {
     text += std::string(", [[maybe_unused]] double ") + name;
   }

@@ -281,6 +281,7 @@ std::string SceneText::search() const {
   text += tables() + daughter_tests();
   switch (plan_.candidates) {
     case Candidates::none:
+    case Candidates::tree:
       break;
     case Candidates::lanes:
       text += search_lanes();

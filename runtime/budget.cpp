@@ -33,8 +33,8 @@ std::optional<double> error_at(const Geometry& geometry, const kernels::Context&
   generic::restore(geometry, stack, s.touchable);
   const Vec3 &p = s.point, &v = s.direction;
   kernels::set_ray(stack, v.x, v.y, v.z);
-  double length =
-      kernels::navigators_of(&context, s.volume)->step(&stack, &context, p.x, p.y, p.z, s.limit);
+  const kernels::Navigators& navigators = *kernels::navigators_of(&context, s.volume);
+  double length = navigators.step(&stack, &context, navigators.data, p.x, p.y, p.z, s.limit);
   if (length < 0) length = generic::step(geometry, stack, p, v, s.limit);
   stack.depth = -1;
   return reference.across(chain, p, v, length, right.length);

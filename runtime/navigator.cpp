@@ -46,8 +46,10 @@ double Navigator::safety(const State& from, const Vec3& point) {
   const Stack& stack = own_->stack;
   if (stack.depth < 0 || stack.levels[stack.depth].touchable != from.touchable()) restore(from);
   own_->presence->enter();
-  const double safety = kernels::navigators_of(context_, stack.levels[stack.depth].volume)
-                            ->safety(&stack, context_, point.x, point.y, point.z);
+  const kernels::Navigators& navigators =
+      *kernels::navigators_of(context_, stack.levels[stack.depth].volume);
+  const double safety =
+      navigators.safety(&stack, context_, navigators.data, point.x, point.y, point.z);
   own_->presence->leave();
   return safety;
 }
@@ -86,7 +88,7 @@ Step Navigator::recorded_step(const Vec3& point, const Vec3& direction, double l
   if (shadow_) {
     length = shadow(navigators, point, direction, limit);
   } else {
-    length = navigators.step(&stack, context_, point.x, point.y, point.z, limit);
+    length = navigators.step(&stack, context_, navigators.data, point.x, point.y, point.z, limit);
     if (length < 0) length = decline(point, direction, limit);
   }
   own.presence->leave();
@@ -104,7 +106,7 @@ double Navigator::shadow(const kernels::Navigators& navigators, const Vec3& poin
   Stack expected{};
   copy(own_->stack, expected);
   const double right = generic::step(shared_->geometry, expected, point, direction, limit);
-  double length = navigators.step(&own_->stack, context_, point.x, point.y, point.z, limit);
+  double length = navigators.step(&own_->stack, context_, navigators.data, point.x, point.y, point.z, limit);
   if (length < 0) length = decline(point, direction, limit);
   if (std::memcmp(&length, &right, sizeof length) != 0 || !identical(own_->stack, expected)) {
     ++own_->counts.differences;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "analysis/plan.hpp"
+#include "codegen/data/bind.hpp"
 #include "geometry/navigation/generic.hpp"
 #include "jit/activity.hpp"
 #include "runtime/fingerprint.hpp"
@@ -239,6 +241,34 @@ bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& reco
   report.specialised_ns_per_step = specialised_ns;
   report.swapped_at_s = pays ? seconds() : 0;
   return true;
+}
+
+void Specialiser::bind_to_data(VolumeId volume) {
+  const Geometry& geometry = shared_->geometry;
+  const kernels::Context& context = shared_->table.context();
+  ScenePlan plan = plan_scene(geometry, facts_, volume);
+  std::vector<Sample> samples = samples_[volume];
+  const std::vector<Sample> made_up = sampler_.states(volume, 64, volume + 1);
+  samples.insert(samples.end(), made_up.begin(), made_up.end());
+  if (geometry.scene(volume).boxes && plan.candidates != Candidates::plates) {
+    codegen::Arena scratch;
+    const kernels::Navigators* planned = codegen::bind_to_data(geometry, plan, scratch);
+    ScenePlan by_tree = plan;
+    by_tree.candidates = Candidates::tree;
+    const kernels::Navigators* other = codegen::bind_to_data(geometry, by_tree, scratch);
+    if (time_per_step(geometry, context, *other, samples) <
+        time_per_step(geometry, context, *planned, samples))
+      plan = by_tree;
+  }
+  const kernels::Navigators* bound = codegen::bind_to_data(geometry, plan, *arena_);
+  const std::string problem = verify(geometry, context, *bound, volume, samples);
+  if (!problem.empty()) {
+    note_failure(volume, problem);
+    return;
+  }
+  shared_->table.install(volume, bound, arena_);
+  const std::lock_guard lock(mutex_);
+  scenes_[volume].status = SceneStatus::specialised;
 }
 
 void Specialiser::install_plugin(const std::string& path) {

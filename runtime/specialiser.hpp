@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "analysis/facts.hpp"
+#include "codegen/data/arena.hpp"
 #include "codegen/module.hpp"
 #include "runtime/code_maker.hpp"
 #include "runtime/hot_list.hpp"
@@ -104,6 +105,7 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
   std::shared_ptr<detail::Shared> shared_;
   WorldFacts facts_;
   StateSampler sampler_;
+  std::shared_ptr<codegen::Arena> arena_ = std::make_shared<codegen::Arena>();
   std::unique_ptr<CodeMaker> maker_;      ///< null: nothing is ever specialised
   bool hopeless_ = false;                 ///< nothing can be compiled in this process
   std::set<VolumeId> left_out_too_much_;  ///< of equal volumes the first

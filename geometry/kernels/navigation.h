@@ -3,7 +3,7 @@
 // of their binary interface (abi_version).
 namespace navjit::kernels {
 
-constexpr unsigned abi_version = 4;
+constexpr unsigned abi_version = 5;
 constexpr int stack_levels = 64;
 
 /// One level: a placed volume and its frame in the world, local = rotation * (global -
@@ -47,26 +47,31 @@ struct Stack {
 struct Context;
 
 // The direction of steps, and of relocation behind them, is the stack's ray (set_ray): in memory it
-// takes no registers, all of which a call would have to save.
+// takes no registers, all of which a call would have to save. `data` is Navigators::data.
 
 /// A step from the global point (x, y, z) at most `limit` long. Gives its length and leaves the
 /// stack at the next touchable. A negative result: this navigator does not take the state; the
 /// stack is unchanged.
-using StepFunction = double (*)(Stack*, const Context*, double x, double y, double z, double limit);
+using StepFunction = double (*)(Stack*, const Context*, const void* data, double x, double y,
+                                double z, double limit);
 /// The point has just come into the innermost level: from outside (blocked < 0), then it is known
 /// to be in it; or out of its daughter `blocked`, then it may have to leave this level too. Brings
 /// the stack to the deepest touchable with the point.
-using SettleFunction = void (*)(Stack*, const Context*, double x, double y, double z, int blocked);
+using SettleFunction = void (*)(Stack*, const Context*, const void* data, double x, double y,
+                                double z, int blocked);
 
 /// A lower bound (mm, >= 0) of the distance from a global point to the nearest boundary of the
 /// innermost volume or of its daughters.
-using SafetyFunction = double (*)(const Stack*, const Context*, double x, double y, double z);
+using SafetyFunction = double (*)(const Stack*, const Context*, const void* data, double x,
+                                  double y, double z);
 
 /// What navigates one volume: immutable, published by one atomic pointer.
 struct Navigators {
   StepFunction step;
   SettleFunction settle;
   SafetyFunction safety;
+  /// The numbers of the scene, where the code is shared by all scenes of its structure; else null.
+  const void* data = nullptr;
 };
 
 /// What navigators need besides the stack; generated code reaches everything through it.
@@ -78,6 +83,13 @@ struct Context {
 /// The record of a volume, as other threads published it.
 inline const Navigators* navigators_of(const Context* context, unsigned volume) {
   return __atomic_load_n(context->table + volume, __ATOMIC_ACQUIRE);
+}
+
+/// Relocation in a volume that the table knows how to navigate: see SettleFunction.
+inline void settle_in_table(Stack* stack, const Context* context, unsigned volume, double x,
+                            double y, double z, int blocked) {
+  const Navigators* navigators = navigators_of(context, volume);
+  navigators->settle(stack, context, navigators->data, x, y, z, blocked);
 }
 
 // Canonical composition and application; docs/numerics.md has the rules. The branches vanish where

@@ -337,25 +337,25 @@ Vec3 direction_of(const Stack& stack) {
   return {stack.ray.given[0], stack.ray.given[1], stack.ray.given[2]};
 }
 
-double step_record(Stack* stack, const kernels::Context* context, double x, double y, double z,
-                   double limit) {
+double step_record(Stack* stack, const kernels::Context* context, const void*, double x, double y,
+                   double z, double limit) {
   return step(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z},
               direction_of(*stack), limit);
 }
 
-void settle_record(Stack* stack, const kernels::Context* context, double x, double y, double z,
-                   int blocked) {
+void settle_record(Stack* stack, const kernels::Context* context, const void*, double x, double y,
+                   double z, int blocked) {
   settle(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z}, direction_of(*stack),
          blocked);
 }
 
-double safety_record(const Stack* stack, const kernels::Context* context, double x, double y,
-                     double z) {
+double safety_record(const Stack* stack, const kernels::Context* context, const void*, double x,
+                     double y, double z) {
   return safety(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z});
 }
 
 }  // namespace
 
-const kernels::Navigators navigators{step_record, settle_record, safety_record};
+const kernels::Navigators navigators{step_record, settle_record, safety_record, nullptr};
 
 }  // namespace navjit::generic

@@ -116,7 +116,7 @@ TEST(NavigatorTable, FreesReplacedRecordsWhileThreadsNavigate) {
             presence->enter();
             const auto volume = stack->levels[stack->depth].volume;
             const kernels::Navigators* n = kernels::navigators_of(&table.context(), volume);
-            p.x += n->step(stack.get(), &table.context(), p.x, p.y, p.z, 1e9);
+            p.x += n->step(stack.get(), &table.context(), n->data, p.x, p.y, p.z, 1e9);
             presence->leave();
           }
         }

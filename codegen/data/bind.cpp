@@ -1,0 +1,49 @@
+#include "codegen/data/bind.hpp"
+
+#include <algorithm>
+
+#include "codegen/data/instances.hpp"
+#include "geometry/navigation/generic.hpp"
+
+namespace navjit::codegen {
+
+bool all_boxes(const Scene& scene) {
+  return std::all_of(scene.daughters.begin(), scene.daughters.end(), [](const Daughter& d) {
+    return d.solid.kind == SolidKind::box && !d.transformation.rotated;
+  });
+}
+
+bool all_of_kind(const Scene& scene, SolidKind kind) {
+  return std::all_of(scene.daughters.begin(), scene.daughters.end(),
+                     [&](const Daughter& d) { return d.solid.kind == kind; });
+}
+
+kernels::SafetyFunction detail::generic_safety() { return generic::navigators.safety; }
+
+const kernels::Navigators* bind_to_data(const Geometry& geometry, const ScenePlan& plan,
+                                        Arena& arena) {
+  if (plan.frame.never_rotated) return bind_unrotated(geometry, plan, arena);
+  if (plan.frame.only_rotation) return bind_turned(geometry, plan, arena);
+  return bind_any_frame(geometry, plan, arena);
+}
+
+std::string structure_of(const Geometry& geometry, const ScenePlan& plan) {
+  const Scene& scene = geometry.scene(plan.volume);
+  std::string text = plan.frame.never_rotated   ? "unrotated "
+                     : plan.frame.only_rotation ? "turned "
+                                                : "";
+  text += scene.solid.kind == SolidKind::box    ? "box"
+          : scene.solid.kind == SolidKind::tube ? "tube"
+                                                : "solid";
+  static constexpr const char* searches[] = {
+      "",           ", all of",     ", all of",       ", plates of", ", shells of",
+      ", rings of", ", buckets of", ", boxes around", ", tree of"};
+  text += searches[static_cast<int>(plan.candidates)];
+  if (scene.daughters.empty()) return text;
+  const bool round = plan.candidates == Candidates::shells || plan.candidates == Candidates::rings;
+  return text + (!round && all_boxes(scene)                      ? " boxes"
+                 : !round && all_of_kind(scene, SolidKind::tube) ? " tubes"
+                                                                 : " solids");
+}
+
+}  // namespace navjit::codegen

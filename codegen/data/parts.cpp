@@ -1,0 +1,316 @@
+#include "codegen/data/parts.hpp"
+
+#include <functional>
+#include <limits>
+#include <map>
+
+#include "geometry/bvh/rounding.hpp"
+#include "geometry/solids/extent.hpp"
+
+namespace navjit::codegen {
+namespace {
+
+using namespace kernels;
+
+template <class Shape>
+const Shape& shape_of(const kernels::AnySolid<double>& solid) {
+  return *static_cast<const Shape*>(solid.shape);
+}
+
+bool is_leaf(const Source& source, VolumeId volume) {
+  return source.geometry.scene(volume).daughters.empty();
+}
+
+/// The solid with its numbers beside those of the scene, where that is all there is to it.
+kernels::AnySolid<double> nearby(const Source& source, const kernels::AnySolid<double>& solid) {
+  return kernels::visit(solid, [&](const auto& shape) -> kernels::AnySolid<double> {
+    using Shape = std::decay_t<decltype(shape)>;
+    constexpr bool plain =
+        std::is_same_v<Shape, Box<double>> || std::is_same_v<Shape, Tube<double>> ||
+        std::is_same_v<Shape, Cone<double>> || std::is_same_v<Shape, Trd<double>> ||
+        std::is_same_v<Shape, Trap<double>>;
+    if constexpr (plain) {
+      Shape* copy = source.arena.array<Shape>(1);
+      *copy = shape;
+      return {solid.kind, copy};
+    } else {
+      return solid;
+    }
+  });
+}
+
+/// Kernels that cost so much more than a slab test that their box goes first.
+bool costly(SolidKind kind) {
+  return kind != SolidKind::box && kind != SolidKind::tube && kind != SolidKind::cone;
+}
+
+/// Eight boxes; those for which there is none are empty.
+BoxBlock block_of(const std::function<const Extent*(std::size_t)>& box) {
+  BoxBlock block;
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  for (std::size_t lane = 0; lane < box_lanes; ++lane) {
+    const Extent* e = box(lane);
+    const double low[3] = {e ? e->min.x : 0, e ? e->min.y : 0, e ? e->min.z : 0};
+    const double high[3] = {e ? e->max.x : 0, e ? e->max.y : 0, e ? e->max.z : 0};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      block.low[axis][lane] = e ? bvh::float_below(low[axis]) : infinite;
+      block.high[axis][lane] = e ? bvh::float_above(high[axis]) : -infinite;
+    }
+  }
+  return block;
+}
+
+template <class Grid>
+void fill_grid(const Buckets& buckets, Grid& grid) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    grid.count[a] = buckets.count[a];
+    grid.origin[a] = buckets.origin[a];
+    grid.width[a] = buckets.width[a];
+    grid.per_mm[a] = 1 / buckets.width[a];
+  }
+}
+
+/// Up to so many daughters beside a pattern are asked one by one, more by their boxes.
+constexpr std::size_t few_others = 2;
+
+Beside<Index> make_beside(const Source& source, const std::vector<std::uint32_t>& others) {
+  Beside<Index> beside{};
+  if (others.size() <= few_others) {
+    beside.few = source.arena.copy(others);
+    beside.few_count = static_cast<unsigned>(others.size());
+    return beside;
+  }
+  const std::size_t blocks = (others.size() + box_lanes - 1) / box_lanes;
+  auto* made = source.arena.array<BoxBlock>(blocks);
+  auto* daughters = source.arena.array<Index[box_lanes]>(blocks);
+  for (std::size_t b = 0; b < blocks; ++b) {
+    made[b] = block_of([&](std::size_t lane) {
+      const std::size_t i = b * box_lanes + lane;
+      return i < others.size() ? &source.plan.boxes[others[i]] : nullptr;
+    });
+    for (std::size_t lane = 0; lane < box_lanes && b * box_lanes + lane < others.size(); ++lane) {
+      daughters[b][lane] = others[b * box_lanes + lane];
+    }
+  }
+  beside.blocks = made;
+  beside.in_block = daughters;
+  beside.block_count = static_cast<unsigned>(blocks);
+  return beside;
+}
+
+}  // namespace
+
+void make(const Source&, UnrotatedFrame&) {}
+void make(const Source& source, TurnedFrame& frame) { frame.rotation = source.plan.frame.rotation; }
+void make(const Source&, AnyFrame&) {}
+
+void make(const Source& source, Box<double>& mother) {
+  mother = shape_of<Box<double>>(source.scene.solid);
+}
+void make(const Source& source, Tube<double>& mother) {
+  mother = shape_of<Tube<double>>(source.scene.solid);
+}
+void make(const Source& source, QuickSolid& mother) {
+  mother.any = nearby(source, source.scene.solid);
+}
+
+void make(const Source&, NoDaughters&) {}
+
+void make(const Source& source, BoxDaughters& daughters) {
+  const auto& from = source.scene.daughters;
+  auto* at = source.arena.array<BoxDaughter>(from.size());
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const auto& box = shape_of<Box<double>>(from[k].solid);
+    const double* t = from[k].transformation.translation;
+    at[k] = {t[0],           t[1],           t[2],
+             box.hx,         box.hy,         box.hz,
+             from[k].offset, from[k].volume, is_leaf(source, from[k].volume) ? 1U : 0U};
+  }
+  daughters = {at, static_cast<unsigned>(from.size())};
+}
+
+namespace {
+
+template <class Solid>
+Solid as(const kernels::AnySolid<double>& solid) {
+  if constexpr (std::is_same_v<Solid, QuickSolid>) {
+    return {solid};
+  } else {
+    return {static_cast<decltype(Solid::shape)>(solid.shape)};
+  }
+}
+
+template <class Solid>
+void make_solids(const Source& source, SolidDaughters<Solid>& daughters) {
+  const auto& from = source.scene.daughters;
+  auto* at = source.arena.array<SolidDaughter<Solid>>(from.size());
+  navjit::Vec3(*boxes)[2] = nullptr;
+  std::map<const void*, kernels::AnySolid<double>> shapes;
+  for (const Daughter& d : from) {
+    if (!shapes.contains(d.solid.shape)) shapes[d.solid.shape] = nearby(source, d.solid);
+  }
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const Daughter& d = from[k];
+    const Transformation& t = d.transformation;
+    const bool boxed = costly(d.solid.kind);
+    at[k] = {t.translation[0],
+             t.translation[1],
+             t.translation[2],
+             t.rotated ? t.rotation : nullptr,
+             as<Solid>(shapes.at(d.solid.shape)),
+             d.offset,
+             d.volume,
+             is_leaf(source, d.volume),
+             boxed};
+    if (!boxed) continue;
+    if (boxes == nullptr) boxes = source.arena.array<navjit::Vec3[2]>(from.size());
+    // Far more than any rounding, far less than any dimension.
+    const Extent& e = source.geometry.world().volumes[d.volume].solid.extent;
+    const double tolerance = source.geometry.tolerance();
+    const double scale = std::max(1.0, largest_coordinate(e));
+    const Extent box = inflated(e, 2 * tolerance + 1e-9 * std::max(scale, tolerance * 1e9));
+    boxes[k][0] = box.min;
+    boxes[k][1] = box.max;
+  }
+  daughters = {at, boxes, static_cast<unsigned>(from.size())};
+}
+
+}  // namespace
+
+void make(const Source& source, AnyDaughters& daughters) { make_solids(source, daughters); }
+void make(const Source& source, TubeDaughters& daughters) { make_solids(source, daughters); }
+
+void make(const Source&, NoSearch&) {}
+void make(const Source&, SearchAll&) {}
+
+void make(const Source& source, SearchPlates<Index>& search) {
+  const Plates& s = source.plan.plates;
+  std::vector<std::uint32_t> position(s.members.size());
+  for (std::uint32_t i = 0; i < s.members.size(); ++i) position[s.members[i]] = i;
+  Arena& arena = source.arena;
+  search.plates = {static_cast<int>(s.members.size()),
+                   arena.copy(s.low),
+                   arena.copy(s.high),
+                   arena.copy(s.members),
+                   arena.copy(position),
+                   s.skin,
+                   s.origin,
+                   1 / s.width,
+                   static_cast<int>(s.ascending.size()),
+                   arena.copy(s.ascending),
+                   arena.copy(s.descending)};
+  search.axis = s.axis;
+}
+
+void make(const Source& source, SearchBuckets<Index>& search) {
+  const Buckets& b = source.plan.buckets;
+  fill_grid(b, search.grid);
+  search.grid.first = source.arena.copy(b.first);
+  search.grid.members = source.arena.copy(b.members);
+}
+
+void make(const Source& source, SearchBoxes<Index>& search) {
+  const Buckets& b = source.plan.buckets;
+  fill_grid(b, search.grid);
+  std::vector<std::uint32_t> first{0};
+  for (std::size_t bucket = 0; bucket < b.size(); ++bucket) {
+    const std::uint32_t members = b.first[bucket + 1] - b.first[bucket];
+    first.push_back(first.back() + (members + box_lanes - 1) / box_lanes);
+  }
+  auto* blocks = source.arena.array<BoxBlock>(first.back());
+  auto* daughters = source.arena.array<Index[box_lanes]>(first.back());
+  for (std::size_t bucket = 0; bucket < b.size(); ++bucket) {
+    const std::uint32_t* members = b.members.data() + b.first[bucket];
+    const std::uint32_t count = b.first[bucket + 1] - b.first[bucket];
+    for (std::uint32_t n = 0; n < first[bucket + 1] - first[bucket]; ++n) {
+      const auto daughter = [&](std::size_t lane) { return n * box_lanes + lane; };
+      blocks[first[bucket] + n] = block_of([&](std::size_t lane) {
+        return daughter(lane) < count ? &source.plan.boxes[members[daughter(lane)]] : nullptr;
+      });
+      for (std::size_t lane = 0; lane < box_lanes && daughter(lane) < count; ++lane) {
+        daughters[first[bucket] + n][lane] = members[daughter(lane)];
+      }
+    }
+  }
+  search.grid.first = source.arena.copy(first);
+  search.grid.blocks = blocks;
+  search.grid.daughters = daughters;
+}
+
+void make(const Source& source, SearchTree& search) { search.tree = source.scene.boxes.get(); }
+
+void make(const Source& source, SearchShells<Index>& search) {
+  const Shells& s = source.plan.shells;
+  search.shells = {static_cast<int>(s.members.size()),
+                   source.arena.copy(s.near2),
+                   source.arena.copy(s.far2),
+                   source.arena.copy(s.members),
+                   s.ends,
+                   s.low,
+                   s.high};
+  search.beside = make_beside(source, s.others);
+  search.axis = s.axis;
+}
+
+void make(const Source& source, SearchRings<Index>& search) {
+  const Rings& r = source.plan.rings;
+  Arena& arena = source.arena;
+  auto* rings = arena.array<RingSectors<Index>>(r.rings.size());
+  for (std::size_t i = 0; i < r.rings.size(); ++i) {
+    const Ring& ring = r.rings[i];
+    auto* edges = arena.array<double[2]>(ring.edges.size());
+    for (std::size_t s = 0; s < ring.edges.size(); ++s) {
+      edges[s][0] = ring.edges[s][0];
+      edges[s][1] = ring.edges[s][1];
+    }
+    const double near = std::max(ring.near, 0.0);
+    const std::size_t cells = ring.at_angle.size();
+    rings[i] = {near * near,
+                ring.far * ring.far,
+                ring.low,
+                ring.high,
+                ring.hole,
+                ring.outside,
+                ring.ends,
+                ring.steps,
+                edges,
+                arena.copy(ring.at_angle),
+                static_cast<double>(cells) / 4,
+                static_cast<int>(cells),
+                ring.reach,
+                arena.copy(ring.first),
+                arena.copy(ring.members)};
+  }
+  search.rings = rings;
+  search.count = static_cast<unsigned>(r.rings.size());
+  search.beside = make_beside(source, r.others);
+  search.axis = r.axis;
+}
+
+const NearDaughter* make_near(const Source& source) {
+  const Surroundings& s = source.scene.surroundings;
+  auto* near = source.arena.array<NearDaughter>(s.of.size());
+  for (std::size_t k = 0; k < s.of.size(); ++k) {
+    const Surroundings::Of& of = s.of[k];
+    const Extent& b = of.box;
+    near[k] = {{bvh::float_above(b.min.x), bvh::float_above(b.min.y), bvh::float_above(b.min.z)},
+               {bvh::float_below(b.max.x), bvh::float_below(b.max.y), bvh::float_below(b.max.z)},
+               of.first,
+               of.listed() ? of.count : NearDaughter::unlisted,
+               of.mother_contains};
+  }
+  return near;
+}
+
+const BoxBlock* make_boxes(const Source& source, const std::vector<Extent>& boxes) {
+  auto* blocks = source.arena.array<BoxBlock>((boxes.size() + box_lanes - 1) / box_lanes);
+  for (std::size_t b = 0; b * box_lanes < boxes.size(); ++b) {
+    blocks[b] = block_of([&](std::size_t lane) {
+      const std::size_t k = b * box_lanes + lane;
+      return k < boxes.size() ? &boxes[k] : nullptr;
+    });
+  }
+  return blocks;
+}
+
+}  // namespace navjit::codegen

@@ -1,0 +1,76 @@
+// The parts of a data-bound scene, made from its plan.
+#pragma once
+
+#include "analysis/scene_plan.hpp"
+#include "codegen/data/arena.hpp"
+#include "codegen/data/quick_solid.hpp"
+#include "geometry/bvh/box_tree_traversal.hpp"
+#include "geometry/navigation/geometry.hpp"
+#include "geometry/navigation/scene.hpp"
+
+namespace navjit::codegen {
+
+using Index = unsigned;
+using AnyDaughters = kernels::SolidDaughters<kernels::QuickSolid>;
+using TubeDaughters = kernels::SolidDaughters<kernels::KnownSolid<kernels::Tube<double>>>;
+
+/// The daughters whose boxes the ray meets, by the generic navigator's hierarchy.
+struct SearchTree {
+  const bvh::BoxTree* tree;
+
+  template <class Daughters>
+  [[gnu::always_inline]] int find(const Daughters& d, const Vec3& p, const Direction& v,
+                                  int blocked, double tol) const {
+    kernels::LastThatHolds<Daughters> last{d, p, v, blocked, tol};
+    tree->containing(p, [&](unsigned k) {
+      last(k);
+      return true;
+    });
+    return last.found;
+  }
+  template <class Daughters>
+  [[gnu::always_inline]] int nearest(const Daughters& d, const Vec3& p, const Direction& v,
+                                     double& best, double limit, unsigned, double tol) const {
+    kernels::NearestAhead<Daughters> nearest{d, p, v, best, limit, tol};
+    tree->along_ray(p, v, std::min(limit, best), [&](unsigned k, double) {
+      nearest(k);
+      return std::min(limit, best);
+    });
+    return nearest.hit;
+  }
+};
+
+/// What parts are made from.
+struct Source {
+  const Geometry& geometry;
+  const ScenePlan& plan;
+  const Scene& scene;
+  Arena& arena;
+};
+
+// Each overload fills in one part.
+void make(const Source& source, kernels::UnrotatedFrame& frame);
+void make(const Source& source, kernels::TurnedFrame& frame);
+void make(const Source& source, kernels::AnyFrame& frame);
+void make(const Source& source, kernels::Box<double>& mother);
+void make(const Source& source, kernels::Tube<double>& mother);
+void make(const Source& source, kernels::QuickSolid& mother);
+void make(const Source& source, kernels::NoDaughters& daughters);
+void make(const Source& source, kernels::BoxDaughters& daughters);
+void make(const Source& source, AnyDaughters& daughters);
+void make(const Source& source, TubeDaughters& daughters);
+void make(const Source& source, kernels::NoSearch& search);
+void make(const Source& source, kernels::SearchAll& search);
+void make(const Source& source, kernels::SearchPlates<Index>& search);
+void make(const Source& source, kernels::SearchBuckets<Index>& search);
+void make(const Source& source, kernels::SearchBoxes<Index>& search);
+void make(const Source& source, SearchTree& search);
+void make(const Source& source, kernels::SearchShells<Index>& search);
+void make(const Source& source, kernels::SearchRings<Index>& search);
+
+/// What is around each daughter; null if the scene does not use it.
+const kernels::NearDaughter* make_near(const Source& source);
+/// Boxes of all daughters in file order, eight to a block.
+const kernels::BoxBlock* make_boxes(const Source& source, const std::vector<Extent>& boxes);
+
+}  // namespace navjit::codegen

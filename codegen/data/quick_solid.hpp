@@ -1,0 +1,66 @@
+// Daughters' solids of data-bound scenes: of any kind, and all of one kind.
+#pragma once
+
+#include "geometry/solids/any_solid.hpp"
+
+namespace navjit::kernels {
+
+// Out of line: a switch over all kinds is much code, and instances inline all that they see.
+bool contains_any(const AnySolid<double>& s, const Vec3<double>& p, const Direction<double>& v,
+                  double tol);
+double distance_to_in_any(const AnySolid<double>& s, const Vec3<double>& p,
+                          const Direction<double>& v, double tol);
+double distance_to_out_any(const AnySolid<double>& s, const Vec3<double>& p,
+                           const Direction<double>& v, double tol);
+double safety_to_in_any(const AnySolid<double>& s, const Vec3<double>& p);
+double safety_to_out_any(const AnySolid<double>& s, const Vec3<double>& p);
+
+/// Any solid; boxes, the commonest, go before the others.
+struct QuickSolid {
+  AnySolid<double> any;
+
+  bool is_box() const { return any.kind == SolidKind::box; }
+  const Box<double>& box() const { return *static_cast<const Box<double>*>(any.shape); }
+};
+
+inline bool contains(const QuickSolid& s, const Vec3<double>& p, const Direction<double>& v,
+                     double tol) {
+  return s.is_box() ? contains(s.box(), p, v, tol) : contains_any(s.any, p, v, tol);
+}
+inline double distance_to_in(const QuickSolid& s, const Vec3<double>& p, const Direction<double>& v,
+                             double tol) {
+  return s.is_box() ? distance_to_in(s.box(), p, v, tol) : distance_to_in_any(s.any, p, v, tol);
+}
+inline double distance_to_out(const QuickSolid& s, const Vec3<double>& p,
+                              const Direction<double>& v, double tol) {
+  return distance_to_out_any(s.any, p, v, tol);
+}
+inline double safety_to_in(const QuickSolid& s, const Vec3<double>& p) {
+  return safety_to_in_any(s.any, p);
+}
+inline double safety_to_out(const QuickSolid& s, const Vec3<double>& p) {
+  return safety_to_out_any(s.any, p);
+}
+
+/// A solid that is known to be of this kind.
+template <class Shape>
+struct KnownSolid {
+  const Shape* shape;
+};
+
+template <class Shape>
+bool contains(const KnownSolid<Shape>& s, const Vec3<double>& p, const Direction<double>& v,
+              double tol) {
+  return contains(*s.shape, p, v, tol);
+}
+template <class Shape>
+double distance_to_in(const KnownSolid<Shape>& s, const Vec3<double>& p, const Direction<double>& v,
+                      double tol) {
+  return distance_to_in(*s.shape, p, v, tol);
+}
+template <class Shape>
+double safety_to_in(const KnownSolid<Shape>& s, const Vec3<double>& p) {
+  return safety_to_in(*s.shape, p);
+}
+
+}  // namespace navjit::kernels

@@ -1,0 +1,10 @@
+#include "codegen/data/instances.hpp"
+
+namespace navjit::codegen {
+
+const kernels::Navigators* bind_unrotated(const Geometry& geometry, const ScenePlan& plan,
+                                          Arena& arena) {
+  return detail::bind_mother<kernels::UnrotatedFrame>(geometry, plan, arena);
+}
+
+}  // namespace navjit::codegen

@@ -1,0 +1,122 @@
+// The daughters of a scene, by number: whether one holds a point, how far along a ray it is, how
+// far away, and the level of the stack that it becomes. Each kind of scene has the kind of table
+// that it needs and no more: a table of boxes has their sizes beside their places.
+namespace navjit::kernels {
+
+/// A scene without daughters.
+struct NoDaughters {
+  static constexpr bool any = false;
+};
+
+/// A box placed without a rotation; a cache line.
+struct BoxDaughter {
+  double x, y, z;     ///< of its centre in the mother's frame, mm
+  double hx, hy, hz;  ///< half lengths, mm
+  unsigned long long offset;
+  unsigned volume;
+  unsigned leaf;  ///< has no daughters of its own
+};
+
+struct BoxDaughters {
+  static constexpr bool any = true;
+  const BoxDaughter* at;
+  unsigned count;
+
+  [[gnu::always_inline]] bool holds(unsigned k, const Vec3<double>& p, const Direction<double>& v,
+                                    double tol) const {
+    const BoxDaughter& d = at[k];
+    return contains(Box<double>{d.hx, d.hy, d.hz}, Vec3<double>{p.x - d.x, p.y - d.y, p.z - d.z}, v,
+                    tol);
+  }
+  [[gnu::always_inline]] double distance(unsigned k, const Vec3<double>& p,
+                                         const Direction<double>& v, double, double tol) const {
+    const BoxDaughter& d = at[k];
+    return distance_to_in(Box<double>{d.hx, d.hy, d.hz},
+                          Vec3<double>{p.x - d.x, p.y - d.y, p.z - d.z}, v, tol);
+  }
+  [[gnu::always_inline]] double away(unsigned k, const Vec3<double>& p) const {
+    const BoxDaughter& d = at[k];
+    return safety_to_in(Box<double>{d.hx, d.hy, d.hz},
+                        Vec3<double>{p.x - d.x, p.y - d.y, p.z - d.z});
+  }
+  template <class Frame>
+  [[gnu::always_inline]] void push(Stack* stack, unsigned k) const {
+    const BoxDaughter& d = at[k];
+    if (!Frame::rotated && stack->levels[stack->depth].rotation != nullptr) {
+      __builtin_unreachable();
+    }
+    push_translated(stack, d.volume, k, d.offset, d.x, d.y, d.z);
+  }
+};
+
+/// Any solid, placed in any way; a cache line.
+template <class Solid>
+struct SolidDaughter {
+  double x, y, z;          ///< translation in the mother's frame, mm
+  const double* rotation;  ///< null: none
+  Solid solid;
+  unsigned long long offset;
+  unsigned volume;
+  unsigned short leaf;   ///< has no daughters of its own
+  unsigned short boxed;  ///< its solid is costly: its box is tested before
+};
+
+template <class Solid>
+struct SolidDaughters {
+  static constexpr bool any = true;
+  const SolidDaughter<Solid>* at;
+  const Vec3<double> (*boxes)[2];  ///< corners of the solids' boxes, with a margin
+  unsigned count;
+
+  static Vec3<double> turned(const double* r, double x, double y, double z) {
+    return {r[0] * x + r[1] * y + r[2] * z, r[3] * x + r[4] * y + r[5] * z,
+            r[6] * x + r[7] * y + r[8] * z};
+  }
+  [[gnu::always_inline]] static Vec3<double> local(const SolidDaughter<Solid>& d,
+                                                   const Vec3<double>& p) {
+    const double x = p.x - d.x, y = p.y - d.y, z = p.z - d.z;
+    return d.rotation == nullptr ? Vec3<double>{x, y, z} : turned(d.rotation, x, y, z);
+  }
+  [[gnu::always_inline]] bool holds(unsigned k, const Vec3<double>& p, const Direction<double>& v,
+                                    double tol) const {
+    const SolidDaughter<Solid>& d = at[k];
+    const Vec3<double> q = local(d, p);
+    if (d.boxed && !is_in_box(boxes[k][0], boxes[k][1], q)) return false;
+    if (d.rotation == nullptr) return contains(d.solid, q, v, tol);
+    const Vec3<double> u = turned(d.rotation, v.x, v.y, v.z);
+    return contains(d.solid, q, make_heading<double>(u.x, u.y, u.z), tol);
+  }
+  [[gnu::always_inline]] double distance(unsigned k, const Vec3<double>& p,
+                                         const Direction<double>& v, double reach,
+                                         double tol) const {
+    const SolidDaughter<Solid>& d = at[k];
+    const Vec3<double> q = local(d, p);
+    if (d.rotation == nullptr) {
+      if (d.boxed && !may_meet_box(boxes[k][0], boxes[k][1], q, v, reach)) {
+        return infinity<double>();
+      }
+      return distance_to_in(d.solid, q, v, tol);
+    }
+    const Vec3<double> u = turned(d.rotation, v.x, v.y, v.z);
+    const Direction<double> e = make_direction<double>(u.x, u.y, u.z);
+    if (d.boxed && !may_meet_box(boxes[k][0], boxes[k][1], q, e, reach)) return infinity<double>();
+    return distance_to_in(d.solid, q, e, tol);
+  }
+  [[gnu::always_inline]] double away(unsigned k, const Vec3<double>& p) const {
+    return safety_to_in(at[k].solid, local(at[k], p));
+  }
+  template <class Frame>
+  [[gnu::always_inline]] void push(Stack* stack, unsigned k) const {
+    const SolidDaughter<Solid>& d = at[k];
+    if (!Frame::rotated && stack->levels[stack->depth].rotation != nullptr) {
+      __builtin_unreachable();
+    }
+    if (d.rotation == nullptr) {
+      push_translated(stack, d.volume, k, d.offset, d.x, d.y, d.z);
+    } else {
+      push_rotated(stack, d.volume, k, d.offset, d.x, d.y, d.z, d.rotation);
+    }
+  }
+};
+
+}  // namespace navjit::kernels

@@ -1,0 +1,145 @@
+// How a scene is navigated: the one template of all navigators that are not generic. Its parts are
+// types (frame, mother's solid, daughters, search), its numbers are data: a struct in memory, or
+// constants that fold. Gives the bits of the generic navigator, and leaves to it (a negative
+// result) only steps of length zero, which are relocated with more care than pays here.
+namespace navjit::kernels {
+
+/// Of a daughter: a box within which tracks leave it, and the neighbours, the only ones that can
+/// contain such a point (navjit::Surroundings). Half a cache line.
+struct NearDaughter {
+  float low[3], high[3];  ///< rounded inwards
+  unsigned first;
+  unsigned short count;
+  unsigned short mother_contains;  ///< all of the box
+
+  static constexpr unsigned short unlisted = 0xffff;
+};
+
+inline bool is_there(const NearDaughter& a, const Vec3<double>& p) {
+  return (p.x >= a.low[0]) & (p.x <= a.high[0]) & (p.y >= a.low[1]) & (p.y <= a.high[1]) &
+         (p.z >= a.low[2]) & (p.z <= a.high[2]);
+}
+
+template <class Frame, class Mother, class Daughters, class Search>
+struct Scene {
+  using frame_type = Frame;
+  double tolerance;
+  Frame frame;
+  Mother mother;
+  Daughters daughters;
+  Search search;
+  const NearDaughter* near;    ///< by daughter; null: not used
+  const unsigned* neighbours;  ///< of daughters, as `near` counts them
+  /// Of daughters, for safety, in file order; null: every one is asked.
+  const BoxBlock* boxes;
+  unsigned box_blocks;
+};
+
+/// Into the daughter just pushed, and further down.
+template <class S>
+[[gnu::always_inline]] inline void descend_into(const S& s, Stack* stack, const Context* context,
+                                                unsigned k, double x, double y, double z) {
+  const auto& d = s.daughters.at[k];
+  if (d.leaf) return;
+  settle_in_table(stack, context, d.volume, x, y, z, -1);
+}
+
+/// The innermost level has been left: relocates in its mother.
+[[gnu::always_inline]] inline void leave_level(Stack* stack, const Context* context, double x,
+                                               double y, double z) {
+  const unsigned left = stack->levels[stack->depth].daughter;
+  if (--stack->depth < 0) return;
+  settle_in_table(stack, context, stack->levels[stack->depth].volume, x, y, z,
+                  static_cast<int>(left));
+}
+
+template <class S>
+[[gnu::always_inline]] inline double step_in(const S& s, Stack* stack, const Context* context,
+                                             double x, double y, double z, double limit) {
+  using Daughters = decltype(s.daughters);
+  const StackLevel& level = stack->levels[stack->depth];
+  const Vec3<double> p = s.frame.point(level, x, y, z);
+  const Direction<double>& v = s.frame.ray(stack, level);
+  double best = distance_to_out(s.mother, p, v, s.tolerance);
+  [[maybe_unused]] int hit = -1;
+  if constexpr (Daughters::any) {
+    hit = s.search.nearest(s.daughters, p, v, best, limit, stack->levels[stack->depth + 1].daughter,
+                           s.tolerance);
+  }
+  if (__builtin_expect(!(best > 0), 0)) return -1.0;
+  if (best > limit) {
+    stack->boundary = 0;
+    return limit;
+  }
+  stack->boundary = 1;
+  x += best * stack->ray.given[0];
+  y += best * stack->ray.given[1];
+  z += best * stack->ray.given[2];
+  if constexpr (Daughters::any) {
+    if (hit >= 0) {
+      const auto k = static_cast<unsigned>(hit);
+      s.daughters.template push<typename S::frame_type>(stack, k);
+      descend_into(s, stack, context, k, x, y, z);
+      return best;
+    }
+  }
+  leave_level(stack, context, x, y, z);
+  return best;
+}
+
+template <class S>
+[[gnu::always_inline]] inline void settle_in(const S& s, Stack* stack, const Context* context,
+                                             double x, double y, double z, int blocked) {
+  using Daughters = decltype(s.daughters);
+  if constexpr (Daughters::any) {
+    const StackLevel& level = stack->levels[stack->depth];
+    const Vec3<double> p = s.frame.point(level, x, y, z);
+    const Direction<double>& v = s.frame.heading(stack, level);
+    int found = -1;
+    if (blocked < 0) {
+      found = s.search.find(s.daughters, p, v, -1, s.tolerance);
+    } else {
+      const NearDaughter* around = s.near == nullptr ? nullptr : s.near + blocked;
+      const bool there = around != nullptr && is_there(*around, p);
+      if (!(there && around->mother_contains) && !contains(s.mother, p, v, s.tolerance)) {
+        leave_level(stack, context, x, y, z);
+        return;
+      }
+      if (there && around->count != NearDaughter::unlisted) {
+        for (unsigned m = around->first; m != around->first + around->count; ++m) {
+          if (s.daughters.holds(s.neighbours[m], p, v, s.tolerance)) {
+            found = static_cast<int>(s.neighbours[m]);
+            break;
+          }
+        }
+      } else {
+        found = s.search.find(s.daughters, p, v, blocked, s.tolerance);
+      }
+    }
+    if (found < 0) return;
+    const auto k = static_cast<unsigned>(found);
+    s.daughters.template push<typename S::frame_type>(stack, k);
+    descend_into(s, stack, context, k, x, y, z);
+  }
+}
+
+template <class S>
+[[gnu::always_inline]] inline double safety_in(const S& s, const Stack* stack, double x, double y,
+                                               double z) {
+  using Daughters = decltype(s.daughters);
+  const Vec3<double> p = s.frame.point(stack->levels[stack->depth], x, y, z);
+  double safety = safety_to_out(s.mother, p);
+  if constexpr (Daughters::any) {
+    if (s.boxes != nullptr) {
+      safety = safety_among_boxes(s.boxes, s.box_blocks, p, safety,
+                                  [&](unsigned k) { return s.daughters.away(k, p); });
+    } else {
+      for (unsigned k = 0; k < s.daughters.count; ++k) {
+        safety = smaller(larger(s.daughters.away(k, p), 0.0), safety);
+      }
+    }
+  }
+  return larger(safety - s.tolerance, 0.0);
+}
+
+}  // namespace navjit::kernels

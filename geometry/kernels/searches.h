@@ -1,0 +1,273 @@
+// The searches among a scene's daughters, each a filter (plates, shells, rings, buckets, boxes) in
+// front of the daughters' own kernels:
+//   find(d, p, v, blocked, tol)     the last daughter in file order, other than `blocked`, that
+//                                   holds the point; -1 for none
+//   nearest(d, p, v, best, limit, left, tol)  the first daughter in file order of those that the
+//   ray
+//                                   meets first, before `best`, which becomes the path to it; -1
+//                                   for none. Those beyond `limit` may be left out. `left`: the
+//                                   daughter that the track may have left last, or any number
+// What a search offers never decides: it offers all that can be met, and kernels decide.
+namespace navjit::kernels {
+
+struct NoSearch {};
+
+/// Folds the daughters that are offered into the last in file order that holds the point.
+template <class Daughters>
+struct LastThatHolds {
+  const Daughters& daughters;
+  const Vec3<double>& p;
+  const Direction<double>& v;
+  int blocked;
+  double tol;
+  int found = -1;
+
+  [[gnu::always_inline]] void operator()(unsigned k) {
+    const int i = static_cast<int>(k);
+    if (i > found && i != blocked && daughters.holds(k, p, v, tol)) found = i;
+  }
+};
+
+/// Folds the daughters that are offered into the one met first; says whether it became this one.
+template <class Daughters>
+struct NearestAhead {
+  const Daughters& daughters;
+  const Vec3<double>& p;
+  const Direction<double>& v;
+  double& best;
+  double limit, tol;
+  int hit = -1;
+
+  [[gnu::always_inline]] bool operator()(unsigned k) {
+    const double t = daughters.distance(k, p, v, smaller(limit, best), tol);
+    if (t < best || (t == best && hit >= 0 && static_cast<int>(k) < hit)) {
+      best = t;
+      hit = static_cast<int>(k);
+      return true;
+    }
+    return false;
+  }
+};
+
+/// Every daughter, one after the other: for few.
+struct SearchAll {
+  template <class Daughters>
+  [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
+                                  const Direction<double>& v, int blocked, double tol) const {
+    for (unsigned k = d.count; k-- > 0;) {
+      if (static_cast<int>(k) != blocked && d.holds(k, p, v, tol)) return static_cast<int>(k);
+    }
+    return -1;
+  }
+  template <class Daughters>
+  [[gnu::always_inline]] int nearest(const Daughters& d, const Vec3<double>& p,
+                                     const Direction<double>& v, double& best, double limit,
+                                     unsigned, double tol) const {
+    int hit = -1;
+    for (unsigned k = 0; k < d.count; ++k) {
+      const double t = d.distance(k, p, v, smaller(limit, best), tol);
+      if (t < best) {
+        best = t;
+        hit = static_cast<int>(k);
+      }
+    }
+    return hit;
+  }
+};
+
+inline double along_axis(const Vec3<double>& p, int axis) {
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+/// Daughters that follow one another along an axis.
+template <class Index>
+struct SearchPlates {
+  PlateStack<Index> plates;
+  int axis;
+
+  template <class Daughters>
+  [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
+                                  const Direction<double>& v, int blocked, double tol) const {
+    LastThatHolds<Daughters> last{d, p, v, blocked, tol};
+    visit_plates_at(plates, along_axis(p, axis), [&](unsigned k) { last(k); });
+    return last.found;
+  }
+  template <class Daughters>
+  [[gnu::always_inline]] int nearest(const Daughters& d, const Vec3<double>& p,
+                                     const Direction<double>& v, double& best, double limit,
+                                     unsigned left, double tol) const {
+    const double along = along_axis({v.x, v.y, v.z}, axis),
+                 inverse = along_axis({v.inverse_x, v.inverse_y, v.inverse_z}, axis);
+    NearestAhead<Daughters> nearest{d, p, v, best, limit, tol};
+    walk_plates(plates, along_axis(p, axis), along, inverse, smaller(limit, best), left,
+                [&](unsigned k) { return nearest(k); });
+    return nearest.hit;
+  }
+};
+
+/// A regular partition of the scene with few daughters in each bucket.
+template <class Index>
+struct SearchBuckets {
+  BucketGrid<Index> grid;
+
+  template <class Daughters>
+  [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
+                                  const Direction<double>& v, int blocked, double tol) const {
+    int found = -1;
+    visit_bucket_at(grid, p, [&](unsigned k) {
+      if (static_cast<int>(k) == blocked || !d.holds(k, p, v, tol)) return true;
+      found = static_cast<int>(k);
+      return false;
+    });
+    return found;
+  }
+  template <class Daughters>
+  [[gnu::always_inline]] int nearest(const Daughters& d, const Vec3<double>& p,
+                                     const Direction<double>& v, double& best, double limit,
+                                     unsigned, double tol) const {
+    NearestAhead<Daughters> nearest{d, p, v, best, limit, tol};
+    walk_buckets(
+        grid, p, v, [&](unsigned k) { nearest(k); }, [&] { return smaller(limit, best); });
+    return nearest.hit;
+  }
+};
+
+/// The same with boxes around daughters, eight at once.
+template <class Index>
+struct SearchBoxes {
+  BlockGrid<Index> grid;
+
+  template <class Daughters>
+  [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
+                                  const Direction<double>& v, int blocked, double tol) const {
+    int found = -1;
+    visit_blocks_at(grid, p, [&](unsigned k) {
+      if (static_cast<int>(k) == blocked || !d.holds(k, p, v, tol)) return true;
+      found = static_cast<int>(k);
+      return false;
+    });
+    return found;
+  }
+  template <class Daughters>
+  [[gnu::always_inline]] int nearest(const Daughters& d, const Vec3<double>& p,
+                                     const Direction<double>& v, double& best, double limit,
+                                     unsigned, double tol) const {
+    NearestAhead<Daughters> nearest{d, p, v, best, limit, tol};
+    walk_blocks(
+        grid, p, v, [&](unsigned k) { nearest(k); }, [&] { return smaller(limit, best); });
+    return nearest.hit;
+  }
+};
+
+/// Daughters beside a pattern: few by number, more by their boxes.
+template <class Index>
+struct Beside {
+  const Index* few;
+  unsigned few_count;
+  const BoxBlock* blocks;
+  const Index (*in_block)[box_lanes];
+  unsigned block_count;
+
+  template <class Visit>
+  [[gnu::always_inline]] void at(const Vec3<double>& p, Visit visit) const {
+    for (unsigned i = 0; i < few_count; ++i) visit(static_cast<unsigned>(few[i]));
+    visit_blocks_around(blocks, in_block, block_count, p, visit);
+  }
+  template <class Visit, class Reach>
+  [[gnu::always_inline]] void along(const Vec3<double>& p, const Direction<double>& v, Visit visit,
+                                    Reach reach) const {
+    for (unsigned i = 0; i < few_count; ++i) visit(static_cast<unsigned>(few[i]));
+    if (block_count == 0) return;
+    visit_blocks(blocks, in_block, 0, block_count, float_ray(p, v), 0, infinity<double>(), visit,
+                 reach);
+  }
+};
+
+/// Layers about an axis or, with axis 3, about the centre.
+template <class Index>
+struct SearchShells {
+  ShellNest<Index> shells;
+  Beside<Index> beside;
+  int axis;
+
+  template <class Daughters>
+  [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
+                                  const Direction<double>& v, int blocked, double tol) const {
+    LastThatHolds<Daughters> last{d, p, v, blocked, tol};
+    const auto visit = [&](unsigned k) { last(k); };
+    beside.at(p, visit);
+    const double x = along_axis(p, axis == 0   ? 1
+                                   : axis == 1 ? 2
+                                               : 0),
+                 y = along_axis(p, axis == 0   ? 2
+                                   : axis == 1 ? 0
+                                               : 1);
+    visit_shells_at(shells, axis == 3 ? p.x * p.x + p.y * p.y + p.z * p.z : x * x + y * y, visit);
+    return last.found;
+  }
+  template <class Daughters>
+  [[gnu::always_inline]] int nearest(const Daughters& d, const Vec3<double>& p,
+                                     const Direction<double>& v, double& best, double limit,
+                                     unsigned, double tol) const {
+    NearestAhead<Daughters> nearest{d, p, v, best, limit, tol};
+    const auto visit = [&](unsigned k) { nearest(k); };
+    const auto reach = [&] { return smaller(limit, best); };
+    beside.along(p, v, visit, reach);
+    const int i = axis == 0 ? 1 : axis == 1 ? 2 : 0, j = axis == 0 ? 2 : axis == 1 ? 0 : 1;
+    const Vec3<double> along{v.x, v.y, v.z};
+    double from = 0, to = infinity<double>();
+    if (shells.ends) {
+      clip_to_ends(shells.low, shells.high, along_axis(p, axis), along_axis(along, axis),
+                   along_axis({v.inverse_x, v.inverse_y, v.inverse_z}, axis), from, to);
+    }
+    const RadialRay ray = axis == 3 ? about_centre(p, v)
+                                    : about_axis(along_axis(p, i), along_axis(p, j),
+                                                 along_axis(along, i), along_axis(along, j));
+    walk_shells(shells, ray, from, to, visit, reach);
+    return nearest.hit;
+  }
+};
+
+/// Rings of daughters about an axis, one ring after the other.
+template <class Index>
+struct SearchRings {
+  const RingSectors<Index>* rings;
+  unsigned count;
+  Beside<Index> beside;
+  int axis;
+
+  template <class Daughters>
+  [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
+                                  const Direction<double>& v, int blocked, double tol) const {
+    LastThatHolds<Daughters> last{d, p, v, blocked, tol};
+    const auto visit = [&](unsigned k) { last(k); };
+    beside.at(p, visit);
+    const int i = axis == 2 ? 0 : axis + 1, j = axis == 0 ? 2 : axis - 1;
+    for (unsigned n = 0; n < count; ++n) {
+      visit_sector_at(rings[n], along_axis(p, i), along_axis(p, j), along_axis(p, axis), visit);
+    }
+    return last.found;
+  }
+  template <class Daughters>
+  [[gnu::always_inline]] int nearest(const Daughters& d, const Vec3<double>& p,
+                                     const Direction<double>& v, double& best, double limit,
+                                     unsigned, double tol) const {
+    NearestAhead<Daughters> nearest{d, p, v, best, limit, tol};
+    const auto visit = [&](unsigned k) { nearest(k); };
+    const auto reach = [&] { return smaller(limit, best); };
+    beside.along(p, v, visit, reach);
+    const int i = axis == 2 ? 0 : axis + 1, j = axis == 0 ? 2 : axis - 1;
+    const Vec3<double> u{v.x, v.y, v.z};
+    const AxialRay ray{along_axis(p, i),
+                       along_axis(p, j),
+                       along_axis(p, axis),
+                       along_axis(u, i),
+                       along_axis(u, j),
+                       along_axis(u, axis),
+                       along_axis({v.inverse_x, v.inverse_y, v.inverse_z}, axis)};
+    for (unsigned n = 0; n < count; ++n) walk_ring(rings[n], ray, visit, reach);
+    return nearest.hit;
+  }
+};
+
+}  // namespace navjit::kernels

@@ -1,0 +1,16 @@
+// The scene template and what it is made of (kernels/scene.h), for compiled-ahead code.
+#pragma once
+
+#include "geometry/navigation/stack.hpp"
+
+// clang-format off
+#include "geometry/kernels/buckets.h"
+#include "geometry/kernels/boxes.h"
+#include "geometry/kernels/plates.h"
+#include "geometry/kernels/shells.h"
+#include "geometry/kernels/rings.h"
+#include "geometry/kernels/frames.h"
+#include "geometry/kernels/daughters.h"
+#include "geometry/kernels/searches.h"
+#include "geometry/kernels/scene.h"
+// clang-format on
