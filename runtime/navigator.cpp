@@ -106,7 +106,8 @@ double Navigator::shadow(const kernels::Navigators& navigators, const Vec3& poin
   Stack expected{};
   copy(own_->stack, expected);
   const double right = generic::step(shared_->geometry, expected, point, direction, limit);
-  double length = navigators.step(&own_->stack, context_, navigators.data, point.x, point.y, point.z, limit);
+  double length =
+      navigators.step(&own_->stack, context_, navigators.data, point.x, point.y, point.z, limit);
   if (length < 0) length = decline(point, direction, limit);
   if (std::memcmp(&length, &right, sizeof length) != 0 || !identical(own_->stack, expected)) {
     ++own_->counts.differences;

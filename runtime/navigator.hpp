@@ -101,7 +101,8 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
     return recorded_step(point, direction, limit);
   own.presence->enter();
   const kernels::Navigators* navigators = kernels::navigators_of(context_, volume);
-  double length = navigators->step(&stack, context_, navigators->data, point.x, point.y, point.z, limit);
+  double length =
+      navigators->step(&stack, context_, navigators->data, point.x, point.y, point.z, limit);
   if (length < 0) [[unlikely]]
     length = decline(point, direction, limit);
   own.presence->leave();

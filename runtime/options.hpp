@@ -41,11 +41,16 @@ struct SpecialiserOptions {
   double poll_ms = 5;  ///< between looks at the profile
   /// What a ms of the compiler's thread counts beside one of navigation. Little: it runs on idle
   /// cores, at low priority, and runs mostly go on for long.
-  double compile_weight = 0.05;
+  double compile_weight = 0.3;
+  /// Compile code for the hottest scenes. Without it scenes are bound to data alone.
+  bool constants = true;
   std::uint64_t min_steps = 2000;  ///< fewer steps in a scene tell nothing
   std::size_t batch = 24;          ///< scenes in one module at the most
   double module_ms = 900;  ///< expected time for a module at the most: the first scenes need
                            ///< not wait for the last
+  /// Expected time for all that JitMode::wait compiles at the most; what occurs most often in the
+  /// detector comes first, and the rest is bound to data alone.
+  double wait_ms = 8000;
   double half_life_s = 2;  ///< of the heat that decides what is compiled first
   int nice = 5;            ///< priority of the thread that compiles, as of nice(1); 0 to 19
   int optimisation = 2;    ///< of the compiler

@@ -16,6 +16,12 @@ enum class SceneStatus : std::uint8_t {
   failed,        ///< did not compile, link or verify
 };
 
+/// What navigates a scene: the generic navigator, or the scene template with its numbers bound to
+/// data (compiled with the library) or to constants (compiled in this run, or for it).
+enum class Binding : std::uint8_t { generic, data, constants };
+
+const char* binding_name(Binding binding);
+
 const char* status_name(SceneStatus status);
 
 /// Where a scene's code came from.
@@ -43,9 +49,10 @@ struct SceneReport {
   /// Processor time on the recorded states, replayed.
   double generic_ns_per_step = 0;
   double specialised_ns_per_step = 0;
-  double compile_ms = 0;    ///< this scene's part of its module
-  double swapped_at_s = 0;  ///< since the runtime was made
-  SceneStatus status = SceneStatus::generic;
+  double compile_ms = 0;                      ///< this scene's part of its module
+  double swapped_at_s = 0;                    ///< since the runtime was made
+  SceneStatus status = SceneStatus::generic;  ///< of its own code, compiled for it
+  Binding binding = Binding::generic;
   CodeOrigin origin = CodeOrigin::none;
   std::string note;                      ///< why it failed or does not pay
   std::optional<BudgetReport> budget{};  ///< of final_report() alone, where one is asked for

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "analysis/plan.hpp"
-#include "codegen/data/bind.hpp"
 #include "geometry/navigation/generic.hpp"
 #include "jit/activity.hpp"
 #include "runtime/fingerprint.hpp"
@@ -224,7 +222,9 @@ bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& reco
   const double specialised_ns = time_per_step(geometry, context, record, timed);
   const bool forced =
       facts_.forced_candidates.contains(facts_.first_equal[volume]) || !only_if_faster;
-  const bool pays = forced || specialised_ns <= least_gain * generic_ns || timed.size() < 16;
+  // What is bound to data stays unless constants win something over that, too.
+  const double bar = std::min(generic_ns, bound_ns(volume));
+  const bool pays = forced || specialised_ns <= least_gain * bar || timed.size() < 16;
   if (pays) shared_->table.install(volume, &record, owner);
   spdlog::debug(
       "event={} at_s={:.3f} scene={} generic_ns={:.1f} specialised_ns={:.1f} states={} recorded={} "
@@ -236,39 +236,19 @@ bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& reco
     try_again_at_[first] = try_again_after * heat_[first];
   }
   report.status = pays ? SceneStatus::specialised : SceneStatus::unprofitable;
-  report.note = pays ? "" : "measured slower than the generic navigator";
+  report.note = pays ? "" : "measured no faster than what is there";
   report.generic_ns_per_step = generic_ns;
-  report.specialised_ns_per_step = specialised_ns;
+  report.specialised_ns_per_step = pays ? specialised_ns : 0;
   report.swapped_at_s = pays ? seconds() : 0;
+  if (pays) {
+    report.binding = Binding::constants;
+    bound_.insert(volume);
+  } else if (const std::lock_guard lock(mutex_); scenes_[volume].binding == Binding::data) {
+    report.binding = Binding::data;
+    report.specialised_ns_per_step = scenes_[volume].specialised_ns_per_step;
+    report.swapped_at_s = scenes_[volume].swapped_at_s;
+  }
   return true;
-}
-
-void Specialiser::bind_to_data(VolumeId volume) {
-  const Geometry& geometry = shared_->geometry;
-  const kernels::Context& context = shared_->table.context();
-  ScenePlan plan = plan_scene(geometry, facts_, volume);
-  std::vector<Sample> samples = samples_[volume];
-  const std::vector<Sample> made_up = sampler_.states(volume, 64, volume + 1);
-  samples.insert(samples.end(), made_up.begin(), made_up.end());
-  if (geometry.scene(volume).boxes && plan.candidates != Candidates::plates) {
-    codegen::Arena scratch;
-    const kernels::Navigators* planned = codegen::bind_to_data(geometry, plan, scratch);
-    ScenePlan by_tree = plan;
-    by_tree.candidates = Candidates::tree;
-    const kernels::Navigators* other = codegen::bind_to_data(geometry, by_tree, scratch);
-    if (time_per_step(geometry, context, *other, samples) <
-        time_per_step(geometry, context, *planned, samples))
-      plan = by_tree;
-  }
-  const kernels::Navigators* bound = codegen::bind_to_data(geometry, plan, *arena_);
-  const std::string problem = verify(geometry, context, *bound, volume, samples);
-  if (!problem.empty()) {
-    note_failure(volume, problem);
-    return;
-  }
-  shared_->table.install(volume, bound, arena_);
-  const std::lock_guard lock(mutex_);
-  scenes_[volume].status = SceneStatus::specialised;
 }
 
 void Specialiser::install_plugin(const std::string& path) {

@@ -25,6 +25,9 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t samples_kept = 512;  ///< per volume
 constexpr std::size_t fresh_kept = 64;     ///< per volume and look
 
+/// What constants win of a data-bound step, on average (docs/decisions.md).
+constexpr double gain_over_data = 0.35;
+
 double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
 
 }  // namespace
@@ -41,6 +44,18 @@ const char* status_name(SceneStatus status) {
       return "unprofitable";
     case SceneStatus::failed:
       return "failed";
+  }
+  return "unknown";
+}
+
+const char* binding_name(Binding binding) {
+  switch (binding) {
+    case Binding::generic:
+      return "generic";
+    case Binding::data:
+      return "data";
+    case Binding::constants:
+      return "constants";
   }
   return "unknown";
 }
@@ -72,9 +87,6 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
   if (shared_->options.jit == JitMode::off) return;
   apply_overrides();
   if (!jit::has_compiler()) {
-    if (shared_->options.plugin.empty()) {
-      spdlog::warn("no specialisation in this run: this program was built without a compiler");
-    }
     return;
   }
   maker_ = std::make_unique<CodeMaker>(shared_->options.specialiser, shared_->options.cache);
@@ -90,8 +102,12 @@ void Specialiser::apply_overrides() {
     const VolumeId first = facts_.first_equal[volume];
     if (variant == Variant::off) {
       note(first, SceneStatus::unprofitable, std::string("off by ") + overrides_variable);
+      for (const VolumeId equal : facts_.equals[first]) bound_.insert(equal);
     } else {
-      for (const VolumeId equal : facts_.equals[first]) scenes_.erase(equal);
+      for (const VolumeId equal : facts_.equals[first]) {
+        scenes_.erase(equal);
+        bound_.erase(equal);
+      }
       facts_.forced_candidates[first] = variant == Variant::all       ? Candidates::all
                                         : variant == Variant::lanes   ? Candidates::lanes
                                         : variant == Variant::shells  ? Candidates::shells
@@ -123,7 +139,6 @@ double Specialiser::seconds() const { return now() - started_at_; }
 
 void Specialiser::start() {
   hopeless_ = !maker_;
-  if (!maker_ && totals_.plugin_scenes == 0) return;
   try {
     thread_ = std::thread(
         [activity = std::make_unique<jit::Activity>(stop_), self = shared_from_this()]() mutable {
@@ -157,7 +172,8 @@ void Specialiser::look_until_stopped() {
   while (!stopping()) {
     lock.unlock();
     gather();
-    const std::vector<VolumeId> batch = choose();
+    const bool more_to_bind = bind_hot_to_data();
+    const std::vector<VolumeId> batch = more_to_bind ? std::vector<VolumeId>{} : choose();
     if (!batch.empty()) specialise(batch);
     if (stopping()) return;
     reconsider();
@@ -165,9 +181,10 @@ void Specialiser::look_until_stopped() {
     lock.lock();
     totals_.waiting_to_be_freed = waiting;
     ++looks_;
-    if (batch.empty()) idle_look_ = looks_;
+    const bool idle = batch.empty() && !more_to_bind;
+    if (idle) idle_look_ = looks_;
     wake_.notify_all();
-    if (batch.empty()) {
+    if (idle) {
       wake_.wait_for(
           lock, std::chrono::duration<double, std::milli>(shared_->options.specialiser.poll_ms));
     }
@@ -219,7 +236,7 @@ void Specialiser::update_heat() {
 }
 
 std::vector<VolumeId> Specialiser::choose() {
-  if (hopeless_) return {};
+  if (hopeless_ || !shared_->options.specialiser.constants) return {};
   SpecialiserOptions options = shared_->options.specialiser;
   // Until the first module is there nothing is won: it is to be there soon.
   if (totals_.modules == 0) options.module_ms /= 2;
@@ -238,6 +255,9 @@ std::vector<VolumeId> Specialiser::choose() {
       candidate = {volume, 0, 0, expected_compile_ms(shared_->geometry, plan),
                    expected_gain_ns(plan)};
     }
+    if (const double bound = bound_ns(volume); std::isfinite(bound)) {
+      candidate.gain_ns = gain_over_data * bound;
+    }
     candidate.heat = heat_[v];
     candidate.recent = recent_[v];
     candidates.push_back(candidate);
@@ -255,6 +275,7 @@ bool Specialiser::may_be_tried(VolumeId volume) {
   const std::lock_guard lock(mutex_);
   const auto known = scenes_.find(volume);
   if (known == scenes_.end()) return true;
+  if (known->second.status == SceneStatus::generic) return true;  // bound to data, or to nothing
   if (known->second.status != SceneStatus::unprofitable) return false;
   // What was slower on the states of its time may be faster on those of another phase.
   const auto again = try_again_at_.find(volume);
@@ -274,9 +295,10 @@ void Specialiser::note(VolumeId volume, SceneStatus status, const std::string& w
 }
 
 void Specialiser::note_failure(VolumeId volume, const std::string& why) {
-  spdlog::warn("scene {} stays generic: {}", shared_->geometry.world().volumes[volume].name,
-               one_line(why));
   const std::lock_guard lock(mutex_);
+  spdlog::warn("scene {} stays {}: {}", shared_->geometry.world().volumes[volume].name,
+               scenes_[volume].binding == Binding::data ? "bound to data" : "generic",
+               one_line(why));
   scenes_[volume].status = SceneStatus::failed;
   scenes_[volume].note = why;
 }
@@ -303,23 +325,32 @@ void Specialiser::specialise(const std::vector<VolumeId>& batch) {
 }
 
 void Specialiser::specialise_all() {
-  if (std::getenv("NAVJIT_DATA") != nullptr) {
-    for (std::size_t v = 0; v < facts_.reachable.size(); ++v) {
-      if (facts_.reachable[v]) bind_to_data(static_cast<VolumeId>(v));
-    }
-    return;
+  for (std::size_t v = 0; v < facts_.reachable.size() && !stopping(); ++v) {
+    if (facts_.reachable[v]) bind_to_data(static_cast<VolumeId>(v));
   }
-  if (!maker_) return;
+  if (!maker_ || !shared_->options.specialiser.constants) return;
   std::vector<VolumeId> batch;
   const auto flush = [&] {
     if (!batch.empty()) specialise(batch);
     batch.clear();
   };
+  // Nothing is known of what will be hot: what occurs most often is the best guess.
+  std::vector<VolumeId> volumes;
   for (std::size_t v = 0; v < facts_.reachable.size(); ++v) {
     const auto volume = static_cast<VolumeId>(v);
-    if (facts_.reachable[v] && facts_.first_equal[v] == v && !scenes_.contains(volume)) {
-      batch.push_back(volume);
+    if (facts_.reachable[v] && facts_.first_equal[v] == v && may_be_tried(volume)) {
+      volumes.push_back(volume);
     }
+  }
+  std::stable_sort(volumes.begin(), volumes.end(), [&](VolumeId a, VolumeId b) {
+    return facts_.touchables[a] > facts_.touchables[b];
+  });
+  double expected = 0;
+  for (const VolumeId volume : volumes) {
+    expected += expected_compile_ms(shared_->geometry,
+                                    plan_scene(shared_->geometry, facts_, volume));
+    if (expected > shared_->options.specialiser.wait_ms) break;
+    batch.push_back(volume);
     if (batch.size() == shared_->options.specialiser.batch) flush();
     if (hopeless_ || stopping()) return;
   }
@@ -382,7 +413,7 @@ StepProfile Specialiser::step_profile() {
 std::size_t Specialiser::specialised() const {
   const std::lock_guard lock(mutex_);
   return static_cast<std::size_t>(std::count_if(scenes_.begin(), scenes_.end(), [](const auto& s) {
-    return s.second.status == SceneStatus::specialised;
+    return s.second.binding != Binding::generic;
   }));
 }
 

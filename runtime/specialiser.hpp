@@ -68,6 +68,15 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
   std::vector<VolumeId> worth_trying(const std::vector<VolumeId>& batch);
   void specialise(const std::vector<VolumeId>& batch);
 
+  // In bind_to_data.cpp:
+  /// Binds what is hot and not bound yet, the hottest first, for some ms. True if more is left.
+  bool bind_hot_to_data();
+  /// Verifies, times and installs a navigator of the library with this scene's numbers, if it is
+  /// faster than the generic one on the states at hand.
+  void bind_to_data(VolumeId volume);
+  /// Of a step of the data-bound navigator that is installed, ns; infinite if none is.
+  double bound_ns(VolumeId volume) const;
+
   // In specialise_module.cpp:
   /// Whether many steps of these scenes are along faces: then their navigators have to take them.
   bool takes_rays_along_faces(const std::vector<VolumeId>& batch);
@@ -105,7 +114,8 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
   std::shared_ptr<detail::Shared> shared_;
   WorldFacts facts_;
   StateSampler sampler_;
-  std::shared_ptr<codegen::Arena> arena_ = std::make_shared<codegen::Arena>();
+  std::shared_ptr<codegen::Arena> arena_ = std::make_shared<codegen::Arena>();  ///< bound data
+  std::set<VolumeId> bound_;  ///< volumes that need not, or must not, be bound to data (again)
   std::unique_ptr<CodeMaker> maker_;      ///< null: nothing is ever specialised
   bool hopeless_ = false;                 ///< nothing can be compiled in this process
   std::set<VolumeId> left_out_too_much_;  ///< of equal volumes the first

@@ -35,8 +35,8 @@ std::string verify_step(const Geometry& geometry, const kernels::Context& contex
   generic::restore(geometry, stacks.generic, s.touchable);
   copy(stacks.generic, stacks.specialised);
   kernels::set_ray(stacks.specialised, s.direction.x, s.direction.y, s.direction.z);
-  const double wrong =
-      specialised.step(&stacks.specialised, &context, specialised.data, s.point.x, s.point.y, s.point.z, s.limit);
+  const double wrong = specialised.step(&stacks.specialised, &context, specialised.data, s.point.x,
+                                        s.point.y, s.point.z, s.limit);
   if (wrong < 0) {
     return identical(stacks.generic, stacks.specialised)
                ? ""
@@ -65,7 +65,8 @@ std::string verify_settle(const Geometry& geometry, const kernels::Context& cont
   copy(stacks.generic, stacks.specialised);
   kernels::set_ray(stacks.specialised, s.direction.x, s.direction.y, s.direction.z);
   generic::settle(geometry, stacks.generic, s.point, s.direction, blocked);
-  specialised.settle(&stacks.specialised, &context, specialised.data, s.point.x, s.point.y, s.point.z, blocked);
+  specialised.settle(&stacks.specialised, &context, specialised.data, s.point.x, s.point.y,
+                     s.point.z, blocked);
   return identical(stacks.generic, stacks.specialised)
              ? ""
              : describe(s, "relocation", stacks.generic.depth, stacks.specialised.depth);
@@ -75,7 +76,8 @@ std::string verify_safety(const Geometry& geometry, const kernels::Context& cont
                           const kernels::Navigators& specialised, const Sample& s, Stack& stack) {
   generic::restore(geometry, stack, s.touchable);
   const double right = generic::safety(geometry, stack, s.point);
-  const double wrong = specialised.safety(&stack, &context, specialised.data, s.point.x, s.point.y, s.point.z);
+  const double wrong =
+      specialised.safety(&stack, &context, specialised.data, s.point.x, s.point.y, s.point.z);
   return std::memcmp(&right, &wrong, sizeof right) == 0 ? "" : describe(s, "safety", right, wrong);
 }
 
@@ -125,7 +127,8 @@ double time_per_step(const Geometry& geometry, const kernels::Context& context,
       copy(stacks[i], *work);
       kernels::set_ray(*work, s.direction.x, s.direction.y, s.direction.z);
       if (step) {
-        navigators.step(work.get(), &context, navigators.data, s.point.x, s.point.y, s.point.z, s.limit);
+        navigators.step(work.get(), &context, navigators.data, s.point.x, s.point.y, s.point.z,
+                        s.limit);
       }
     }
     return 1e9 * (thread_seconds() - start) / static_cast<double>(count);

@@ -23,7 +23,7 @@ void Specialiser::reconsider() {
   {
     const std::lock_guard lock(mutex_);
     for (const auto& [volume, scene] : scenes_) {
-      if (scene.status == SceneStatus::specialised) installed.push_back(volume);
+      if (scene.binding != Binding::generic) installed.push_back(volume);
     }
   }
   const detail::Counts counts = shared_->counts();
@@ -65,6 +65,7 @@ void Specialiser::make_again(VolumeId volume, std::uint64_t declined, std::uint6
     shared_->table.reset(equal);
     seen_.erase(equal);
     scenes_.erase(equal);
+    bound_.erase(equal);
   }
 }
 
@@ -75,6 +76,7 @@ void Specialiser::withdraw(VolumeId volume, SceneStatus status, const std::strin
                one_line(why));
   const std::lock_guard lock(mutex_);
   scenes_[volume].status = status;
+  scenes_[volume].binding = Binding::generic;
   scenes_[volume].note = why;
   ++totals_.withdrawn;
 }

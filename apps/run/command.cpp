@@ -66,7 +66,7 @@ SceneCounts count_scenes(const RuntimeReport& report) {
   for (const SceneReport& scene : report.scenes) {
     counts.hot += scene.share >= 0.01 ? 1 : 0;
     counts.compiling += scene.status == SceneStatus::compiling ? 1 : 0;
-    counts.swapped += scene.status == SceneStatus::specialised ? 1 : 0;
+    counts.swapped += scene.binding != Binding::generic ? 1 : 0;
   }
   return counts;
 }

@@ -113,7 +113,7 @@ RunRecord run_once(const RunSetup& setup) {
   record.chunks = shared.chunks;
   const RuntimeReport report = runtime.report();
   for (const SceneReport& scene : report.scenes) {
-    if (scene.status == SceneStatus::specialised) {
+    if (scene.binding != Binding::generic) {
       record.swaps.push_back({runtime_begun + scene.swapped_at_s, scene.share});
     }
   }

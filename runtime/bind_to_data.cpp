@@ -1,0 +1,121 @@
+// The part of the specialiser that binds scenes to data: ready at once, without a compiler.
+#include "codegen/data/bind.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "analysis/plan.hpp"
+#include "geometry/navigation/generic.hpp"
+#include "runtime/log_text.hpp"
+#include "runtime/specialiser.hpp"
+#include "runtime/verify.hpp"
+
+namespace navjit {
+namespace {
+
+/// Fewer steps in a scene tell nothing of which states are met there.
+constexpr std::uint64_t least_steps = 500;
+/// At a time, so that other work of the thread is not put off for long.
+constexpr double most_ms = 20;
+/// Per volume, for verification, beside those that were recorded: the code is that of the library,
+/// what may be wrong is the data.
+constexpr std::size_t states_made_up = 64;
+/// Timings of a few hundred steps are no better than this.
+constexpr double least_gain = 0.95;
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Where the plan's way to find daughters is not sure to be the best, the hierarchy of boxes is
+/// another.
+bool tree_may_be_faster(const Scene& scene, const ScenePlan& plan) {
+  return scene.boxes && plan.candidates != Candidates::plates;
+}
+
+}  // namespace
+
+bool Specialiser::bind_hot_to_data() {
+  std::vector<VolumeId> hot;
+  for (std::size_t v = 0; v < steps_.size(); ++v) {
+    const auto volume = static_cast<VolumeId>(v);
+    if (steps_[v] + steps_below_[v] >= least_steps && !bound_.contains(volume)) {
+      hot.push_back(volume);
+    }
+  }
+  std::stable_sort(hot.begin(), hot.end(), [&](VolumeId a, VolumeId b) {
+    return steps_[a] + steps_below_[a] > steps_[b] + steps_below_[b];
+  });
+  const double until = now() + most_ms * 1e-3;
+  for (const VolumeId volume : hot) {
+    if (stopping() || now() > until) return true;
+    bind_to_data(volume);
+  }
+  return false;
+}
+
+void Specialiser::bind_to_data(VolumeId volume) {
+  if (!bound_.insert(volume).second) return;
+  const Geometry& geometry = shared_->geometry;
+  const kernels::Context& context = shared_->table.context();
+  const bool forced = facts_.forced_candidates.contains(facts_.first_equal[volume]);
+  const bool only_if_faster = shared_->options.specialiser.keep_only_faster && !forced;
+  std::vector<Sample> samples = samples_[volume];
+  if (samples.size() < 16) samples.clear();
+  const bool recorded = !samples.empty();
+  const std::vector<Sample> made_up = sampler_.states(volume, states_made_up, volume + 1);
+  if (!recorded) samples = made_up;
+
+  ScenePlan plan = plan_scene(geometry, facts_, volume);
+  double bound_ns = 0;
+  codegen::Arena scratch;
+  bound_ns =
+      time_per_step(geometry, context, *codegen::bind_to_data(geometry, plan, scratch), samples);
+  if (!forced && tree_may_be_faster(geometry.scene(volume), plan)) {
+    ScenePlan by_tree = plan;
+    by_tree.candidates = Candidates::tree;
+    const double ns = time_per_step(geometry, context,
+                                    *codegen::bind_to_data(geometry, by_tree, scratch), samples);
+    if (ns < bound_ns) {
+      bound_ns = ns;
+      plan = std::move(by_tree);
+    }
+  }
+  const double generic_ns = time_per_step(geometry, context, generic::navigators, samples);
+  const kernels::Navigators* bound = codegen::bind_to_data(geometry, plan, *arena_);
+  if (recorded) samples.insert(samples.end(), made_up.begin(), made_up.end());
+  std::string problem = verify(geometry, context, *bound, volume, samples);
+  if (shared_->options.faults.fail_verification) problem = "injected failure";
+  if (!problem.empty()) {
+    note_failure(volume, problem);
+    return;
+  }
+  const bool pays = !only_if_faster || bound_ns <= least_gain * generic_ns;
+  spdlog::debug(
+      "event=bound at_s={:.3f} scene={} structure={} generic_ns={:.1f} bound_ns={:.1f} {}",
+      seconds(), quoted(geometry.world().volumes[volume].name),
+      quoted(codegen::structure_of(geometry, plan)), generic_ns, bound_ns,
+      pays ? "installed" : "slower");
+  if (pays) shared_->table.install(volume, bound, arena_);
+  const std::lock_guard lock(mutex_);
+  SceneReport& scene = scenes_[volume];
+  scene.generic_ns_per_step = generic_ns;
+  if (!pays) return;
+  scene.binding = Binding::data;
+  scene.specialised_ns_per_step = bound_ns;
+  scene.swapped_at_s = seconds();
+}
+
+double Specialiser::bound_ns(VolumeId volume) const {
+  const std::lock_guard lock(mutex_);
+  const auto known = scenes_.find(volume);
+  return known != scenes_.end() && known->second.binding == Binding::data
+             ? known->second.specialised_ns_per_step
+             : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace navjit
