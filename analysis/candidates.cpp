@@ -125,6 +125,11 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     plan.candidates = Candidates::none;
     return;
   }
+  if (forced == Candidates::tree) {
+    plan.candidates = scene.boxes ? Candidates::tree : Candidates::all;
+    plan.mean_candidates = static_cast<double>(boxes.size());
+    return;
+  }
   const double margin = search_margin(extent, geometry.tolerance());
   double largest = largest_coordinate(extent);
   for (const Extent& box : boxes) largest = std::max(largest, largest_coordinate(box));

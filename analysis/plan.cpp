@@ -135,6 +135,7 @@ bool worth_compiling(const Geometry& geometry, const ScenePlan& plan, std::strin
     if (why != nullptr) *why = reason;
     return false;
   };
+  if (plan.candidates == Candidates::tree) return no("its search is bound to data alone");
   const std::size_t daughters = geometry.scene(plan.volume).daughters.size();
   // Lone daughters of many buckets, tested one after the other, are no faster than the generic
   // navigator's tree.

@@ -18,6 +18,8 @@ bool parse_variant(std::string_view text, Variant& variant) {
     variant = Variant::buckets;
   } else if (text == "boxes") {
     variant = Variant::boxes;
+  } else if (text == "tree") {
+    variant = Variant::tree;
   } else {
     return false;
   }
@@ -39,7 +41,7 @@ std::map<VolumeId, Variant> parse_overrides(const World& world, std::string_view
     const std::size_t equals = entry.rfind('=');
     Variant variant;
     if (equals == std::string_view::npos || !parse_variant(entry.substr(equals + 1), variant)) {
-      complain(entry, "NAME=off, all, lanes, shells, rings, buckets or boxes is needed");
+      complain(entry, "NAME=off, all, lanes, shells, rings, buckets, boxes or tree is needed");
       continue;
     }
     const std::string_view name = entry.substr(0, equals);

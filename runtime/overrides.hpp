@@ -17,10 +17,11 @@ enum class Variant : std::uint8_t {
   rings,    ///< specialised, candidates by sectors; boxes where that is no pattern
   buckets,  ///< specialised, candidates from buckets
   boxes,    ///< specialised, candidates from buckets and blocks of boxes
+  tree,     ///< bound to data, candidates from the hierarchy of boxes; all where there is none
 };
 
 /// Parses "NAME=VARIANT,NAME=VARIANT": logical volumes by name ("*" for every one; later entries
-/// override earlier ones), variants off, all, lanes, shells, rings, buckets, boxes. What cannot be
+/// override earlier ones), variants off, all, lanes, shells, rings, buckets, boxes, tree. What cannot be
 /// understood is left out and described, one line each, in `complaints`.
 std::map<VolumeId, Variant> parse_overrides(const World& world, std::string_view text,
                                             std::string* complaints);

@@ -113,6 +113,7 @@ void Specialiser::apply_overrides() {
                                         : variant == Variant::shells  ? Candidates::shells
                                         : variant == Variant::rings   ? Candidates::rings
                                         : variant == Variant::buckets ? Candidates::buckets
+                                        : variant == Variant::tree    ? Candidates::tree
                                                                       : Candidates::boxes;
     }
   }
@@ -347,8 +348,8 @@ void Specialiser::specialise_all() {
   });
   double expected = 0;
   for (const VolumeId volume : volumes) {
-    expected += expected_compile_ms(shared_->geometry,
-                                    plan_scene(shared_->geometry, facts_, volume));
+    expected +=
+        expected_compile_ms(shared_->geometry, plan_scene(shared_->geometry, facts_, volume));
     if (expected > shared_->options.specialiser.wait_ms) break;
     batch.push_back(volume);
     if (batch.size() == shared_->options.specialiser.batch) flush();

@@ -155,6 +155,7 @@ std::string json_text(const RunReport& report) {
                       {"compile_ms", s.compile_ms},
                       {"swapped_at_s", s.swapped_at_s},
                       {"code", origin_name(s.origin)},
+                      {"binding", binding_name(s.binding)},
                       {"status", status_name(s.status)},
                       {"note", s.note}});
     if (s.budget) scenes.back()["budget"] = to_json(*s.budget);

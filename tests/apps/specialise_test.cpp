@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/command.hpp"
@@ -27,9 +28,21 @@ TEST(Production, HasNoCompilerInIt) {
   EXPECT_NE(libraries.text.find("libc.so"), std::string::npos);
   EXPECT_EQ(libraries.text.find("LLVM"), std::string::npos) << libraries.text;
   EXPECT_EQ(libraries.text.find("clang"), std::string::npos) << libraries.text;
-  const tests::Output output = run_production("run " + shashlik + " --rays 20");
-  EXPECT_EQ(output.status, 0) << output.text;
-  EXPECT_NE(output.text.find("built without a compiler"), std::string::npos) << output.text;
+}
+
+TEST(Production, BindsScenesToData) {
+  const TemporaryFolder folder;
+  const tests::Output output = run_production("run " + shashlik +
+                                              " --origin 0,0,0 --eta 2,5 --rays 200 --jit wait "
+                                              "--report " +
+                                              folder.file("report.json"));
+  ASSERT_EQ(output.status, 0) << output.text;
+  const auto report = nlohmann::json::parse(std::ifstream(folder.file("report.json")));
+  double share = 0;
+  for (const auto& scene : report.at("scenes")) {
+    if (scene.at("binding") == "data") share += scene.at("share").get<double>();
+  }
+  EXPECT_GT(share, 0.5) << report.dump(1);
 }
 
 TEST(Production, RunsAPluginFromAProfile) {

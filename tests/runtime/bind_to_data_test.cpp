@@ -1,0 +1,206 @@
+// Scenes bound to data against the generic navigator, bit for bit, without any compiler.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "analysis/plan.hpp"
+#include "codegen/data/bind.hpp"
+#include "geometry/gdml/reader.hpp"
+#include "geometry/navigation/generic.hpp"
+#include "runtime/overrides.hpp"
+#include "runtime/runtime.hpp"
+#include "runtime/states.hpp"
+#include "runtime/verify.hpp"
+#include "tests/support/traces.hpp"
+#include "tests/support/worlds.hpp"
+
+namespace navjit {
+namespace {
+
+using tests::rays_through;
+using tests::same_bits;
+using tests::trace;
+
+RuntimeOptions data_alone(JitMode jit) {
+  RuntimeOptions options = tests::eager_options(jit);
+  options.specialiser.constants = false;
+  options.specialiser.keep_only_faster = false;
+  return options;
+}
+
+/// Traces and safeties are the same, and nearly all steps were made by data-bound navigators.
+void expect_same_answers(const std::shared_ptr<const World>& world, std::uint64_t seed, int rays) {
+  Runtime generic(world, data_alone(JitMode::off)), bound(world, data_alone(JitMode::wait));
+  Navigator a = generic.navigator(), b = bound.navigator();
+  std::mt19937_64 random(seed);
+  std::uint64_t of_length_zero = 0;
+  for (const Ray& ray : rays_through(*world, seed, rays)) {
+    const auto right = trace(a, ray, world->tolerance), got = trace(b, ray, world->tolerance);
+    for (const tests::Row& row : got) of_length_zero += row.length == 0 ? 1 : 0;
+    ASSERT_TRUE(same_bits(right, got))
+        << "ray from " << ray.position.x << ' ' << ray.position.y << ' ' << ray.position.z;
+    // Limited steps, and a direction that changes on the way, as particles that scatter have it.
+    Vec3 p = ray.position;
+    State s = a.locate(p, ray.direction);
+    for (int i = 0; i < 6 && s.inside(); ++i) {
+      const Vec3 v = tests::random_direction(random);
+      const double limit = tests::uniform(random, 0, 30);
+      const double safety = a.safety(s, p), bound_safety = b.safety(s, p);
+      ASSERT_EQ(std::memcmp(&safety, &bound_safety, sizeof safety), 0) << safety;
+      const Step one = a.step(s, p, v, limit), other = b.step(s, p, v, limit);
+      ASSERT_EQ(std::memcmp(&one.length, &other.length, sizeof one.length), 0);
+      ASSERT_EQ(one.boundary, other.boundary);
+      ASSERT_EQ(one.next, other.next);
+      of_length_zero += other.length == 0 ? 1 : 0;
+      p = p + one.length * v;
+      s = one.next;
+    }
+  }
+  std::uint64_t steps = 0, by_data = 0;
+  for (const SceneReport& scene : bound.report().scenes) {
+    EXPECT_NE(scene.status, SceneStatus::failed) << scene.volume << ": " << scene.note;
+    steps += scene.steps;
+    by_data += scene.binding == Binding::data ? scene.steps : 0;
+  }
+  EXPECT_EQ(by_data, steps) << "every scene of every detector has an instance";
+  EXPECT_LE(b.counts().declined, of_length_zero) << "these alone are left to the generic one";
+  EXPECT_EQ(bound.report().modules, 0U);
+}
+
+/// Forces all scenes to a search as long as it lives.
+struct Forced {
+  explicit Forced(const char* variant) { setenv(overrides_variable, variant, 1); }
+  ~Forced() { unsetenv(overrides_variable); }
+};
+
+const char* const searches[] = {"",        "*=all",     "*=lanes", "*=shells",
+                                "*=rings", "*=buckets", "*=boxes", "*=tree"};
+
+TEST(BoundToData, MixedWorldAlikeWithEachSearch) {
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  for (const char* search : searches) {
+    SCOPED_TRACE(search);
+    const Forced forced(search);
+    expect_same_answers(world, 1, 600);
+  }
+}
+
+TEST(BoundToData, RandomWorldsAlikeWithEachSearch) {
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    const auto world = std::make_shared<const World>(tests::random_world(seed, 3));
+    for (const char* search : searches) {
+      SCOPED_TRACE(std::to_string(seed) + search);
+      const Forced forced(search);
+      expect_same_answers(world, seed, 200);
+    }
+  }
+}
+
+TEST(BoundToData, OverlapsAlike) {
+  std::mt19937_64 random(5);
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 20, 20, 20));
+  for (int i = 0; i < 12; ++i) {
+    const std::string name = "v" + std::to_string(i);
+    const VolumeId v = tests::add_volume(
+        world, name, make_box(name, tests::uniform(random, 2, 8), tests::uniform(random, 2, 8), 5));
+    // Overlapping each other and sticking out of the world.
+    tests::place(world, world.top, v,
+                 {tests::uniform(random, -18, 18), tests::uniform(random, -18, 18),
+                  tests::uniform(random, -18, 18)},
+                 {0, 0, i % 3 == 0 ? 0.0 : tests::uniform(random, 0, 3)});
+  }
+  finish(world);
+  const auto shared = std::make_shared<const World>(std::move(world));
+  for (const char* search : searches) {
+    SCOPED_TRACE(search);
+    const Forced forced(search);
+    expect_same_answers(shared, 6, 400);
+  }
+}
+
+TEST(BoundToData, ShippedDetectorsAlike) {
+  for (const auto& entry : std::filesystem::directory_iterator(NAVJIT_DETECTORS_DIR)) {
+    if (entry.path().extension() != ".gdml") continue;
+    SCOPED_TRACE(entry.path().filename().string());
+    expect_same_answers(std::make_shared<const World>(read_gdml(entry.path().string())), 3, 300);
+  }
+}
+
+TEST(BoundToData, ScenesOfOneStructureShareTheirCode) {
+  const auto world = std::make_shared<const World>(
+      read_gdml(std::string(NAVJIT_DETECTORS_DIR) + "/shashlik.gdml"));
+  const Geometry geometry(world);
+  const WorldFacts facts = analyse_world(geometry);
+  codegen::Arena arena;
+  std::map<std::string, std::set<kernels::StepFunction>> code;
+  std::size_t scenes = 0;
+  for (VolumeId v = 0; v < geometry.size(); ++v) {
+    if (!facts.reachable[v]) continue;
+    const ScenePlan plan = plan_scene(geometry, facts, v);
+    const kernels::Navigators* bound = codegen::bind_to_data(geometry, plan, arena);
+    ASSERT_NE(bound->data, nullptr);
+    code[codegen::structure_of(geometry, plan)].insert(bound->step);
+    ++scenes;
+  }
+  EXPECT_LT(code.size(), scenes);
+  for (const auto& [structure, functions] : code) EXPECT_EQ(functions.size(), 1U) << structure;
+}
+
+/// Wrong numbers are found out before they are installed.
+TEST(BoundToData, WrongDataDoesNotVerify) {
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  const Geometry geometry(world);
+  const WorldFacts facts = analyse_world(geometry);
+  const StateSampler sampler(geometry);
+  std::vector<const kernels::Navigators*> table(geometry.size(), &generic::navigators);
+  const kernels::Context context{table.data(), &geometry};
+  codegen::Arena arena;
+  for (VolumeId v = 0; v < geometry.size(); ++v) {
+    const std::vector<Sample> states = sampler.states(v, 64, 1);
+    const auto* bound = codegen::bind_to_data(geometry, plan_scene(geometry, facts, v), arena);
+    EXPECT_EQ(verify(geometry, context, *bound, v, states), "");
+    const VolumeId other = (v + 1) % static_cast<VolumeId>(geometry.size());
+    const auto* wrong = codegen::bind_to_data(geometry, plan_scene(geometry, facts, other), arena);
+    EXPECT_NE(verify(geometry, context, *wrong, v, states), "") << world->volumes[v].name;
+  }
+}
+
+TEST(BoundToData, HotScenesAreBoundWhileARunGoesOn) {
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  Runtime runtime(world, data_alone(JitMode::on));
+  Navigator navigator = runtime.navigator();
+  for (const Ray& ray : rays_through(*world, 7, 4000)) trace(navigator, ray, world->tolerance);
+  runtime.wait_until_idle();
+  std::size_t bound = 0;
+  for (const SceneReport& scene : runtime.report().scenes) {
+    if (scene.binding != Binding::data) continue;
+    ++bound;
+    EXPECT_GT(scene.swapped_at_s, 0);
+    EXPECT_GT(scene.specialised_ns_per_step, 0);
+  }
+  EXPECT_GT(bound, 2U);
+  EXPECT_GE(runtime.specialised(), bound);
+}
+
+TEST(BoundToData, ASceneThatIsForcedOffStaysGeneric) {
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  const Forced forced("plate=off");
+  Runtime runtime(world, data_alone(JitMode::wait));
+  Navigator navigator = runtime.navigator();
+  for (const Ray& ray : rays_through(*world, 8, 400)) trace(navigator, ray, world->tolerance);
+  bool seen = false;
+  for (const SceneReport& scene : runtime.report().scenes) {
+    EXPECT_EQ(scene.binding, scene.volume == "plate" ? Binding::generic : Binding::data)
+        << scene.volume;
+    seen |= scene.volume == "plate";
+  }
+  EXPECT_TRUE(seen);
+}
+
+}  // namespace
+}  // namespace navjit
