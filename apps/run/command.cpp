@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
 #include "apps/commands.hpp"
@@ -175,7 +176,13 @@ int run(const Options& options) {
 
   const Clock::time_point start = Clock::now();
   Watch watch;
-  std::jthread watcher([&] { watch.follow(runtime, progress, options.rays, start); });
+  std::jthread watcher;
+  try {
+    watcher = std::jthread([&] { watch.follow(runtime, progress, options.rays, start); });
+  } catch (const std::system_error&) {
+    // A run that nobody watches is a run all the same; whether there are threads to navigate on
+    // is said below.
+  }
   {
     // The watcher has to end also where the transport fails.
     struct Done {
@@ -185,7 +192,7 @@ int run(const Options& options) {
     common::in_parallel(options.threads, stop, work);
   }
   const double seconds = seconds_since(start);
-  watcher.join();
+  if (watcher.joinable()) watcher.join();
 
   RunReport report;
   report.detector = options.detector.file;
