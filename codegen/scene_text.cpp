@@ -23,7 +23,8 @@ std::string row(const double* r, const char* a, const char* b, const char* c) {
     if (r[i] == 1) {
       text += names[i];
     } else if (r[i] == -1) {
-      text += std::string("-") + names[i];
+      // What is negated may be a negative number: two signs in a row would be a decrement.
+      text += std::string("-(") + names[i] + ")";
     } else {
       text += number(r[i]) + " * " + names[i];
     }

@@ -47,13 +47,45 @@ class KeepModule : public clang::ASTFrontendAction {
   std::unique_ptr<llvm::Module> module_;
 };
 
+/// Errors apart from warnings, each with its notes: a reader of only the beginning has to see why
+/// a unit was refused, however many warnings came before.
+class SplitPrinter : public clang::DiagnosticConsumer {
+ public:
+  explicit SplitPrinter(clang::DiagnosticOptions* options)
+      : error_printer_(error_stream_, options), warning_printer_(warning_stream_, options) {}
+
+  void BeginSourceFile(const clang::LangOptions& language,
+                       const clang::Preprocessor* preprocessor) override {
+    error_printer_.BeginSourceFile(language, preprocessor);
+    warning_printer_.BeginSourceFile(language, preprocessor);
+  }
+  void EndSourceFile() override {
+    error_printer_.EndSourceFile();
+    warning_printer_.EndSourceFile();
+  }
+  void HandleDiagnostic(clang::DiagnosticsEngine::Level level,
+                        const clang::Diagnostic& diagnostic) override {
+    DiagnosticConsumer::HandleDiagnostic(level, diagnostic);
+    if (level != clang::DiagnosticsEngine::Note) {
+      in_error_ = level >= clang::DiagnosticsEngine::Error;
+    }
+    (in_error_ ? error_printer_ : warning_printer_).HandleDiagnostic(level, diagnostic);
+  }
+
+  std::string all() { return error_stream_.str() + warning_stream_.str(); }
+
+ private:
+  std::string errors_, warnings_;
+  llvm::raw_string_ostream error_stream_{errors_}, warning_stream_{warnings_};
+  clang::TextDiagnosticPrinter error_printer_, warning_printer_;
+  bool in_error_ = false;
+};
+
 /// What parsing works with. The instance uses what is declared before it until it is destroyed.
 struct Frontend {
-  std::string text;
-  llvm::raw_string_ostream text_stream{text};
   llvm::IntrusiveRefCntPtr<clang::DiagnosticOptions> diagnostic_options{
       new clang::DiagnosticOptions()};
-  clang::TextDiagnosticPrinter printer{text_stream, diagnostic_options.get()};
+  SplitPrinter printer{diagnostic_options.get()};
   clang::CompilerInstance instance;
   KeepModule action;
 
@@ -125,7 +157,7 @@ Expected<ParsedUnit> parse(std::string_view source, std::string_view unit_name,
     for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
     if (!clang::CompilerInvocation::CreateFromArgs(f.instance.getInvocation(), pointers,
                                                    f.instance.getDiagnostics())) {
-      return Failure{"compiler flags not understood:\n" + f.text};
+      return Failure{"compiler flags not understood:\n" + f.printer.all()};
     }
     f.instance.getFrontendOpts().Inputs = {clang::FrontendInputFile(name, clang::Language::CXX)};
     f.instance.createFileManager(files);
@@ -133,9 +165,10 @@ Expected<ParsedUnit> parse(std::string_view source, std::string_view unit_name,
     const bool succeeded = f.instance.ExecuteAction(f.action);
     std::shared_ptr<llvm::Module> module = f.action.take_module();
     if (!succeeded || !module || f.instance.getDiagnostics().hasErrorOccurred()) {
-      return Failure{f.text.empty() ? name + ": compilation failed" : f.text};
+      const std::string messages = f.printer.all();
+      return Failure{messages.empty() ? name + ": compilation failed" : messages};
     }
-    return ParsedUnit{std::move(module), f.text};
+    return ParsedUnit{std::move(module), f.printer.all()};
   });
 }
 

@@ -55,6 +55,16 @@ TEST(Compiler, ReportsAllErrors) {
   EXPECT_NE(message.find("unit.cpp:2:"), std::string::npos) << message;
 }
 
+TEST(Compiler, ReportsErrorsBeforeWarnings) {
+  const std::string message = failure_of(
+      "void f(int x) {\n  x == 1;\n  x == 2;\n}\nint g();\n"
+      "int b() { return g(1); }\nvoid h(int x) { x == 3; }\n");
+  EXPECT_EQ(message.find("unit.cpp:6:18: error:"), 0U) << message;
+  const std::size_t note = message.find("unit.cpp:5:5: note:"), warning = message.find("warning:");
+  ASSERT_NE(warning, std::string::npos) << message;
+  EXPECT_LT(note, warning) << message;
+}
+
 TEST(Compiler, IsUsableAfterAFailure) {
   auto compiler = Compiler::create(CompileOptions{});
   ASSERT_TRUE(compiler);

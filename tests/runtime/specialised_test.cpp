@@ -118,6 +118,34 @@ TEST(Specialised, TracesNestsAndRingsAlike) {
   }
 }
 
+/// Everything is in one frame, turned by right angles about each axis in turn and both ways, and at
+/// coordinates of both signs: entries of -1 and 1 meet negative numbers wherever text is put
+/// together.
+TEST(Specialised, TracesTurnsByRightAnglesAlike) {
+  for (int turn = 0; turn < 6; ++turn) {
+    SCOPED_TRACE("turn " + std::to_string(turn));
+    const double angle = turn % 2 == 0 ? M_PI / 2 : -M_PI;
+    Vec3 angles{0, 0, 0};
+    (turn / 2 == 0 ? angles.x : turn / 2 == 1 ? angles.y : angles.z) = angle;
+    World world;
+    world.top = tests::add_volume(world, "world", make_box("world", 50, 50, 50));
+    const VolumeId hall = tests::add_volume(world, "hall", make_box("hall", 30, 30, 30));
+    const VolumeId bar = tests::add_volume(world, "bar", make_box("bar", 2, 3, 4));
+    const VolumeId wire = tests::add_volume(world, "wire", make_tube("wire", 0, 1, 1, 0, 7));
+    const VolumeId pin = tests::add_volume(world, "pin", make_tube("pin", 0, 1, 2, 0, 7));
+    tests::place(world, world.top, hall, {-3, -5, -7}, angles);
+    // One axis along which all daughters have the same negative coordinate, and two with both
+    // signs.
+    for (int i = 0; i < 4; ++i) {
+      tests::place(world, hall, bar, {-20.0 + 10 * i, -8, i % 2 == 0 ? -9.0 : 9.0});
+      tests::place(world, hall, pin, {-20.0 + 10 * i, -8, i % 2 == 0 ? 9.0 : -9.0}, angles);
+    }
+    tests::place(world, bar, wire, {-0.5, -1.5, -2});
+    finish(world);
+    expect_same_traces(std::make_shared<const World>(std::move(world)), 19, 400);
+  }
+}
+
 TEST(Specialised, SwapsDoNotChangeARunningTransport) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
   Runtime generic(world, options(JitMode::off)), swapping(world, options(JitMode::on));
