@@ -19,20 +19,26 @@ struct Options {
 
 int check(const Options& options) {
   const Geometry geometry(read(options.detector));
-  const std::vector<Overlap> overlaps = find_overlaps(geometry, options.overlaps);
+  const OverlapReport report = check_overlaps(geometry, options.overlaps);
+  const std::vector<Overlap>& overlaps = report.overlaps;
   const World& world = geometry.world();
+  const auto name = [&](VolumeId mother, std::uint32_t k) {
+    const Placement& p = world.volumes[mother].daughters[k];
+    return common::printable(p.name.empty() ? world.volumes[p.volume].name : p.name) + " (number " +
+           std::to_string(k) + ")";
+  };
+  for (const auto& [mother, k] : report.not_sampled) {
+    std::printf("%s: %s is not checked: no point on its surface was found\n",
+                common::printable(world.volumes[mother].name).c_str(), name(mother, k).c_str());
+  }
   for (const Overlap& o : overlaps) {
     const LogicalVolume& mother = world.volumes[o.volume];
-    const auto name = [&](std::uint32_t k) {
-      const Placement& p = mother.daughters[k];
-      return common::printable(p.name.empty() ? world.volumes[p.volume].name : p.name) +
-             " (number " + std::to_string(k) + ")";
-    };
     const bool sticks_out = o.second == Overlap::mother;
     std::printf("%s: %s %s%s by at least %.6g mm at %.9g,%.9g,%.9g\n",
-                common::printable(mother.name).c_str(), name(o.first).c_str(),
+                common::printable(mother.name).c_str(), name(o.volume, o.first).c_str(),
                 sticks_out ? "sticks out of it" : "overlaps ",
-                sticks_out ? "" : name(o.second).c_str(), o.depth, o.point.x, o.point.y, o.point.z);
+                sticks_out ? "" : name(o.volume, o.second).c_str(), o.depth, o.point.x, o.point.y,
+                o.point.z);
   }
   std::printf("%zu overlaps and protrusions deeper than %g mm, %zu points a daughter\n",
               overlaps.size(), options.overlaps.tolerance, options.overlaps.resolution);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "geometry/bvh/box_tree_traversal.hpp"
+#include "geometry/check/aimed.hpp"
 #include "geometry/check/surface.hpp"
 
 namespace navjit {
@@ -19,6 +21,7 @@ class Findings {
     const auto [entry, fresh] = deepest_.try_emplace({a, b}, Overlap{volume_, a, b, point, depth});
     if (!fresh && depth > entry->second.depth) entry->second = {volume_, a, b, point, depth};
   }
+  bool has(std::uint32_t a, std::uint32_t b) const { return deepest_.contains({a, b}); }
   void append_to(std::vector<Overlap>& all) const {
     for (const auto& [pair, overlap] : deepest_) all.push_back(overlap);
   }
@@ -28,8 +31,33 @@ class Findings {
   std::map<std::pair<std::uint32_t, std::uint32_t>, Overlap> deepest_;
 };
 
+/// Indices of daughters whose boxes along the mother's axes share more than the tolerance.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_to_check(
+    const std::vector<Extent>& boxes, double tolerance) {
+  std::vector<std::uint32_t> order(boxes.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return boxes[a].min.x < boxes[b].min.x; });
+  const auto share = [tolerance](double low_a, double high_a, double low_b, double high_b) {
+    return std::min(high_a, high_b) - std::max(low_a, low_b) > tolerance;
+  };
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Extent& a = boxes[order[i]];
+    for (std::size_t k = i + 1; k < order.size(); ++k) {
+      const Extent& b = boxes[order[k]];
+      if (b.min.x > a.max.x) break;
+      if (share(a.min.x, a.max.x, b.min.x, b.max.x) && share(a.min.y, a.max.y, b.min.y, b.max.y) &&
+          share(a.min.z, a.max.z, b.min.z, b.max.z)) {
+        pairs.emplace_back(std::min(order[i], order[k]), std::max(order[i], order[k]));
+      }
+    }
+  }
+  return pairs;
+}
+
 void check_scene(const Geometry& geometry, VolumeId volume, const OverlapOptions& options,
-                 std::vector<Overlap>& all) {
+                 OverlapReport& report) {
   const World& world = geometry.world();
   const Scene& scene = geometry.scene(volume);
   if (scene.daughters.empty()) return;
@@ -38,45 +66,62 @@ void check_scene(const Geometry& geometry, VolumeId volume, const OverlapOptions
     boxes.push_back(placed_extent(world.volumes[d.volume].solid, d.transformation));
   }
   const bvh::BoxTree tree(boxes, world.tolerance, bvh::default_method(boxes.size()));
-  std::map<const void*, std::vector<Vec3>> surfaces;  // placed many times, sampled once
+  std::map<const void*, SolidPoints> sampled;  // placed many times, sampled once
   Findings findings(volume);
   for (std::uint32_t k = 0; k < scene.daughters.size(); ++k) {
     const Daughter& daughter = scene.daughters[k];
     const Solid& solid = world.volumes[daughter.volume].solid;
-    auto& points = surfaces[solid.shape.get()];
-    if (points.empty()) {
-      points = surface_points(solid, options.resolution, world.tolerance, options.seed);
-    }
-    for (const Vec3& local : points) {
+    const auto [found, fresh] = sampled.try_emplace(solid.shape.get());
+    SolidPoints& points = found->second;
+    if (fresh) points = sample_points(solid, options.resolution, world.tolerance, options.seed);
+    if (points.surface.empty()) report.not_sampled.emplace_back(volume, k);
+    // `depth` is how deep the point is in the daughter itself.
+    const auto check_point = [&](const Vec3& local, double depth) {
       const Vec3 p = to_outer(daughter.transformation, local);
       if (inside(scene.solid, p, options.tolerance) == Side::outside) {
         // Safety may be less than the depth, and 0 for awkward shapes: outside by the tolerance is
         // what is known then.
         findings.add(k, Overlap::mother, p,
-                     std::max(options.tolerance, safety_to_in(scene.solid, p)));
+                     std::max(options.tolerance, depth + safety_to_in(scene.solid, p)));
       }
       tree.containing(p, [&](std::uint32_t j) {
         if (j == k) return true;
         const Daughter& other = scene.daughters[j];
         const Vec3 q = to_local(other.transformation, p);
         if (inside(other.solid, q, options.tolerance) == Side::inside) {
-          findings.add(k, j, p, std::max(options.tolerance, safety_to_out(other.solid, q)));
+          findings.add(k, j, p, std::max(options.tolerance, depth + safety_to_out(other.solid, q)));
         }
         return true;
       });
+    };
+    for (const Vec3& p : points.surface) check_point(p, 0);
+    for (const Vec3& p : points.interior) {
+      if (inside(daughter.solid, p, options.tolerance) != Side::inside) continue;
+      check_point(p, safety_to_out(daughter.solid, p));
     }
   }
-  findings.append_to(all);
+  for (const auto& [i, k] : pairs_to_check(boxes, options.tolerance)) {
+    if (findings.has(i, k)) continue;
+    const Daughter &a = scene.daughters[i], &b = scene.daughters[k];
+    const PlacedSolid first{world.volumes[a.volume].solid, a.transformation};
+    const PlacedSolid second{world.volumes[b.volume].solid, b.transformation};
+    if (!boxes_meet(first, second, options.tolerance)) continue;
+    const std::size_t lines = std::min<std::size_t>(options.resolution, 64);
+    const auto shared =
+        find_shared_point(first, second, lines, options.tolerance, world.tolerance, options.seed);
+    if (shared) findings.add(i, k, shared->point, shared->depth);
+  }
+  findings.append_to(report.overlaps);
 }
 
 }  // namespace
 
-std::vector<Overlap> find_overlaps(const Geometry& geometry, const OverlapOptions& options) {
-  std::vector<Overlap> all;
+OverlapReport check_overlaps(const Geometry& geometry, const OverlapOptions& options) {
+  OverlapReport report;
   for (VolumeId v = 0; v < geometry.size(); ++v) {
-    if (geometry.world().volumes[v].touchables > 0) check_scene(geometry, v, options, all);
+    if (geometry.world().volumes[v].touchables > 0) check_scene(geometry, v, options, report);
   }
-  return all;
+  return report;
 }
 
 }  // namespace navjit

@@ -15,7 +15,8 @@ using tests::place;
 
 std::vector<Overlap> overlaps(World world, OverlapOptions options = {}) {
   finish(world);
-  return find_overlaps(Geometry(std::make_shared<const World>(std::move(world))), options);
+  return check_overlaps(Geometry(std::make_shared<const World>(std::move(world))), options)
+      .overlaps;
 }
 
 TEST(SurfacePoints, AreOnTheSurfaceAndAllOverIt) {
@@ -83,6 +84,106 @@ TEST(Overlaps, ShallowerThanTheToleranceAreNotTold) {
   place(world, world.top, a, {2 - 1e-4, 0, 0});
   EXPECT_EQ(overlaps(world, {.tolerance = 1e-3}).size(), 0U);
   EXPECT_EQ(overlaps(world, {.tolerance = 1e-6}).size(), 1U);
+}
+
+/// A world of 20 mm with the two solids, which are expected to overlap, or not.
+std::vector<Overlap> of_two(const Solid& a, const Solid& b, Vec3 at = {0, 0, 0},
+                            Vec3 angles = {0, 0, 0}) {
+  World world;
+  world.top = add_volume(world, "world", make_box("w", 10, 10, 10));
+  place(world, world.top, add_volume(world, "a", a), {0, 0, 0});
+  place(world, world.top, add_volume(world, "b", b), at, angles);
+  return overlaps(std::move(world));
+}
+
+TEST(Overlaps, VolumesThatCoincideAreFound) {
+  const Solid box = make_box("b", 1, 2, 3), tube = make_tube("t", 1, 2, 3, 0, 7);
+  for (const Solid& solid : {box, tube, make_orb("o", 2), make_trd("r", 1, 2, 1, 2, 3),
+                             make_tube("s", 1, 2, 3, 0.5, 1)}) {
+    const auto found = of_two(solid, solid);
+    ASSERT_EQ(found.size(), 1U) << solid.name;
+    EXPECT_EQ(found[0].first, 0U);
+    EXPECT_EQ(found[0].second, 1U);
+    EXPECT_GT(found[0].depth, 0.4) << solid.name;
+  }
+  // By another solid of the same shape, and by turns that are symmetries.
+  EXPECT_EQ(of_two(tube, make_subtraction("t", make_tube("t", 0, 2, 3, 0, 7),
+                                          make_tube("h", 0, 1, 4, 0, 7)))
+                .size(),
+            1U);
+  EXPECT_EQ(of_two(tube, tube, {0, 0, 0}, {0, 0, 1.234}).size(), 1U);
+  EXPECT_EQ(of_two(tube, tube, {0, 0, 0}, {M_PI, 0, 0}).size(), 1U);
+  EXPECT_EQ(of_two(box, box, {0, 0, 0}, {0, 0, M_PI}).size(), 1U);
+  EXPECT_EQ(of_two(box, make_box("turned", 2, 1, 3), {0, 0, 0}, {0, 0, M_PI / 2}).size(), 1U);
+  // A half of it, flush on five sides.
+  EXPECT_EQ(of_two(box, make_box("half", 1, 2, 1.5), {0, 0, 1.5}).size(), 1U);
+}
+
+TEST(Overlaps, WhatFillsAHoleOrTouchesIsNone) {
+  const Solid pipe = make_tube("p", 1, 2, 3, 0, 7);
+  EXPECT_TRUE(of_two(pipe, make_tube("core", 0, 1, 3, 0, 7)).empty());
+  EXPECT_TRUE(of_two(pipe, pipe, {0, 0, 6}).empty());
+  EXPECT_TRUE(of_two(make_box("a", 1, 1, 1), make_box("b", 1, 1, 1), {2, 2, 0}).empty());
+  const Solid quarter = make_tube("q", 0, 3, 3, 0, M_PI / 2);
+  EXPECT_TRUE(of_two(quarter, quarter, {0, 0, 0}, {0, 0, M_PI / 2}).empty());
+}
+
+TEST(Overlaps, OneThatHoldsItsSiblingIsFound) {
+  const auto found = of_two(make_box("small", 1, 1, 1), make_box("large", 4, 4, 4));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_GE(found[0].depth, 3);
+}
+
+TEST(Overlaps, ADaughterThatFillsItsMotherIsNone) {
+  for (const Solid& solid : {make_box("b", 10, 10, 10), make_tube("t", 1, 2, 3, 0, 7)}) {
+    World world;
+    world.top = add_volume(world, "world", solid);
+    place(world, world.top, add_volume(world, "same", solid), {0, 0, 0});
+    EXPECT_TRUE(overlaps(std::move(world)).empty()) << solid.name;
+  }
+}
+
+TEST(Overlaps, ThinOnesThatCrossAreFound) {
+  const Solid plate = make_box("plate", 8, 8, 1e-4), wire = make_tube("wire", 0, 1e-4, 8, 0, 7);
+  EXPECT_EQ(of_two(plate, plate, {0, 0, 0}, {M_PI / 2, 0, 0}).size(), 1U);
+  EXPECT_EQ(of_two(plate, plate, {0, 0, 0}, {0.7, 0.4, 0.2}).size(), 1U);
+  EXPECT_EQ(of_two(plate, plate, {0.3, 0.2, 0}, {0, 0, 0.3}).size(), 1U);
+  EXPECT_EQ(of_two(plate, wire).size(), 1U);
+  EXPECT_EQ(of_two(wire, wire, {0, 0, 0}, {0.8, 0.3, 0}).size(), 1U);
+  EXPECT_TRUE(of_two(plate, plate, {0, 0, 2e-4}).empty());
+  EXPECT_TRUE(of_two(wire, wire, {0, 2.1e-4, 0}, {0, 0.8, 0}).empty());
+}
+
+TEST(Overlaps, DaughtersFarLargerThanTheirMotherAreFound) {
+  const Solid far_larger[] = {make_box("box", 1e8, 1e8, 1e8),
+                              make_orb("orb", 1e8),
+                              make_box("beam", 1e8, 1, 1),
+                              make_tube("wire", 0, 1, 1e8, 0, 7),
+                              make_tube("hoop", 1e8, 1e8 + 10, 1, 0, 7),
+                              make_box("foil", 1e8, 1e8, 1e-5)};
+  for (const Solid& solid : far_larger) {
+    World world;
+    world.top = add_volume(world, "world", make_box("w", 500, 500, 500));
+    place(world, world.top, add_volume(world, "d", solid), {0, 0, 0});
+    const auto found = overlaps(std::move(world));
+    ASSERT_EQ(found.size(), 1U) << solid.name;
+    EXPECT_EQ(found[0].second, Overlap::mother) << solid.name;
+    EXPECT_GT(found[0].depth, 1e6) << solid.name;
+  }
+}
+
+TEST(Overlaps, WhatNoPointIsFoundOfIsTold) {
+  SolidFrame diagonal;
+  rotation_from_angles(0.7, 0.6, 0, diagonal.rotation);
+  const Solid needle = make_placed("needle", make_tube("straight", 0, 1e-7, 8, 0, 7), diagonal);
+  World world;
+  world.top = add_volume(world, "world", make_box("w", 10, 10, 10));
+  place(world, world.top, add_volume(world, "needle", needle), {0, 0, 0});
+  finish(world);
+  const OverlapReport report =
+      check_overlaps(Geometry(std::make_shared<const World>(std::move(world))));
+  ASSERT_EQ(report.not_sampled.size(), 1U);
+  EXPECT_EQ(report.not_sampled[0].second, 0U);
 }
 
 }  // namespace
