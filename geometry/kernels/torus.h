@@ -182,6 +182,12 @@ SpanPair<Real> ring_spans(Real r, const RingForm<Real>& q, const Turns<Real>& tu
       // turns.
       enter = falling ? bracketed_zero(distance, from, to, false) : to;
       in = true;
+      // What is left for no more than the tolerance is not left: a hole that is hardly there.
+      if (second && enter - pair.first.leave <= tol) {
+        enter = pair.first.enter;
+        pair = no_spans<Real>();
+        second = false;
+      }
     } else if (!falling && in && beyond) {
       // Within the tolerance it may turn before it has got in.
       const bool passed = i > 0 && distance(from).value >= 0;

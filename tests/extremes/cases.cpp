@@ -79,7 +79,15 @@ std::vector<Case> all_cases(bool full) {
         [=](const World& world) { return not_quite_unit(mixed(few, 6)(world), by); });
   }
   add("shells a micrometre thick at 10 m", thin_shells(), "", mixed(few, 7));
-  add("tori nearly degenerate", odd_tori(true), odd_tori(false), mixed(many, 8));
+  add("tori nearly degenerate", odd_tori(true), odd_tori(false), [=](const World& world) {
+    Rays rays = mixed(many, 8)(world);
+    append(rays, rays_past_centres(world, many / 4, 14));
+    append(rays, {{{325, 0, 0}, {1, 0, 5e-324}},  // once stuck
+                  {{325, 0, 0}, {1, 0x1.87e92154ef7acp-665, 0}},
+                  {{0x1.38000000180d4p+5, 0, 0},
+                   {1, -0x0.012688b70e62bp-1022, -0x0.012688b70e62bp-1022}}});
+    return rays;
+  });
   add("cones nearly cylinders, and nearly points", odd_cones(), "", mixed(many, 9));
   add("wedges nearly closed, and nearly nothing", odd_wedges(), "", mixed(many, 10));
   add("volumes face to face, and flush with their mother", touching_volumes(), "", mixed(many, 11));

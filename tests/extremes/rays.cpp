@@ -206,6 +206,30 @@ std::vector<Ray> rays_from_corners(const World& world, std::size_t count, std::u
   return rays;
 }
 
+std::vector<Ray> rays_past_centres(const World& world, std::size_t count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto& daughters = world.volumes[world.top].daughters;
+  constexpr double offs[] = {0, 0, 5e-324, -1e-310, 1e-200, 1e-100, 1e-20, -1e-12, 1e-11, 1e-9};
+  std::vector<Ray> rays;
+  while (rays.size() < count) {
+    const Placement& d = daughters[random() % daughters.size()];
+    const double size = size_of(world.volumes[d.volume].solid.extent);
+    const auto& odd = odd_directions();
+    Vec3 v = random() % 4 == 0 ? unit_vector(random) : odd[random() % odd.size()];
+    if (random() % 2 == 0) v.z = 0;
+    if (!(norm(v) > 0)) continue;
+    v = (1 / norm(v)) * v;
+    v = (1 / norm(v)) * v;
+    const Vec3 centre = navjit::to_outer(d.transformation, {0, 0, 0});
+    const Vec3 off{one_of(random, offs), one_of(random, offs), one_of(random, offs)};
+    const double back[] = {0, 1e-300, 1e-12, 0.3 * size, size};
+    const bool local = random() % 2 == 0;
+    const Point direction = local ? turned_to_outer(d.transformation, widen(v)) : widen(v);
+    rays.push_back({centre + off + (-one_of(random, back)) * narrow(direction), narrow(direction)});
+  }
+  return rays;
+}
+
 std::vector<Ray> not_quite_unit(std::vector<Ray> rays, double by) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
     rays[i].direction = (i % 2 == 0 ? 1 + by : 1 - by) * rays[i].direction;

@@ -25,6 +25,10 @@ std::vector<Ray> grazing_rays(const World& world, std::size_t count, std::uint64
 /// solids.
 std::vector<Ray> rays_from_corners(const World& world, std::size_t count, std::uint64_t seed);
 
+/// Through the centres of the world's daughters, and past them by denormals and more, along their
+/// axes, in their planes z = 0, and anywhere. Starts are far off and near.
+std::vector<Ray> rays_past_centres(const World& world, std::size_t count, std::uint64_t seed);
+
 /// Zeros of both signs, denormals, along axes, planes and diagonals, and nearly so.
 const std::vector<Vec3>& odd_directions();
 

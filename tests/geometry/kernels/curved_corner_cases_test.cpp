@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <sstream>
 
 #include "geometry/solids/solid.hpp"
 
@@ -46,6 +47,36 @@ TEST(TorusRays, StartOnTheAxis) {
   EXPECT_NEAR(to_in(torus, {0, 0, 10}, 1, 0, 0.05), x * std::sqrt(1.0025), 1e-12);
   EXPECT_NEAR(to_in(torus, {0, 0, -10}, 0, -1, -0.05), x * std::sqrt(1.0025), 1e-12);
   EXPECT_EQ(to_in(torus, {0, 0, 10}, 1, 0, 1), inf);
+}
+
+TEST(TorusRays, GoStraightOnThroughAHoleNarrowerThanTheTolerance) {
+  // The hole is a point, or 7e-15 mm wide.
+  for (const double rtor : {7.0, 7 * (1 + 1e-15)}) {
+    const Solid torus = make_torus("t", 0, 7, rtor, 0, turn);
+    for (const double off : {0.0, 5e-324, 1e-310, 1e-200, 1e-100, 1e-30, 1e-12}) {
+      for (const double along : {0.0, 5e-324, 1e-322, 1e-12}) {
+        for (const Vec3& v : {Vec3{1, 0, 0}, Vec3{1, 5e-324, -1e-320}, Vec3{0.6, 0, 0.8},
+                              Vec3{-0.48, 0.64, 0.6}, Vec3{1, 1e-200, 0}, Vec3{0.7, 0.1, -1e-9}}) {
+          for (const Vec3& p :
+               {Vec3{along, off, 0}, Vec3{-along, 0, off}, Vec3{off, -along, -off}}) {
+            const double s = std::hypot(v.x, v.y) / std::hypot(v.x, v.y, v.z);
+            const auto where = [&] {
+              std::ostringstream text;
+              text << p.x << ' ' << p.y << ' ' << p.z << " along " << v.x << ' ' << v.y << ' '
+                   << v.z;
+              return text.str();
+            };
+            EXPECT_TRUE(in(torus, p, v.x, v.y, v.z)) << where();
+            EXPECT_NEAR(to_out(torus, p, v.x, v.y, v.z), 14 * s, 1e-6) << where();
+          }
+        }
+      }
+    }
+    EXPECT_NEAR(to_out(torus, {-14, 0, 0}, 1, 0, 0), 28, 1e-12);
+    // A wider hole is one, and so is a narrow one along the axis.
+    EXPECT_NEAR(to_out(make_torus("t", 0, 7, 7.001, 0, turn), {-14, 0, 0}, 1, 0, 0), 13.999, 1e-9);
+    EXPECT_EQ(to_in(torus, {0, 0, 9}, 0, 0, -1), inf);
+  }
 }
 
 TEST(TorusRays, ThatIsWiderThanItsCircle) {
