@@ -44,7 +44,12 @@ NamedSolid read_xtru(FileContext& file, const XmlElement& element, const std::st
            "meant");
   }
   file.session.xml.elements -= cost;
-  return made(make_extruded(name, polygon, sections));
+  std::string odd;
+  NamedSolid solid = made(make_extruded(name, polygon, sections, &odd));
+  if (!odd.empty()) {
+    file.note(element, "its polygon touches or crosses itself: took what it surrounds", odd);
+  }
+  return solid;
 }
 
 NamedSolid read_arb8(FileContext& file, const XmlElement& element, const std::string& name) {
@@ -149,7 +154,10 @@ NamedSolid read_tessellated(FileContext& file, const XmlElement& element, const 
     }
     facets.push_back(std::move(facet));
   }
-  return made(make_tessellated(name, facets));
+  std::string odd;
+  NamedSolid solid = made(make_tessellated(name, facets, &odd));
+  if (!odd.empty()) file.note(element, "its facets do not close on one another: closed them", odd);
+  return solid;
 }
 
 constexpr SolidKindReader readers[] = {

@@ -1,12 +1,15 @@
 // Extruded solids: one polygon, moved and scaled along z.
 #include <algorithm>
+#include <cstdio>
 
 #include "geometry/solids/facets.hpp"
+#include "geometry/solids/windings.hpp"
 
 namespace navjit {
 namespace {
 
 using detail::require;
+using detail::wrongly_surrounded;
 using Polygon = std::vector<PlanarPoint>;
 
 double turn(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) {
@@ -57,15 +60,14 @@ bool crosses(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c,
   };
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
-void require_simple(const Polygon& polygon, const std::string& name) {
+bool crosses_itself(const Polygon& polygon) {
   const std::size_t n = polygon.size();
-  require(n <= 5000, name, "its polygon has more than 5000 corners");
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = i + 1; k < n; ++k) {
-      require(!crosses(polygon[i], polygon[(i + 1) % n], polygon[k], polygon[(k + 1) % n]), name,
-              "its polygon crosses itself");
+      if (crosses(polygon[i], polygon[(i + 1) % n], polygon[k], polygon[(k + 1) % n])) return true;
     }
   }
+  return false;
 }
 
 bool convex(const Polygon& polygon) {
@@ -83,8 +85,9 @@ bool convex(const Polygon& polygon) {
   return upwards <= 1;
 }
 
-/// Cuts off one ear after the other.
-std::vector<kernels::Facet> triangles(const Polygon& polygon, const std::string& name) {
+/// Cuts off one ear after the other. Empty if there is none at some time, since the polygon touches
+/// or crosses itself.
+std::vector<kernels::Facet> ears(const Polygon& polygon) {
   std::vector<int> left;
   for (std::size_t i = 0; i < polygon.size(); ++i) left.push_back(static_cast<int>(i));
   const auto at = [&](int i) -> const PlanarPoint& { return polygon[static_cast<std::size_t>(i)]; };
@@ -115,7 +118,7 @@ std::vector<kernels::Facet> triangles(const Polygon& polygon, const std::string&
       ear = i;
       fattest = fat;
     }
-    require(ear < n, name, "its polygon touches or crosses itself");
+    if (ear == n) return {};
     made.push_back({left[(ear + n - 1) % n], left[ear], left[(ear + 1) % n]});
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
   }
@@ -123,12 +126,46 @@ std::vector<kernels::Facet> triangles(const Polygon& polygon, const std::string&
   return made;
 }
 
+/// From one corner, whatever lies between: what is covered twice has opposite signs, so that around
+/// each point these wind as often as the polygon does.
+std::vector<kernels::Facet> fan(const Polygon& polygon) {
+  std::vector<kernels::Facet> made;
+  for (int i = 1; i + 1 < static_cast<int>(polygon.size()); ++i) made.push_back({0, i, i + 1});
+  return made;
+}
+
+/// Triangles that cover the polygon. Throws if it crosses itself by more than slightly.
+std::vector<kernels::Facet> triangles(const Polygon& polygon, bool crossing,
+                                      const std::string& name, std::string* note) {
+  if (!crossing) {
+    std::vector<kernels::Facet> cut = ears(polygon);
+    if (!cut.empty()) return cut;
+  }
+  const double part = wrongly_surrounded(polygon) / (twice_area(polygon) / 2);
+  char text[200];
+  if (!(part <= 1e-4)) {
+    std::snprintf(
+        text, sizeof text,
+        "': its polygon crosses itself, and surrounds %.2g of its area twice or the wrong way "
+        "round; correct its corners",
+        part);
+    throw GeometryError("solid '" + name + text);
+  }
+  if (note != nullptr) {
+    std::snprintf(text, sizeof text, "surrounds %.2g of its area twice or the wrong way round",
+                  part);
+    *note = text;
+  }
+  return fan(polygon);
+}
+
 }  // namespace
 
 Solid make_extruded(std::string name, std::span<const PlanarPoint> given,
-                    std::span<const ExtrudedSection> sections) {
+                    std::span<const ExtrudedSection> sections, std::string* note) {
   const Polygon polygon = cleaned(given, name);
-  require_simple(polygon, name);
+  require(polygon.size() <= 5000, name, "its polygon has more than 5000 corners");
+  const bool crossing = crosses_itself(polygon);
   require(sections.size() >= 2, name, "it has less than two sections");
   std::vector<Vec3> corners;
   for (std::size_t i = 0; i < sections.size(); ++i) {
@@ -144,7 +181,7 @@ Solid make_extruded(std::string name, std::span<const PlanarPoint> given,
   const auto corner = [&](int section, int i) {
     return corners[static_cast<std::size_t>(section * n + i % n)];
   };
-  if (sections.size() == 2 && convex(polygon)) {
+  if (sections.size() == 2 && !crossing && convex(polygon)) {
     Extent e{corners[0], corners[0]};
     for (const Vec3& p : corners) e = detail::merged(e, {p, p});
     std::vector<kernels::Plane<double>> planes{{0, 0, -1, sections[0].z},
@@ -158,7 +195,7 @@ Solid make_extruded(std::string name, std::span<const PlanarPoint> given,
     return detail::make_hull(std::move(name), std::move(planes), e);
   }
   std::vector<kernels::Facet> facets;
-  for (const kernels::Facet& f : triangles(polygon, name)) {
+  for (const kernels::Facet& f : triangles(polygon, crossing, name, note)) {
     facets.push_back({f.a, f.c, f.b});
     facets.push_back({last * n + f.a, last * n + f.b, last * n + f.c});
   }
@@ -169,7 +206,7 @@ Solid make_extruded(std::string name, std::span<const PlanarPoint> given,
       facets.push_back({a, b + n, a + n});
     }
   }
-  return detail::make_facets(std::move(name), std::move(corners), std::move(facets));
+  return detail::make_facets(std::move(name), std::move(corners), std::move(facets), nullptr);
 }
 
 }  // namespace navjit

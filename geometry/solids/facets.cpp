@@ -5,6 +5,8 @@
 #include <map>
 #include <numeric>
 
+#include "geometry/solids/closing.hpp"
+
 namespace navjit {
 namespace detail {
 namespace {
@@ -66,12 +68,12 @@ void add_boxes(Holder& h, int first, int count) {
   h.boxes[at].next = static_cast<int>(h.boxes.size());
 }
 
-/// One corner for all that are within 1e-9 of the size of each other.
-void merge_corners(Holder& h, double size) {
+/// One corner for all that fall into the same cell of this size. Facets of which nothing is left
+/// are left out.
+void merge_corners(Holder& h, double cell) {
   std::map<std::array<double, 3>, int> known;
   std::vector<int> merged;
   std::vector<Vec3> kept;
-  const double cell = 1e-9 * std::max(size, 1e-300);
   for (const Vec3& p : h.corners) {
     const std::array<double, 3> key{std::round(p.x / cell), std::round(p.y / cell),
                                     std::round(p.z / cell)};
@@ -82,22 +84,25 @@ void merge_corners(Holder& h, double size) {
   for (Facet& f : h.facets) {
     for (int* corner : {&f.a, &f.b, &f.c}) *corner = merged[static_cast<std::size_t>(*corner)];
   }
-  // Two corners in one place: nothing is left of it.
   std::erase_if(h.facets, [](const Facet& f) { return f.a == f.b || f.b == f.c || f.c == f.a; });
   h.corners = std::move(kept);
 }
 
-void require_closed(const std::vector<Facet>& facets, const std::string& name) {
-  std::map<std::pair<int, int>, int> edges;  // how often from the first to the second, less back
-  for (const Facet& f : facets) {
-    for (const auto& [from, to] : {std::pair(f.a, f.b), {f.b, f.c}, {f.c, f.a}}) {
-      edges[std::minmax(from, to)] += from < to ? 1 : -1;
-    }
+/// Merges corners within 1e-9 of the size of each other. If the facets do not close then, within up
+/// to 1e-5, so far as fewer edges are open and no facet is lost: corners that were written or
+/// computed several times.
+void join_corners(Holder& h, double size) {
+  const Holder given = h;
+  merge_corners(h, 1e-9 * std::max(size, 1e-300));
+  std::size_t open = open_edges(h.facets);
+  for (double part = 1e-8; open > 0 && part < 2e-5; part *= 10) {
+    Holder coarser = given;
+    merge_corners(coarser, part * size);
+    const std::size_t still_open = open_edges(coarser.facets);
+    if (coarser.facets.size() < h.facets.size() || still_open >= open) continue;
+    open = still_open;
+    h = std::move(coarser);
   }
-  require(std::all_of(edges.begin(), edges.end(), [](const auto& e) { return e.second == 0; }),
-          name,
-          "the facets do not close on one another; each edge must belong to two facets, "
-          "in opposite directions");
 }
 
 }  // namespace
@@ -117,9 +122,10 @@ double facets_volume(const kernels::Facets<double>& s) {
   return volume;
 }
 
-Solid make_facets(std::string name, std::vector<Vec3> corners, std::vector<Facet> facets) {
-  require(facets.size() >= 4, name, "it has less than four facets");
-  require(facets.size() <= 10'000'000, name, "it has more than 10000000 facets");
+Solid make_facets(std::string name, std::vector<Vec3> corners, std::vector<Facet> facets,
+                  std::string* note) {
+  require(!facets.empty() && facets.size() <= 10'000'000, name,
+          "it has no facets, or more than 10000000");
   Extent e{corners.front(), corners.front()};
   for (const Vec3& p : corners) {
     require_finite({p.x, p.y, p.z}, name);
@@ -129,9 +135,10 @@ Solid make_facets(std::string name, std::vector<Vec3> corners, std::vector<Facet
   const auto holder = std::make_shared<Holder>();
   holder->corners = std::move(corners);
   holder->facets = std::move(facets);
-  merge_corners(*holder, size);
+  join_corners(*holder, size);
+  const std::string repaired = describe(close_facets(holder->corners, holder->facets));
+  if (note != nullptr && !repaired.empty()) *note = repaired;
   require(holder->facets.size() >= 4, name, "it has less than four facets");
-  require_closed(holder->facets, name);
   holder->point();
   const double volume = facets_volume(holder->shape);
   require(std::abs(volume) > 1e-12 * size * size * size && std::isfinite(volume), name,
@@ -147,7 +154,7 @@ Solid make_facets(std::string name, std::vector<Vec3> corners, std::vector<Facet
 
 }  // namespace detail
 
-Solid make_tessellated(std::string name, std::span<const FacetCorners> facets) {
+Solid make_tessellated(std::string name, std::span<const FacetCorners> facets, std::string* note) {
   std::vector<Vec3> corners;
   std::vector<kernels::Facet> triangles;
   for (const FacetCorners& f : facets) {
@@ -158,7 +165,7 @@ Solid make_tessellated(std::string name, std::span<const FacetCorners> facets) {
     if (f.size() == 4) triangles.push_back({first, first + 2, first + 3});
   }
   detail::require(!triangles.empty(), name, "it has no facets");
-  return detail::make_facets(std::move(name), std::move(corners), std::move(triangles));
+  return detail::make_facets(std::move(name), std::move(corners), std::move(triangles), note);
 }
 
 }  // namespace navjit

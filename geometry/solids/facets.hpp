@@ -16,9 +16,12 @@ double hull_volume(const kernels::Hull<double>& hull);
 /// anticlockwise; all zero if they are on a line.
 kernels::Plane<double> plane_through(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// The body that these triangles bound. Throws GeometryError unless they close on one another, one
-/// edge of one against one edge of another. All turned over if they face inwards.
-Solid make_facets(std::string name, std::vector<Vec3> corners, std::vector<kernels::Facet> facets);
+/// The body that these triangles bound: all turned over if they face inwards. Those that do not
+/// close on one another, one edge of one against one edge of another, are closed as close_facets
+/// does it; `note`, unless null, is then set to what was done. Throws GeometryError if they enclose
+/// nothing.
+Solid make_facets(std::string name, std::vector<Vec3> corners, std::vector<kernels::Facet> facets,
+                  std::string* note);
 /// The volume within the triangles, mm^3; negative if they face inwards.
 double facets_volume(const kernels::Facets<double>& s);
 

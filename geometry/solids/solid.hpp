@@ -73,16 +73,21 @@ struct PlanarPoint {
 struct ExtrudedSection {
   double z, x, y, scale;
 };
-/// A polygon (either way round, convex or not, not crossing itself) along sections that ascend in
-/// z.
+/// A polygon (either way round, convex or not) along sections that ascend in z. It may touch
+/// itself. It may cross itself if what it then surrounds the wrong way round, or more than once, is
+/// at most 1e-4 of its area: the solid is what it surrounds at least once the right way round, and
+/// `note`, unless null, is set to what was done.
 Solid make_extruded(std::string name, std::span<const PlanarPoint> polygon,
-                    std::span<const ExtrudedSection> sections);
+                    std::span<const ExtrudedSection> sections, std::string* note = nullptr);
 
 /// Three or four corners, anticlockwise seen from outside; four are cut from the first to the
 /// third.
 using FacetCorners = std::vector<Vec3>;
-/// The body within facets that close on one another.
-Solid make_tessellated(std::string name, std::span<const FacetCorners> facets);
+/// The body within the facets. Where they do not close on one another, doubled ones are left out,
+/// single ones are turned, and what is open then is spanned by triangles; `note`, unless null, is
+/// set to what was done.
+Solid make_tessellated(std::string name, std::span<const FacetCorners> facets,
+                       std::string* note = nullptr);
 
 /// Four corners at -hz, the same way round at +hz, joined by straight lines: the sides may twist by
 /// up to a right angle. Corners may coincide.

@@ -37,6 +37,24 @@ TEST_F(GdmlContours, ExtrudedSolids) {
   EXPECT_TRUE(has(s, 1, 1, -9.9));
   EXPECT_FALSE(has(s, 1, 1, 9.9));
   EXPECT_HAS(error_of(file("<xtru name='s'><zplane/></xtru>")), "twoDimVertex or section");
+  const auto polygon = [](const std::string& points) {
+    return "<xtru name='s'>" + points +
+           "<section zOrder='1' zPosition='-1'/><section zOrder='2' zPosition='1'/></xtru>";
+  };
+  const std::string start =
+      "<twoDimVertex x='0' y='0'/><twoDimVertex x='9' y='0'/><twoDimVertex x='9' y='9'/>";
+  GdmlReport report;
+  const Solid touching = top(read(file(polygon(start + "<twoDimVertex x='5' y='-0.001'/>"
+                                                       "<twoDimVertex x='0' y='9'/>")),
+                                  &report))
+                             .solid;
+  EXPECT_TRUE(has(touching, 7, 1, 0));
+  EXPECT_FALSE(has(touching, 5, 5, 0));
+  ASSERT_EQ(report.notes.size(), 1U);
+  EXPECT_HAS(report.notes[0],
+             "det.gdml:5: <xtru name='s'>: its polygon touches or crosses itself: took what it "
+             "surrounds: surrounds ");
+  EXPECT_HAS(error_of(file(polygon(start + "<twoDimVertex x='4' y='-9'/>"))), "crosses itself");
   EXPECT_HAS(error_of(file("<xtru name='s'>" + corners + "</xtru>")), "less than two sections");
 }
 
@@ -66,7 +84,18 @@ TEST_F(GdmlContours, FacetsByTheNamesOfTheirCorners) {
       define);
   EXPECT_TRUE(has(s, 2, 2, 2));
   EXPECT_FALSE(has(s, 4, 4, 4));
-  EXPECT_HAS(error_of(file("<tessellated name='s'>" + rest, define)), "less than four facets");
+  // One facet is missing.
+  GdmlReport report;
+  EXPECT_TRUE(
+      has(top(read(file("<tessellated name='s'>" + rest, define), &report)).solid, 2, 2, 2));
+  ASSERT_EQ(report.notes.size(), 1U);
+  EXPECT_HAS(report.notes[0],
+             "det.gdml:5: <tessellated name='s'>: its facets do not close on one another: closed "
+             "them: open at 3 edges; added 1 facet");
+  EXPECT_HAS(error_of(file("<tessellated name='s'><triangular vertex1='a' vertex2='b' "
+                           "vertex3='c'/></tessellated>",
+                           define)),
+             "less than four facets");
   EXPECT_HAS(error_of(file("<tessellated name='s'><triangular vertex1='a' vertex2='x' "
                            "vertex3='b'/></tessellated>",
                            define)),
