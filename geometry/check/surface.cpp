@@ -43,6 +43,12 @@ Line line_through(std::mt19937_64& random, const Extent& e, double radius, bool 
   return {p + (-2 * radius) * v, v};
 }
 
+/// A line through the extent along the axis of this number: what sticks out is often an end.
+Line line_along_axis(std::mt19937_64& random, const Extent& e, double radius, int axis) {
+  const Vec3 v{axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+  return {point_in(random, e) + (-2 * radius) * v, v};
+}
+
 }  // namespace
 
 SolidPoints sample_points(const Solid& solid, std::size_t count, double tolerance,
@@ -60,6 +66,7 @@ SolidPoints sample_points(const Solid& solid, std::size_t count, double toleranc
       }
     }
   };
+  for (int i = 0; i < 24; ++i) add(line_along_axis(random, solid.extent, radius, i % 3));
   for (std::size_t i = 0; i < 40 * count && points.surface.size() < count; ++i) {
     add(isotropic_line(random, centre, radius));
   }

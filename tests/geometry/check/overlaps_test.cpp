@@ -147,7 +147,7 @@ TEST(Overlaps, ThinOnesThatCrossAreFound) {
   const Solid plate = make_box("plate", 8, 8, 1e-4), wire = make_tube("wire", 0, 1e-4, 8, 0, 7);
   EXPECT_EQ(of_two(plate, plate, {0, 0, 0}, {M_PI / 2, 0, 0}).size(), 1U);
   EXPECT_EQ(of_two(plate, plate, {0, 0, 0}, {0.7, 0.4, 0.2}).size(), 1U);
-  EXPECT_EQ(of_two(plate, plate, {0.3, 0.2, 0}, {0, 0, 0.3}).size(), 1U);
+  EXPECT_EQ(of_two(plate, plate, {0.3, 0.2, 0}, {0, 0, 0.1}).size(), 1U);
   EXPECT_EQ(of_two(plate, wire).size(), 1U);
   EXPECT_EQ(of_two(wire, wire, {0, 0, 0}, {0.8, 0.3, 0}).size(), 1U);
   EXPECT_TRUE(of_two(plate, plate, {0, 0, 2e-4}).empty());
@@ -169,6 +169,26 @@ TEST(Overlaps, DaughtersFarLargerThanTheirMotherAreFound) {
     ASSERT_EQ(found.size(), 1U) << solid.name;
     EXPECT_EQ(found[0].second, Overlap::mother) << solid.name;
     EXPECT_GT(found[0].depth, 1e6) << solid.name;
+  }
+}
+
+TEST(Overlaps, WhatFillsAHoleOfItsMotherSticksOut) {
+  World world;
+  world.top = add_volume(world, "world", make_tube("pipe", 1, 2, 3, 0, 7));
+  place(world, world.top, add_volume(world, "core", make_tube("core", 0, 1, 3, 0, 7)), {0, 0, 0});
+  const auto found = overlaps(std::move(world));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].second, Overlap::mother);
+  EXPECT_GT(found[0].depth, 0.9);
+}
+
+TEST(Overlaps, EndsOfWiresThatStickOutAreFound) {
+  for (const double by : {1e-5, 1e-2}) {
+    World world;
+    world.top = add_volume(world, "world", make_box("w", 10, 10, 10));
+    place(world, world.top, add_volume(world, "wire", make_tube("wire", 0, 1e-3, 8, 0, 7)),
+          {0, 0, 2 + by});
+    EXPECT_EQ(overlaps(std::move(world)).size(), 1U);
   }
 }
 
