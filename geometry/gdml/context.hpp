@@ -12,7 +12,7 @@
 #include "geometry/gdml/notes.hpp"
 #include "geometry/gdml/units.hpp"
 #include "geometry/gdml/xml.hpp"
-#include "geometry/model/radiation_length.hpp"
+#include "geometry/model/world.hpp"
 
 namespace navjit::gdml {
 
@@ -55,9 +55,6 @@ struct Setup {
   const XmlElement* world_element;
 };
 
-/// What a material is made of, by mass; empty if that is not known.
-using Components = std::vector<MaterialComponent>;
-
 struct FileContext;
 
 /// What a file shares with its modules.
@@ -71,6 +68,8 @@ struct Session {
   std::size_t loop_elements = 0;
   std::size_t loop_name_bytes = 0;
   std::size_t left_out = 0;
+  /// Of elements within loops, where they are the same every time.
+  std::map<const XmlElement*, Auxiliaries> auxiliaries;
   std::size_t placements = 0;
   std::size_t placement_name_bytes = 0;
   World world;
@@ -98,9 +97,7 @@ struct FileContext {
   Evaluator evaluator;
   Definitions<Vector> positions, rotations, scales;
   Definitions<double> quantities;
-  Definitions<std::uint32_t> materials;
-  Definitions<MaterialComponent> isotopes, elements;  ///< with a fraction of 1
-  Definitions<Components> compositions;               ///< of the materials
+  Definitions<std::uint32_t> materials, elements, isotopes;  ///< indices into the world's
   Definitions<NamedSolid> solids;
   Definitions<VolumeId> volumes;
   Definitions<Assembly> assemblies;
@@ -221,6 +218,9 @@ decltype(auto) at_element(const XmlElement& element, F&& f) {
     fail(element, printable(e.what()));
   }
 }
+
+/// The <auxiliary> children of an element; null if it has none.
+Auxiliaries read_auxiliaries(FileContext& file, const XmlElement& element);
 
 void read_define(FileContext& file, const XmlElement& section);
 void read_materials(FileContext& file, const XmlElement& section);

@@ -77,14 +77,15 @@ double molar_mass(FileContext& file, const XmlElement& element) {
   return read_quantity(file, element, "atom", "g/mole", Dimension::other).value_or(0);
 }
 
-double atomic_number(FileContext& file, const XmlElement& element) {
-  return element.find("Z") ? number_of(file, element, "Z").value_or(0) : 0;
+/// 0 where the file gives none.
+double optional_number(FileContext& file, const XmlElement& element, const std::string& attribute) {
+  return element.find(attribute) ? number_of(file, element, attribute).value_or(0) : 0;
 }
 
-void merge(Components& all, const MaterialComponent& one) {
-  for (MaterialComponent& c : all) {
-    if (c.z == one.z && c.a == one.a) {
-      c.fraction += one.fraction;
+void merge(std::vector<ElementShare>& all, const ElementShare& one) {
+  for (ElementShare& share : all) {
+    if (share.element == one.element) {
+      share.fraction += one.fraction;
       return;
     }
   }
@@ -92,55 +93,74 @@ void merge(Components& all, const MaterialComponent& one) {
 }
 
 /// Nothing if it is too much, or of no mass.
-Components normalised(Components all) {
+std::vector<ElementShare> normalised(std::vector<ElementShare> all) {
   double mass = 0;
-  for (const MaterialComponent& c : all) mass += c.fraction;
+  for (const ElementShare& share : all) mass += share.fraction;
   if (!(mass > 0) || !std::isfinite(mass) || all.size() > most_components) return {};
-  for (MaterialComponent& c : all) c.fraction /= mass;
+  for (ElementShare& share : all) share.fraction /= mass;
   return all;
 }
 
-void read_isotope(FileContext& file, const XmlElement& element) {
-  file.define(file.isotopes, element, "isotope", file.name(element),
-              MaterialComponent{atomic_number(file, element), molar_mass(file, element), 1});
+/// Adds what is defined to the world's and under its name.
+template <class T>
+void define_in(FileContext& file, std::vector<T>& all,
+               Definitions<std::uint32_t> FileContext::*definitions, const XmlElement& element,
+               T value) {
+  const auto index = static_cast<std::uint32_t>(all.size());
+  file.define(file.*definitions, element, std::string(element.tag), value.name, index);
+  all.push_back(std::move(value));
 }
 
-/// An element given by its isotopes counts as one nuclide of the mean mass.
+void read_isotope(FileContext& file, const XmlElement& element) {
+  Isotope isotope{.name = file.name(element),
+                  .z = optional_number(file, element, "Z"),
+                  .nucleons = optional_number(file, element, "N"),
+                  .a = molar_mass(file, element)};
+  define_in(file, file.session.world.isotopes, &FileContext::isotopes, element, std::move(isotope));
+}
+
+/// One given by its isotopes has their mean mass.
 void read_element(FileContext& file, const XmlElement& element) {
-  double z = atomic_number(file, element), a = molar_mass(file, element), sum = 0, mass = 0;
+  const World& world = file.session.world;
+  Element made{.name = file.name(element),
+               .formula = std::string(element.find("formula").value_or("")),
+               .z = optional_number(file, element, "Z"),
+               .a = molar_mass(file, element)};
+  double sum = 0, mass = 0;
   for (const XmlElement& child : element.children()) {
     if (child.tag != "fraction") continue;
-    const std::string isotope_name = file.reference(child);
-    const MaterialComponent* isotope = file.find(&FileContext::isotopes, isotope_name);
+    file.charge(child);
+    const std::uint32_t* isotope = file.find(&FileContext::isotopes, file.reference(child));
     const auto n = number_of(file, child, "n");
     if (isotope == nullptr || !n) continue;
-    z = isotope->z;
+    made.isotopes.push_back({*isotope, *n});
+    made.z = world.isotopes[*isotope].z;
     sum += *n;
-    mass += *n * isotope->a;
+    mass += *n * world.isotopes[*isotope].a;
   }
-  if (sum > 0) a = mass / sum;
-  file.define(file.elements, element, "element", file.name(element), MaterialComponent{z, a, 1});
+  if (sum > 0) made.a = mass / sum;
+  define_in(file, file.session.world.elements, &FileContext::elements, element, std::move(made));
 }
 
 /// What a material is made of, by mass. Empty if some of it is not known.
-Components read_components(FileContext& file, const XmlElement& material) {
-  Components all;
+std::vector<ElementShare> read_shares(FileContext& file, const XmlElement& material,
+                                      const std::string& material_name) {
+  World& world = file.session.world;
+  std::vector<ElementShare> all;
   for (const XmlElement& child : material.children()) {
     const bool by_mass = child.tag == "fraction";
     if (!by_mass && child.tag != "composite") continue;
+    file.charge(child);
     const auto n = number_of(file, child, "n");
     if (!n) return {};
     const std::string name = file.reference(child);
-    const MaterialComponent* element = file.find(&FileContext::elements, name);
-    const Components* other = file.find(&FileContext::compositions, name);
+    const std::uint32_t* element = file.find(&FileContext::elements, name);
+    const std::uint32_t* other = file.find(&FileContext::materials, name);
     if (element != nullptr) {
-      MaterialComponent c = *element;
-      c.fraction = by_mass ? *n : *n * c.a;
-      merge(all, c);
-    } else if (by_mass && other != nullptr && !other->empty()) {
-      for (MaterialComponent c : *other) {
-        c.fraction *= *n;
-        merge(all, c);
+      merge(all, {*element, by_mass ? *n : *n * world.elements[*element].a});
+    } else if (by_mass && other != nullptr && !world.materials[*other].elements.empty()) {
+      for (const ElementShare& share : world.materials[*other].elements) {
+        merge(all, {share.element, share.fraction * *n});
       }
     } else {
       return {};
@@ -148,9 +168,23 @@ Components read_components(FileContext& file, const XmlElement& material) {
     if (all.size() > most_components) return {};
   }
   if (all.empty() && material.find("Z")) {
-    all.push_back({atomic_number(file, material), molar_mass(file, material), 1});
+    all.push_back({static_cast<std::uint32_t>(world.elements.size()), 1});
+    world.elements.push_back({.name = material_name,
+                              .formula = std::string(material.find("formula").value_or("")),
+                              .z = optional_number(file, material, "Z"),
+                              .a = molar_mass(file, material)});
   }
   return normalised(std::move(all));
+}
+
+/// g/cm2; 0 where it is not known.
+double radiation_length_of(const World& world, const std::vector<ElementShare>& shares) {
+  std::vector<MaterialComponent> components;
+  for (const ElementShare& share : shares) {
+    const Element& element = world.elements[share.element];
+    components.push_back({element.z, element.a, share.fraction});
+  }
+  return radiation_length(components);
 }
 
 void read_material(FileContext& file, const XmlElement& element) {
@@ -165,20 +199,17 @@ void read_material(FileContext& file, const XmlElement& element) {
       read_quantity(file, element, "T", "K", Dimension::temperature).value_or(material.temperature);
   material.pressure =
       read_quantity(file, element, "P", "pascal", Dimension::pressure).value_or(material.pressure);
-  Components components = if_readable(file, element, [&] {
-                            return read_components(file, element);
-                          }).value_or(Components{});
-  const double per_area = radiation_length(components);
+  material.elements = if_readable(file, element, [&] {
+                        return read_shares(file, element, name);
+                      }).value_or(std::vector<ElementShare>{});
+  const double per_area = radiation_length_of(file.session.world, material.elements);
   if (per_area > 0 && material.density > 0) {
     material.radiation_length = per_area / material.density * 10;
   } else {
     file.skip("gave no radiation length to a material of unknown density or composition");
   }
-  auto& materials = file.session.world.materials;
-  const auto index = static_cast<std::uint32_t>(materials.size());
-  materials.push_back(std::move(material));
-  file.define(file.compositions, element, "material", name, std::move(components));
-  file.materials.try_emplace(name, index);
+  define_in(file, file.session.world.materials, &FileContext::materials, element,
+            std::move(material));
 }
 
 /// What materials are made of is read before them: some files give it only afterwards.

@@ -84,9 +84,7 @@ void read_physvol(FileContext& file, const XmlElement& element, Mother& mother) 
       scale = signs(file, child, file.vector(child, Dimension::other, 1));
     } else if (child.tag == "scaleref") {
       scale = signs(file, child, file.look_up(file.scales, child, "scale", file.reference(child)));
-    } else if (child.tag == "auxiliary") {
-      file.skip("skipped <auxiliary> in <physvol>");
-    } else if (!read_frame(file, child, "", frame)) {
+    } else if (child.tag != "auxiliary" && !read_frame(file, child, "", frame)) {
       fail(child, "unknown element in a physvol; remove it");
     }
   }
@@ -96,6 +94,7 @@ void read_physvol(FileContext& file, const XmlElement& element, Mother& mother) 
   placement.name = file.optional_name(element);
   if (placement.name.empty()) placement.name = target->name + "_PV";
   placement.transformation = placement_frame(frame, scale);
+  placement.auxiliaries = read_auxiliaries(file, element);
   if (target->assembly == nullptr) {
     placement.volume = target->volume;
     return add_placement(file, element, mother, std::move(placement));

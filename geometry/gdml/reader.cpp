@@ -20,7 +20,12 @@ void read_setup(FileContext& file, const XmlElement& setup) {
   }
 }
 
-void skip_userinfo(FileContext& file, const XmlElement&) { file.skip("skipped <userinfo>"); }
+/// Of the main file only.
+void read_userinfo(FileContext& file, const XmlElement& element) {
+  if (&file != file.session.files_in_order.front())
+    return file.skip("skipped <userinfo> of a module");
+  file.session.world.auxiliaries = read_auxiliaries(file, element);
+}
 void skip_extension(FileContext& file, const XmlElement&) { file.skip("skipped <extension>"); }
 
 constexpr struct {
@@ -28,7 +33,7 @@ constexpr struct {
   ElementReader read;
 } sections[] = {
     {"define", read_define},       {"materials", read_materials}, {"solids", read_solids},
-    {"structure", read_structure}, {"setup", read_setup},         {"userinfo", skip_userinfo},
+    {"structure", read_structure}, {"setup", read_setup},         {"userinfo", read_userinfo},
     {"extension", skip_extension},
 };
 

@@ -22,6 +22,7 @@ void read_daughters(FileContext& file, const XmlElement& section, Mother& mother
   for (const XmlElement& element : section.children()) {
     file.charge(element);
     if (element.tag == "materialref" || element.tag == "solidref") continue;
+    if (element.tag == "auxiliary" && section.tag == "volume") continue;
     if (element.tag == "loop") {
       file.loop(element, [&] { read_daughters(file, element, mother); });
       continue;
@@ -70,6 +71,7 @@ void read_volume(FileContext& file, const XmlElement& element) {
   LogicalVolume volume;
   volume.name = name;
   volume.solid = *solid->solid;
+  volume.auxiliaries = read_auxiliaries(file, element);
   volume.material = material ? *material : nameless_material(file, element);
   file.open_name = name;
   Mother mother{volume.daughters, 1, solid};
@@ -112,6 +114,7 @@ VolumeId with_solid(FileContext& file, const XmlElement& element, VolumeId id, S
   volume.name = model.name;
   volume.solid = std::move(solid);
   volume.material = model.material;
+  volume.auxiliaries = model.auxiliaries;
   Mother copy{volume.daughters};
   for (const Placement& daughter : model.daughters) add_placement(file, element, copy, daughter);
   return add_volume(file.session, std::move(volume), nullptr);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/model/auxiliary.hpp"
+#include "geometry/model/material.hpp"
 #include "geometry/model/transformation.hpp"
 #include "geometry/solids/solid.hpp"
 
@@ -21,17 +23,6 @@ struct Tolerance {
   double relative = 4e-15;
 };
 
-enum class MaterialState : std::uint8_t { undefined, solid, liquid, gas };
-
-struct Material {
-  std::string name;
-  double density = 0;  ///< g/cm3; 0 where the file gives none
-  MaterialState state = MaterialState::undefined;
-  double temperature = 293.15;  ///< K
-  double pressure = 101325;     ///< Pa
-  double radiation_length = 0;  ///< mm; 0 where density or composition are not known
-};
-
 struct Placement {
   std::string name;
   VolumeId volume = 0;
@@ -39,6 +30,7 @@ struct Placement {
   Transformation transformation;
   /// Touchable of this daughter = touchable of the mother + offset. Set by finish().
   TouchableId offset = 0;
+  Auxiliaries auxiliaries{};
 };
 
 struct LogicalVolume {
@@ -48,11 +40,15 @@ struct LogicalVolume {
   std::vector<Placement> daughters;
   /// Number of touchables in the tree below and including one placement of this volume.
   TouchableId touchables = 0;
+  Auxiliaries auxiliaries{};
 };
 
 struct World {
   std::vector<LogicalVolume> volumes;
   std::vector<Material> materials;
+  std::vector<Element> elements;
+  std::vector<Isotope> isotopes;
+  Auxiliaries auxiliaries;  ///< of the whole file: GDML's <userinfo>
   VolumeId top = 0;
   Tolerance tolerance_rule;
   double tolerance = 0;  ///< mm, from the rule and the world's extent. Set by finish().

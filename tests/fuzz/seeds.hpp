@@ -223,6 +223,30 @@ inline std::vector<Seed> seeds() {
                      seed_volume("W", "w", "<physvol name='p'><volumeref ref='A'/></physvol>") +
                      "<skinsurface name='k' surfaceproperty='x'><volumeref ref='O'/></skinsurface>",
                  "<!DOCTYPE gdml [<!ENTITY e 'x'>]>")});
+  // What loads with a note: most of it is broken, and nothing uses it.
+  all.push_back(
+      {"tolerant",
+       seed_file("<constant name='c' value='1+'/><constant name='d' value='c'/><constant "
+                 "name='d' value='2'/><matrix name='m' coldim='2' values='1 2 3,5 4'/><quantity "
+                 "name='q' value='' unit=''/><quantity name='f' value='1' unit='MHz'/><position "
+                 "x='1'/><position name='p' x='c'/><tensor name='t'/><auxiliary auxtype='a'/>",
+                 "<isotope name='I' Z='x' N='2'/><element name='E' formula='E' Z='8'><atom "
+                 "value='16' unit='g/mol'/><fraction ref='I' n='1'/></element><material "
+                 "name='M'><D value='-1' unit='stone'/><T value='20' unit='degC'/><P value='1' "
+                 "unit='mbar'/><fraction n='?' ref='E'/><composite n='1' ref='E'/></material>",
+                 "<box name='s' x='c' y='' z='1'/><union name='u'><first ref='s'/><second "
+                 "ref='w'/></union><orb r='2'/><orb name='o' r='2'/>",
+                 seed_volume("V", "u") +
+                     "<assembly name='A'><physvol><volumeref ref='V'/>"
+                     "</physvol></assembly>" +
+                     seed_volume("O", "o",
+                                 "<auxiliary auxtype='a' auxvalue='b' auxunit='mm'><auxiliary "
+                                 "auxtype='c'/></auxiliary>") +
+                     seed_volume("W", "w",
+                                 "<physvol><volumeref ref='O'/><position x='m[1,2]' y=''/>"
+                                 "<auxiliary auxtype='d' auxvalue='e'/></physvol>") +
+                     "</structure><userinfo><auxiliary auxtype='f'/></userinfo><what/><structure>",
+                 "<!DOCTYPE gdml [<!ENTITY a '&b;'><!ENTITY b '1'>]>")});
   return all;
 }
 

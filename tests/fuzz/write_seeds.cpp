@@ -1,4 +1,6 @@
 // Writes the seeds as files into a folder: libFuzzer starts from files.
+#include <zlib.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +16,10 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(folder);
   for (const navjit::fuzz::Seed& seed : navjit::fuzz::seeds()) {
     std::ofstream(folder / (seed.name + ".gdml")) << seed.text;
+    if (seed.name != "box") continue;
+    const gzFile packed = gzopen((folder / (seed.name + ".gdml.gz")).c_str(), "wb");
+    gzwrite(packed, seed.text.data(), static_cast<unsigned>(seed.text.size()));
+    gzclose(packed);
   }
   return 0;
 }

@@ -93,6 +93,44 @@ TEST_F(GdmlMaterials, ElementsMayFollow) {
   EXPECT_NEAR(m.radiation_length / 360.8, 1, 0.01);
 }
 
+TEST_F(GdmlMaterials, CompositionIsKept) {
+  const World world =
+      read("<gdml><materials>" + hydrogen + oxygen +
+           "<isotope name='U235' Z='92' N='235'><atom value='235.04'/></isotope><isotope "
+           "name='U238' Z='92' N='238'><atom value='238.05'/></isotope><element name='U' "
+           "formula='U'><fraction ref='U235' n='0.25'/><fraction ref='U238' n='0.75'/></element>"
+           "<material name='water'><D value='1'/><composite n='2' ref='H'/><composite n='1' "
+           "ref='O'/></material><material name='mix'><D value='2'/><fraction n='0.5' ref='water'/>"
+           "<fraction n='0.25' ref='O'/><fraction n='0.25' ref='U'/></material><material "
+           "name='Pb' Z='82'><D value='11.35'/><atom value='207.2'/></material></materials><solids>"
+           "<box name='b' x='2' y='2' z='2'/></solids><structure><volume name='W'><materialref "
+           "ref='mix'/><solidref ref='b'/></volume></structure><setup name='s' version='1'><world "
+           "ref='W'/></setup></gdml>");
+  const Material& mix = world.materials[top(world).material];
+  ASSERT_EQ(mix.elements.size(), 3u);
+  const auto element = [&](const ElementShare& share) { return world.elements[share.element]; };
+  EXPECT_EQ(element(mix.elements[0]).name, "H");
+  EXPECT_EQ(element(mix.elements[0]).formula, "H");
+  EXPECT_EQ(element(mix.elements[0]).z, 1);
+  EXPECT_NEAR(mix.elements[0].fraction, 0.5 * 0.111898, 1e-5);
+  EXPECT_EQ(element(mix.elements[1]).name, "O");
+  EXPECT_DOUBLE_EQ(element(mix.elements[1]).a, 15.999);
+  EXPECT_NEAR(mix.elements[1].fraction, 0.5 * 0.888102 + 0.25, 1e-5);
+  const Element uranium = element(mix.elements[2]);
+  EXPECT_EQ(uranium.name, "U");
+  EXPECT_EQ(uranium.z, 92);
+  EXPECT_NEAR(uranium.a, 0.25 * 235.04 + 0.75 * 238.05, 1e-9);
+  ASSERT_EQ(uranium.isotopes.size(), 2u);
+  EXPECT_EQ(uranium.isotopes[1].abundance, 0.75);
+  EXPECT_EQ(world.isotopes[uranium.isotopes[1].isotope].name, "U238");
+  EXPECT_EQ(world.isotopes[uranium.isotopes[1].isotope].nucleons, 238);
+  const Material& lead = world.materials.back();
+  ASSERT_EQ(lead.elements.size(), 1u);
+  EXPECT_EQ(element(lead.elements[0]).name, "Pb");
+  EXPECT_EQ(element(lead.elements[0]).z, 82);
+  EXPECT_EQ(lead.elements[0].fraction, 1);
+}
+
 TEST_F(GdmlMaterials, UnknownPartsAreNoted) {
   GdmlReport report;
   const Material m =

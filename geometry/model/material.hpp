@@ -1,0 +1,51 @@
+// What volumes are made of.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace navjit {
+
+enum class MaterialState : std::uint8_t { undefined, solid, liquid, gas };
+
+struct Isotope {
+  std::string name;
+  double z = 0;         ///< charge of the nucleus, elementary charges; 0 where the file gives none
+  double nucleons = 0;  ///< 0 where the file gives none
+  double a = 0;         ///< molar mass, g/mol; 0 where the file gives none
+};
+
+/// An isotope in an element.
+struct IsotopeShare {
+  std::uint32_t isotope;  ///< index into World::isotopes
+  double abundance;       ///< by number of atoms, as the file gives it
+};
+
+struct Element {
+  std::string name;
+  std::string formula;  ///< often the chemical symbol; empty where the file gives none
+  double z = 0;         ///< charge of the nucleus, elementary charges; 0 where the file gives none
+  double a = 0;  ///< molar mass, g/mol, the mean of the isotopes if these are given; 0 if unknown
+  std::vector<IsotopeShare> isotopes{};  ///< empty where the file gives none
+};
+
+/// An element in a material.
+struct ElementShare {
+  std::uint32_t element;  ///< index into World::elements
+  double fraction;        ///< of the mass; those of a material add up to one
+};
+
+struct Material {
+  std::string name;
+  double density = 0;  ///< g/cm3; 0 where the file gives none
+  MaterialState state = MaterialState::undefined;
+  double temperature = 293.15;  ///< K
+  double pressure = 101325;     ///< Pa
+  double radiation_length = 0;  ///< mm; 0 where density or composition are not known
+  /// What it is made of: mixtures of materials written out, atoms counted as mass. A material that
+  /// is given by Z has one element of its own name. Empty where some of it is not known.
+  std::vector<ElementShare> elements{};
+};
+
+}  // namespace navjit
