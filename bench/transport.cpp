@@ -75,7 +75,7 @@ int main(int argc, char** argv) try {
   std::string detector, json_file;
   bench::RayOptions ray_options;
   int repetitions = 9;
-  bool without_peers = false, without_jit = false;
+  bool without_peers = false, without_jit = false, without_constants = false;
   std::vector<InstructionSet> sets{InstructionSet::native};
   app.add_option("detector", detector, "GDML file")->required();
   bench::add_ray_options(app, ray_options);
@@ -83,6 +83,7 @@ int main(int argc, char** argv) try {
   app.add_option("--json", json_file, "write the figures");
   app.add_flag("--without-peers", without_peers, "navjit alone");
   app.add_flag("--without-jit", without_jit, "no specialised navigators");
+  app.add_flag("--without-constants", without_constants, "scenes are bound to data alone");
   bench::add_isa_option(app, sets);
   CLI11_PARSE(app, argc, argv);
 
@@ -107,6 +108,7 @@ int main(int argc, char** argv) try {
     RuntimeOptions wait;
     wait.jit = JitMode::wait;
     wait.specialiser.instruction_set = set;
+    wait.specialiser.constants = !without_constants;
     Specialised& made = *specialised.emplace_back(std::make_unique<Specialised>(world, wait));
     engines.push_back({bench::specialised_name(set, sets), [] {},
                        [&] { return transport_all(made.navigator, *world, rays); }});
