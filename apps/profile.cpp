@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "apps/commands.hpp"
-#include "runtime/output_file.hpp"
+#include "files/output_file.hpp"
 #include "runtime/step_profile.hpp"
 
 namespace navjit::apps {

@@ -8,8 +8,8 @@
 #include "apps/commands.hpp"
 #include "apps/options/detector.hpp"
 #include "apps/options/numbers.hpp"
+#include "files/output_file.hpp"
 #include "runtime/make_plugin.hpp"
-#include "runtime/output_file.hpp"
 #include "runtime/plugin_text.hpp"
 
 namespace navjit::apps {

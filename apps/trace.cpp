@@ -16,7 +16,7 @@
 #include "common/ordered_chunks.hpp"
 #include "common/parallel.hpp"
 #include "common/text.hpp"
-#include "runtime/output_file.hpp"
+#include "files/output_file.hpp"
 #include "runtime/runtime.hpp"
 
 namespace navjit::apps {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "common/child.hpp"
-#include "runtime/output_file.hpp"
+#include "files/output_file.hpp"
 #include "runtime/private_folder.hpp"
 
 namespace navjit::common {

@@ -6,7 +6,7 @@
 #include <atomic>
 
 #include "common/child.hpp"
-#include "runtime/temporary_path.hpp"
+#include "files/temporary_path.hpp"
 
 namespace navjit::common {
 namespace {

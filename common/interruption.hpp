@@ -3,7 +3,7 @@
 // A command that has nothing to finish ends at once, with exit status 128 + n. One that has is
 // `Interruptible`: the first signal is noted, and the command looks for it between its pieces of
 // work (a relaxed load), stops, writes what it has, and main exits with 128 + n. The second signal
-// ends it at once. Either way temporary files are removed (runtime/temporary_path.hpp), and a
+// ends it at once. Either way temporary files are removed (files/temporary_path.hpp), and a
 // program that run_child() waits for is told to end. Signals that were ignored when the process was
 // started (nohup) stay ignored.
 #pragma once

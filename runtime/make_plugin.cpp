@@ -13,10 +13,10 @@
 #include <stdexcept>
 
 #include "analysis/plan.hpp"
+#include "files/output_file.hpp"
 #include "jit/compiler.hpp"
 #include "jit/trust.hpp"
 #include "runtime/fingerprint.hpp"
-#include "runtime/output_file.hpp"
 #include "runtime/plugin.hpp"
 #include "runtime/plugin_text.hpp"
 #include "runtime/private_folder.hpp"

@@ -33,7 +33,7 @@ jit::Expected<std::string> plugin_bytes(const std::string& source, int optimisat
 /// would have them refused.
 constexpr mode_t plugin_mode = 0644;
 
-/// The same, into a file (runtime/output_file.hpp). Returns why it could not be made; empty if it
+/// The same, into a file (files/output_file.hpp). Returns why it could not be made; empty if it
 /// was.
 std::string make_plugin(const std::string& source, int optimisation, const std::string& path);
 

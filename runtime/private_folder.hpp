@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/temporary_path.hpp"
+#include "files/temporary_path.hpp"
 
 namespace navjit {
 

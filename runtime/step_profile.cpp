@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "files/output_file.hpp"
 #include "jit/trust.hpp"
-#include "runtime/output_file.hpp"
 
 namespace navjit {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/output_file.hpp"
+#include "files/output_file.hpp"
 
 namespace navjit::apps {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/temporary_path.hpp"
+#include "files/temporary_path.hpp"
 
 namespace navjit {
 

@@ -1,4 +1,4 @@
-#include "runtime/temporary_path.hpp"
+#include "files/temporary_path.hpp"
 
 #include <unistd.h>
 

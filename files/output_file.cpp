@@ -1,4 +1,4 @@
-#include "runtime/output_file.hpp"
+#include "files/output_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,5 +1,5 @@
 // Outputs: whole or not at all, and nothing but regular files is ever replaced.
-#include "runtime/output_file.hpp"
+#include "files/output_file.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
