@@ -10,6 +10,7 @@
 
 #include "apps/commands.hpp"
 #include "common/interruption.hpp"
+#include "common/leave.hpp"
 #include "common/standard_streams.hpp"
 #include "common/text.hpp"
 #include "runtime/log_text.hpp"
@@ -72,7 +73,7 @@ int main(int argc, char** argv) {
   common::watch_signals();
   const int status = guarded(argc, argv);
   const int signal = common::interruption();
-  if (signal == 0) return status;
+  if (signal == 0) common::leave(status);
   print_error("ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")");
-  return 128 + signal;
+  common::leave(128 + signal);
 }

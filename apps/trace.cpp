@@ -24,8 +24,7 @@ namespace {
 
 struct Options {
   Detector detector;
-  std::string rays;  ///< a file, or a number
-  common::RaySource source;
+  RayOptions rays;
   unsigned threads = 1;
   RuntimeOptions runtime;
   std::string out;  ///< empty: standard output
@@ -98,10 +97,12 @@ void trace_ray(Navigator& navigator, const World& world, const std::vector<std::
 
 int trace(const Options& options) {
   Sink sink(options.out);
-  Runtime runtime(read(options.detector), options.runtime);
+  const auto detector = read(options.detector);
+  common::check_origin(options.rays.source, detector);
+  Runtime runtime(detector, options.runtime);
   const World& world = runtime.world();
   const std::vector<std::string> fields = fields_of(world);
-  common::RayStream stream(options.rays, options.source, world);
+  common::RayStream stream(options.rays.rays, options.rays.source, world);
   const common::Interruptible interruptible;
   sink.write("ray,step,volume,length\n");
 
@@ -159,11 +160,8 @@ void add_trace(CLI::App& app, Action& action) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand("trace", "Write every step of every ray");
   add_detector(command, options->detector);
-  command.add_option("--rays", options->rays, "CSV file of rays, or their number")
-      ->required()
-      ->check(rays_or_count())
-      ->option_text("FILE|N");
-  add_seed(command, options->source.seed);
+  add_rays(command, options->rays);
+  command.get_option("--rays")->required();
   command.add_option("--out", options->out, "CSV file (default: standard output)")
       ->option_text("FILE");
   add_threads(command, options->threads);

@@ -30,8 +30,9 @@ inline std::vector<Ray> rays_of(const RayOptions& options, const World& world) {
     source.origin = Vec3{0, 0, 0};
     source.eta = {2, 5};
   }
+  const common::RayMaker maker(world, source);
   std::vector<Ray> rays;
-  for (std::uint64_t i = 0; i < options.count; ++i) rays.push_back(make_ray(source, world, i));
+  for (std::uint64_t i = 0; i < options.count; ++i) rays.push_back(maker.ray(i));
   return rays;
 }
 

@@ -2,20 +2,16 @@
 // where figures in nanoseconds do not.
 #pragma once
 
-#include <time.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
 
+#include "runtime/processor_time.hpp"
+
 namespace navjit::common {
 
 /// Time that this thread has been running, ns: what others take of a processor does not count.
-inline double thread_ns() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
-}
+inline double thread_ns() { return 1e9 * thread_seconds(); }
 
 /// A counter that costs little to read, of constant rate.
 inline std::uint64_t ticks() {

@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -95,21 +96,44 @@ std::vector<Ray> read_rays(const std::string& path) {
   return rays;
 }
 
-Ray make_ray(const RaySource& source, const World& world, std::uint64_t index) {
-  Generator random{source.seed * 0xd1342543de82ef95U + index * 0x2545f4914f6cdd1dU};
+template <class Random>
+Vec3 RayMaker::aimed_start(Random& random, const Vec3& direction) const {
+  const Solid& world = world_.volumes[world_.top].solid;
+  const Direction back = kernels::make_direction(-direction.x, -direction.y, -direction.z);
+  Vec3 point{};
+  // Boxes may stick out of a world that is none. After so many tries the ray starts outside.
+  for (int tries = 0; tries < 100; ++tries) {
+    const auto boxes = static_cast<double>(target_->boxes());
+    const double which = random() * boxes, u = random(), v = random(), w = random();
+    point = target_->point(static_cast<std::uint64_t>(std::min(which, boxes - 1)), u, v, w);
+    if (inside(world.any(), point, world_.tolerance) != Side::inside) continue;
+    // Just within the world, whatever rounding does.
+    const double way = (1 - 0x1p-30) * distance_to_out(world.any(), point, back, world_.tolerance);
+    return {point.x - way * direction.x, point.y - way * direction.y, point.z - way * direction.z};
+  }
+  return point;
+}
+
+RayMaker::RayMaker(const World& world, RaySource source)
+    : world_(world), source_(std::move(source)) {
+  if (!source_.aim.empty()) target_.emplace(world, source_.aim);
+}
+
+Ray RayMaker::ray(std::uint64_t number) const {
+  Generator random{source_.seed * 0xd1342543de82ef95U + number * 0x2545f4914f6cdd1dU};
   Ray ray;
-  if (source.origin) {
-    ray.position = *source.origin;
-  } else {
-    const Extent& e = world.volumes[world.top].solid.extent;
+  if (source_.origin) {
+    ray.position = *source_.origin;
+  } else if (!target_) {
+    const Extent& e = world_.volumes[world_.top].solid.extent;
     ray.position = {e.min.x + random() * (e.max.x - e.min.x),
                     e.min.y + random() * (e.max.y - e.min.y),
                     e.min.z + random() * (e.max.z - e.min.z)};
   }
   const double phi = 2 * std::numbers::pi * random();
   double cosine, sine;
-  if (source.eta) {
-    const double eta = source.eta->first + random() * (source.eta->second - source.eta->first);
+  if (source_.eta) {
+    const double eta = source_.eta->first + random() * (source_.eta->second - source_.eta->first);
     cosine = std::tanh(eta);
     sine = 1 / std::cosh(eta);
   } else {
@@ -119,13 +143,14 @@ Ray make_ray(const RaySource& source, const World& world, std::uint64_t index) {
   const double x = sine * std::cos(phi), y = sine * std::sin(phi);
   const double length = std::hypot(x, y, cosine);
   ray.direction = {x / length, y / length, cosine / length};
+  if (target_) ray.position = aimed_start(random, ray.direction);
   return ray;
 }
 
-RayStream::RayStream(const std::string& text, const RaySource& source, const World& world)
-    : source_(source), world_(&world) {
+RayStream::RayStream(const std::string& text, const RaySource& source, const World& world) {
   if (looks_like_number(text)) {
     count_ = parse_count(text);
+    maker_.emplace(world, source);
   } else {
     file_.emplace(text);
   }
@@ -140,7 +165,7 @@ std::vector<Ray> RayStream::next(std::size_t most) {
       rays.push_back(*ray);
     } else {
       if (made_ == count_) break;
-      rays.push_back(make_ray(source_, *world_, made_++));
+      rays.push_back(maker_->ray(made_++));
     }
   }
   return rays;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "common/target.hpp"
 #include "geometry/model/world.hpp"
 #include "runtime/transport.hpp"
 
@@ -40,28 +41,50 @@ class RayFile {
 /// All rays of a file. Throws as RayFile.
 std::vector<Ray> read_rays(const std::string& path);
 
+/// Which rays are made up.
 struct RaySource {
-  std::optional<Vec3> origin;                    ///< default: points spread over the world
-  std::optional<std::pair<double, double>> eta;  ///< pseudorapidity about +z; default: isotropic
+  std::optional<Vec3> origin{};                    ///< default: points spread over the world
+  std::optional<std::pair<double, double>> eta{};  ///< pseudorapidity about +z; default: isotropic
   std::uint64_t seed = 1;
+  /// A logical volume, or "auto": isotropic rays through points of its boxes (Target), from where
+  /// they enter the world. Neither origin nor eta then. Empty: not aimed.
+  std::string aim{};
 };
 
-/// Ray number `index` of a source: depends on nothing else, so that threads may share the work.
-Ray make_ray(const RaySource& source, const World& world, std::uint64_t index);
+/// Makes rays up. A ray depends on the source, the world and its number alone, so that any number
+/// of threads makes the same rays, and none is kept: each begins a generator of its own
+/// (splitmix64) from the seed and the number.
+class RayMaker {
+ public:
+  /// The world has to outlive it. Throws as Target.
+  RayMaker(const World& world, RaySource source);
+
+  Ray ray(std::uint64_t number) const;
+
+ private:
+  template <class Random>
+  Vec3 aimed_start(Random& random, const Vec3& direction) const;
+
+  const World& world_;
+  RaySource source_;
+  std::optional<Target> target_;
+};
 
 /// The rays of a file, or so many of a source where `text` is a number, as they are needed.
 class RayStream {
  public:
-  /// Throws as RayFile, and std::invalid_argument for a number that is no count.
+  /// The world has to outlive it. Throws as RayFile and RayMaker, and std::invalid_argument for a
+  /// number that is no count.
   RayStream(const std::string& text, const RaySource& source, const World& world);
 
+  /// How many there are; 0 where that is not known, since they are a file's.
+  std::uint64_t count() const { return count_; }
   /// At most so many; none at the end.
   std::vector<Ray> next(std::size_t most);
 
  private:
   std::optional<RayFile> file_;
-  RaySource source_;
-  const World* world_;
+  std::optional<RayMaker> maker_;
   std::uint64_t count_ = 0, made_ = 0;
 };
 

@@ -51,10 +51,12 @@ RuntimeReport Runtime::report() const { return specialiser_->report(); }
 
 std::size_t Runtime::specialised() const { return specialiser_->specialised(); }
 
-RuntimeReport Runtime::final_report() {
+RuntimeReport Runtime::final_report(double most_seconds) {
   specialiser_->stop();
-  specialiser_->time_generic();
-  if (shared_->options.budget) specialiser_->hold_to_budget();
+  if (most_seconds > 0) {
+    specialiser_->time_generic(most_seconds);
+    if (shared_->options.budget) specialiser_->hold_to_budget();
+  }
   return specialiser_->report();
 }
 

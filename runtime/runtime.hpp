@@ -38,9 +38,10 @@ class Runtime {
   /// How many scenes have navigators of their own by now. Thread-safe; cheaper than a report.
   std::size_t specialised() const;
   /// As report(), and times the generic navigator on recorded states of scenes that were not
-  /// specialised, the hottest first, for a tenth of the time so far and no longer than a second,
-  /// and holds scenes to the budget. No scene is specialised after it.
-  RuntimeReport final_report();
+  /// specialised, the hottest first, for a tenth of the time so far and no longer than
+  /// `most_seconds`, and holds scenes to the budget; with 0 neither. No scene is specialised after
+  /// it.
+  RuntimeReport final_report(double most_seconds = 1);
   /// How often each volume was used, to be kept for `navjit specialise`. After final_report().
   StepProfile step_profile();
   /// Returns when no specialisation is under way or due on what was counted until now.

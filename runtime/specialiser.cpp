@@ -127,6 +127,11 @@ void Specialiser::stop() {
   if (!thread_.joinable()) return;
   wake_.wait(lock, [&] { return ended_ || compiling_; });
   const bool ended = ended_;
+  for (auto& [volume, scene] : scenes_) {
+    if (scene.status != SceneStatus::compiling) continue;
+    scene.status = SceneStatus::generic;
+    scene.note = "the run ended before it was compiled";
+  }
   lock.unlock();
   if (ended) {
     thread_.join();
@@ -358,7 +363,7 @@ void Specialiser::specialise_all() {
   flush();
 }
 
-void Specialiser::time_generic() {
+void Specialiser::time_generic(double most_seconds) {
   gather();
   std::vector<VolumeId> hottest;
   for (std::size_t v = 0; v < steps_.size(); ++v) {
@@ -366,23 +371,25 @@ void Specialiser::time_generic() {
   }
   std::stable_sort(hottest.begin(), hottest.end(),
                    [&](VolumeId a, VolumeId b) { return steps_[a] > steps_[b]; });
-  const double until = now() + std::clamp(0.1 * seconds(), 0.02, 1.0);
+  double until = now() + most_seconds;
   for (const VolumeId volume : hottest) {
-    SceneReport scene;
+    const std::string structure = plan_scene(shared_->geometry, facts_, volume).pattern;
+    const std::lock_guard lock(mutex_);
+    scenes_[volume].structure = structure;
+    if (now() > until) break;
+  }
+  until = now() + std::min(std::max(0.1 * seconds(), 0.02), most_seconds);
+  for (const VolumeId volume : hottest) {
     {
       const std::lock_guard lock(mutex_);
-      scene = scenes_[volume];
-    }
-    if (scene.structure.empty()) {
-      scene.structure = plan_scene(shared_->geometry, facts_, volume).pattern;
+      if (scenes_[volume].generic_ns_per_step > 0) continue;
     }
     const std::vector<Sample>& samples = samples_[volume];
-    if (scene.generic_ns_per_step == 0 && !samples.empty()) {
-      scene.generic_ns_per_step =
-          time_per_step(shared_->geometry, shared_->table.context(), generic::navigators, samples);
-    }
+    if (samples.empty()) continue;
+    const double ns =
+        time_per_step(shared_->geometry, shared_->table.context(), generic::navigators, samples);
     const std::lock_guard lock(mutex_);
-    scenes_[volume] = std::move(scene);
+    scenes_[volume].generic_ns_per_step = ns;
     if (now() > until) return;
   }
 }

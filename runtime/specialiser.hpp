@@ -48,7 +48,7 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
   std::size_t specialised() const;
   /// Times scenes that have samples and no timing yet, and tells the structure of scenes, the
   /// hottest first, for a limited time. After stop().
-  void time_generic();
+  void time_generic(double most_seconds);
   /// Holds scenes that made steps to options.budget, which is given (budget.cpp). After stop().
   void hold_to_budget();
   /// What was counted so far, for a file. After stop().

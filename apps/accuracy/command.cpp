@@ -23,8 +23,7 @@ namespace {
 
 struct Options {
   Detector detector;
-  std::string rays = "1000";  ///< a file, or a number
-  common::RaySource source;
+  RayOptions rays{.rays = "1000"};
   unsigned threads = 1;
   int repetitions = 5;
   std::uint64_t boundaries = 100000;  ///< of the long track
@@ -44,12 +43,12 @@ int accuracy(const Options& options) {
   Output json(options.report), picture(options.picture);
   const common::Interruptible interruptible;
   const auto world = read(options.detector);
-  common::check_origin(options.source, world);
+  common::check_origin(options.rays.source, world);
   accuracy::ExperimentOptions experiment;
-  experiment.rays = common::rays_of(options.rays, options.source, *world);
+  experiment.rays = common::rays_of(options.rays.rays, options.rays.source, *world);
   if (experiment.rays.empty())
     throw std::runtime_error("no rays are asked for; at least one is needed");
-  experiment.seed = options.source.seed;
+  experiment.seed = options.rays.source.seed;
   experiment.threads = options.threads;
   experiment.repetitions = options.repetitions;
   experiment.boundaries = options.boundaries;
@@ -97,10 +96,7 @@ void add_accuracy(CLI::App& app, Action& action) {
   CLI::App& command =
       *app.add_subcommand("accuracy", "Hold every step against 113 bits: error and speed by level");
   add_detector(command, options->detector);
-  command.add_option("--rays", options->rays, "CSV file of rays, or their number")
-      ->check(rays_or_count())
-      ->option_text("FILE|N");
-  add_source(command, options->source);
+  add_rays(command, options->rays);
   command.add_option("--repetitions", options->repetitions, "of the timing")
       ->transform(count(1, 1000));
   command.add_option("--boundaries", options->boundaries, "on the long track; 0: none")

@@ -1,5 +1,7 @@
 #include "apps/options/numbers.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
@@ -46,7 +48,10 @@ CLI::Validator count(std::uint64_t least, std::uint64_t most) {
 CLI::Validator rays_or_count() {
   return CLI::Validator(
       [](std::string& text) {
-        return common::looks_like_number(text) ? count()(text) : std::string();
+        if (common::looks_like_number(text)) return count()(text);
+        const bool path = text.find_first_of("./") != std::string::npos ||
+                          (!text.empty() && access(text.c_str(), F_OK) == 0);
+        return path ? std::string() : "'" + text + "' is not a whole number of rays, and no file";
       },
       "");
 }

@@ -6,32 +6,49 @@
 
 namespace navjit::apps {
 
-void add_seed(CLI::App& command, std::uint64_t& seed) {
-  command.add_option("--seed", seed, "of the random rays")
+void add_source(CLI::App& command, common::RaySource& source) {
+  command.add_option("--seed", source.seed, "of the random rays")
       ->transform(count(0, ~std::uint64_t{0}))
       ->option_text("N");
+  CLI::Option* origin = command
+                            .add_option_function<std::string>(
+                                "--origin",
+                                [&source](const std::string& text) {
+                                  const auto v = numbers("--origin", text, 3);
+                                  source.origin = Vec3{v[0], v[1], v[2]};
+                                },
+                                "start of all rays, mm (default: over the world)")
+                            ->option_text("X,Y,Z");
+  CLI::Option* eta = command
+                         .add_option_function<std::string>(
+                             "--eta",
+                             [&source](const std::string& text) {
+                               const auto v = numbers("--eta", text, 2);
+                               source.eta = {v[0], v[1]};
+                             },
+                             "pseudorapidity about +z (default: isotropic)")
+                         ->option_text("LO,HI");
+  command
+      .add_option("--aim", source.aim,
+                  "isotropic rays through random points of the boxes of a\nvolume; auto: of the "
+                  "box with most touchables")
+      ->option_text("VOLUME|auto")
+      ->excludes(origin)
+      ->excludes(eta);
 }
 
-void add_source(CLI::App& command, common::RaySource& source) {
-  add_seed(command, source.seed);
-  command
-      .add_option_function<std::string>(
-          "--origin",
-          [&source](const std::string& text) {
-            const auto v = numbers("--origin", text, 3);
-            source.origin = Vec3{v[0], v[1], v[2]};
-          },
-          "start of all rays, mm (default: over the world)")
-      ->option_text("X,Y,Z");
-  command
-      .add_option_function<std::string>(
-          "--eta",
-          [&source](const std::string& text) {
-            const auto v = numbers("--eta", text, 2);
-            source.eta = {v[0], v[1]};
-          },
-          "pseudorapidity about +z (default: isotropic)")
-      ->option_text("LO,HI");
+void add_rays(CLI::App& command, RayOptions& options) {
+  command.add_option("--rays", options.rays, "CSV file of rays, or their number")
+      ->check(rays_or_count())
+      ->option_text("FILE|N");
+  add_source(command, options.source);
+  command.parse_complete_callback([&command, &options] {
+    if (options.rays.empty() || common::looks_like_number(options.rays)) return;
+    for (const char* name : {"--seed", "--origin", "--eta", "--aim"}) {
+      if (command.get_option(name)->count() == 0) continue;
+      throw CLI::ValidationError(name, "the rays of a file have their own starts and directions");
+    }
+  });
 }
 
 }  // namespace navjit::apps

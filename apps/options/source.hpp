@@ -1,5 +1,7 @@
-// Which random rays a command shoots.
+// Which rays a command shoots.
 #pragma once
+
+#include <string>
 
 #include "common/rays.hpp"
 
@@ -9,10 +11,16 @@ class App;
 
 namespace navjit::apps {
 
-/// --seed alone: rays over the whole world, in all directions.
-void add_seed(CLI::App& command, std::uint64_t& seed);
+struct RayOptions {
+  std::string rays{};  ///< a CSV file, or a count
+  common::RaySource source{};
+};
 
-/// --seed, --origin, --eta.
+/// --rays, and the options of add_source. Rays of a file have their own starts and directions: with
+/// one of those options beside them the command line is refused.
+void add_rays(CLI::App& command, RayOptions& options);
+
+/// Where random rays start and where they go: --seed, --origin, --eta, --aim.
 void add_source(CLI::App& command, common::RaySource& source);
 
 }  // namespace navjit::apps

@@ -1,10 +1,16 @@
 #include "apps/run/report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "common/text.hpp"
+
+#include "apps/run/surroundings.hpp"
+#include "apps/warmup/series.hpp"
+#include "runtime/version.hpp"
 
 namespace navjit::apps {
 namespace {
@@ -24,6 +30,21 @@ const char* jit_name(JitMode mode) {
       return "shadow";
   }
   return "";
+}
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double steps_per_second(const Transport& t) {
+  return t.seconds > 0 ? static_cast<double>(t.steps) / t.seconds : 0;
+}
+
+/// When the scenes that are specialised in the end came to be.
+std::vector<warmup::Swap> swaps_of(const RuntimeReport& report) {
+  std::vector<warmup::Swap> swaps;
+  for (const SceneReport& scene : report.scenes) {
+    if (scene.binding != Binding::generic) swaps.push_back({scene.swapped_at_s, scene.share});
+  }
+  return swaps;
 }
 
 /// "123.4", or a dash for what was not measured.
@@ -67,6 +88,17 @@ nlohmann::ordered_json to_json(const BudgetReport& b) {
 
 }  // namespace
 
+bool RunReport::any_specialised() const {
+  return std::any_of(runtime.scenes.begin(), runtime.scenes.end(),
+                     [](const SceneReport& s) { return s.binding != Binding::generic; });
+}
+
+std::optional<double> RunReport::speedup() const {
+  if (compared) return compared->with / compared->without;
+  if (interrupted || (jit != JitMode::on && jit != JitMode::wait)) return std::nullopt;
+  return any_specialised() ? std::nullopt : std::optional(1.0);
+}
+
 void print_table(const RunReport& report) {
   std::printf("\n%-44s %7s %9s %9s %9s %8s  %s\n", "scene", "steps", "ns/step", "ns/step",
               "compile", "swapped", "status");
@@ -89,54 +121,76 @@ void print_table(const RunReport& report) {
   if (others > 0) {
     std::printf("%-44s %6.2f%%\n", ("(" + std::to_string(others) + " more)").c_str(), 100 * rest);
   }
-  std::printf("\n%llu rays, %llu steps, %.9g mm, %llu stuck, %u thread%s, %.2f s\n",
-              static_cast<unsigned long long>(report.rays),
-              static_cast<unsigned long long>(report.steps), report.length_mm,
-              static_cast<unsigned long long>(report.stuck), report.threads,
-              report.threads == 1 ? "" : "s", report.seconds);
-  std::printf("%.3f M steps/s", report.steps_per_second / 1e6);
+  const Transport& t = report.transport;
+  std::printf("\n%llu rays%s, %llu steps, %.9g mm, %llu stuck, %u thread%s, %.2f s\n",
+              static_cast<unsigned long long>(t.rays), report.interrupted ? " (interrupted)" : "",
+              static_cast<unsigned long long>(t.steps), t.length_mm,
+              static_cast<unsigned long long>(t.stuck), t.threads, t.threads == 1 ? "" : "s",
+              t.seconds);
+  std::printf("%.3f M steps/s", steps_per_second(t) / 1e6);
   if (report.jit != JitMode::off) {
     std::printf(" over the whole run, %.3f M steps/s after the last swap",
-                report.warm_steps_per_second / 1e6);
+                t.warm_steps_per_second / 1e6);
   }
   std::printf("; jit %s\n", jit_name(report.jit));
   if (report.jit == JitMode::on || report.jit == JitMode::wait) {
-    if (report.compared_without > 0) {
+    if (const auto& c = report.compared) {
       std::printf(
-          "one thread, first %llu rays again, in turn: %.3f M steps/s with the JIT, %.3f M "
-          "steps/s without: %.2f times\n",
-          static_cast<unsigned long long>(report.compared_rays), report.compared_with / 1e6,
-          report.compared_without / 1e6, report.compared_with / report.compared_without);
+          "one thread, first %llu rays again, in turn, in processor time: %.3f M steps/s with the "
+          "JIT, %.3f M steps/s without: %.2f times\n",
+          static_cast<unsigned long long>(c->rays), c->with / 1e6, c->without / 1e6,
+          *report.speedup());
     }
     std::printf(
         "%zu modules (%zu from the cache), %.0f ms of compilation, %zu kB of code, %llu states "
         "declined\n",
         report.runtime.modules, report.runtime.cached_modules, report.runtime.compile_ms,
-        report.runtime.code_bytes / 1024, static_cast<unsigned long long>(report.declined));
+        report.runtime.code_bytes / 1024, static_cast<unsigned long long>(t.declined));
   }
   if (report.budget) print_budget(report);
 }
 
 std::string json_text(const RunReport& report) {
+  const Transport& t = report.transport;
+  const Machine machine = this_machine();
+  const std::vector<warmup::Swap> swaps = swaps_of(report.runtime);
+  const auto or_null = [](const std::optional<double>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+  };
+  const Comparison compared = report.compared.value_or(Comparison{});
   nlohmann::ordered_json json{
+      {"version", version()},
+      {"command", command_line()},
+      {"machine",
+       {{"processor", machine.processor},
+        {"processors", machine.processors},
+        {"memory_mb", machine.memory_mb},
+        {"system", machine.system}}},
       {"detector", report.detector},
-      {"rays", report.rays},
-      {"steps", report.steps},
-      {"stuck", report.stuck},
-      {"length_mm", report.length_mm},
-      {"seconds", report.seconds},
-      {"steps_per_second", report.steps_per_second},
-      {"warm_steps_per_second", report.warm_steps_per_second},
+      {"interrupted", report.interrupted},
+      {"rays", t.rays},
+      {"steps", t.steps},
+      {"stuck", t.stuck},
+      {"length_mm", t.length_mm},
+      {"seconds", t.seconds},
+      {"cpu_seconds", t.cpu_seconds},
+      {"compile_cpu_seconds", report.compile_cpu_seconds},
+      {"steps_per_second", steps_per_second(t)},
+      {"warm_steps_per_second", t.warm_steps_per_second},
+      {"speedup", or_null(report.speedup())},
+      {"share_specialised", warmup::share_at(swaps, infinity)},
+      {"specialised_50_at_s", or_null(warmup::time_of_share(swaps, 0.5))},
+      {"specialised_90_at_s", or_null(warmup::time_of_share(swaps, 0.9))},
       {"level", level_name(report.level)},
       {"level_taken", "exact"},
-      {"threads", report.threads},
+      {"threads", t.threads},
       {"jit", jit_name(report.jit)},
-      {"declined", report.declined},
-      {"differences", report.differences},
+      {"declined", t.declined},
+      {"differences", t.differences},
       {"compared",
-       {{"rays", report.compared_rays},
-        {"steps_per_second_with", report.compared_with},
-        {"steps_per_second_without", report.compared_without}}},
+       {{"rays", compared.rays},
+        {"steps_per_second_with", compared.with},
+        {"steps_per_second_without", compared.without}}},
       {"modules", report.runtime.modules},
       {"cached_modules", report.runtime.cached_modules},
       {"plugin_scenes", report.runtime.plugin_scenes},
@@ -148,6 +202,7 @@ std::string json_text(const RunReport& report) {
   auto& scenes = json["scenes"] = nlohmann::ordered_json::array();
   for (const SceneReport& s : report.runtime.scenes) {
     scenes.push_back({{"volume", s.volume},
+                      {"structure", s.structure},
                       {"steps", s.steps},
                       {"share", s.share},
                       {"generic_ns_per_step", s.generic_ns_per_step},

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "apps/run/compare.hpp"
+#include "apps/run/transport.hpp"
 #include "runtime/options.hpp"
 #include "runtime/report.hpp"
 
@@ -12,21 +14,20 @@ namespace navjit::apps {
 
 struct RunReport {
   std::string detector;
-  std::uint64_t rays = 0, steps = 0, stuck = 0;
-  double length_mm = 0;
-  double seconds = 0;
-  double steps_per_second = 0;       ///< whole run
-  double warm_steps_per_second = 0;  ///< after the last swap
-  unsigned threads = 1;
+  Transport transport;
+  bool interrupted = false;
+  double compile_cpu_seconds = 0;  ///< processor time of all but the navigating threads
   JitMode jit = JitMode::on;
   Level level = Level::exact;      ///< asked for
   std::optional<double> budget{};  ///< asked for, mm
-  std::uint64_t declined = 0, differences = 0;
-  /// The first rays again, in turn with and without specialised navigators, one thread; 0: not
-  /// made.
-  std::uint64_t compared_rays = 0;
-  double compared_with = 0, compared_without = 0;  ///< steps per second
+  std::optional<Comparison> compared{};
   RuntimeReport runtime;
+
+  /// Whether a scene is navigated by other than the generic navigator.
+  bool any_specialised() const;
+  /// Of the comparison; 1 where nothing was specialised, so that there is nothing to compare.
+  /// Nothing where it is not known.
+  std::optional<double> speedup() const;
 };
 
 void print_table(const RunReport& report);

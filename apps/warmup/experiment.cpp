@@ -100,10 +100,9 @@ RunFigures figures_of(RunRecord record, const RunRecord& off) {
   const double end = r.series.empty() ? 0 : r.series.back().seconds;
   figures.share = share_at(r.swaps, end);
   figures.steps_per_second = rate(r.series, 0, end);
-  figures.last_rate = rate(r.series, 0.75 * end, end);
   const double off_end = off.series.empty() ? 0 : off.series.back().seconds;
-  const double off_rate = rate(off.series, 0.75 * off_end, off_end);
-  figures.speed_up = off_rate > 0 ? figures.last_rate / off_rate : 0;
+  const double off_rate = processor_rate(off.series, 0.75 * off_end, off_end);
+  figures.speed_up = off_rate > 0 ? processor_rate(r.series, 0.75 * end, end) / off_rate : 0;
   return figures;
 }
 

@@ -38,8 +38,7 @@ struct RunFigures {
   std::optional<double> break_even_s, half_s, most_s;  ///< of shares 50% and 90%
   double share = 0;             ///< of steps in scenes that are specialised in the end
   double steps_per_second = 0;  ///< whole run
-  double last_rate = 0;         ///< steps per second in the last quarter
-  double speed_up = 0;          ///< of the last quarter
+  double speed_up = 0;  ///< of the last quarter, in processor time of the navigating threads
 };
 
 struct VariantReport {

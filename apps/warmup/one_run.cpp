@@ -1,11 +1,13 @@
 #include "apps/warmup/one_run.hpp"
 
-#include <time.h>
+#include <pthread.h>
 
 #include <atomic>
 #include <chrono>
 #include <thread>
 
+#include "common/parallel.hpp"
+#include "runtime/processor_time.hpp"
 #include "runtime/runtime.hpp"
 
 namespace navjit::warmup {
@@ -17,17 +19,12 @@ double since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-double processor_time(clockid_t clock) {
-  timespec t;
-  clock_gettime(clock, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 /// What one navigating thread tells while it works, and at its end.
 struct alignas(64) Worker {
   std::atomic<std::uint64_t> steps{0};
   std::uint64_t rays = 0, stuck = 0;
-  double processor_s = 0;
+  double processor_s = 0;            ///< at its end
+  std::atomic<clockid_t> clock{-1};  ///< of its processor time until then; -1 before and after
 };
 
 struct Shared {
@@ -36,8 +33,9 @@ struct Shared {
   std::array<Chunk, chunks_kept> chunks{};
 };
 
-void navigate(Runtime& runtime, const common::RaySource& source, Shared& shared, Worker& worker) {
-  const double begun = processor_time(CLOCK_THREAD_CPUTIME_ID);
+void navigate(Runtime& runtime, const common::RayMaker& rays, Shared& shared, Worker& worker) {
+  clockid_t clock{};
+  if (pthread_getcpuclockid(pthread_self(), &clock) == 0) worker.clock = clock;
   const World& world = runtime.world();
   Navigator navigator = runtime.navigator();
   std::uint64_t steps = 0;
@@ -50,7 +48,7 @@ void navigate(Runtime& runtime, const common::RaySource& source, Shared& shared,
         complete = false;
         break;
       }
-      const RayTotals ray = transport(navigator, make_ray(source, world, i), world.tolerance);
+      const RayTotals ray = transport(navigator, rays.ray(i), world.tolerance);
       chunk.steps += ray.steps;
       chunk.length += ray.length;
       worker.stuck += ray.stuck ? 1 : 0;
@@ -60,7 +58,8 @@ void navigate(Runtime& runtime, const common::RaySource& source, Shared& shared,
     }
     if (complete && number < chunks_kept) shared.chunks[number] = chunk;
   }
-  worker.processor_s = processor_time(CLOCK_THREAD_CPUTIME_ID) - begun;
+  worker.processor_s = thread_seconds();
+  worker.clock = -1;
 }
 
 }  // namespace
@@ -69,40 +68,47 @@ RunRecord run_once(const RunSetup& setup) {
   GdmlReport known;  // navjit warmup has said it
   const auto world = read(setup.detector, known);
   RunRecord record;
-  const double process_begun = processor_time(CLOCK_PROCESS_CPUTIME_ID);
-  const double own_begun = processor_time(CLOCK_THREAD_CPUTIME_ID);
+  const double process_begun = process_seconds();
+  const double own_begun = thread_seconds();
   const Clock::time_point start = Clock::now();
   Runtime runtime(world, setup.runtime);
-  const double made_own = processor_time(CLOCK_THREAD_CPUTIME_ID) - own_begun;
+  const double made_own = thread_seconds() - own_begun;
   // Swaps are told in the runtime's own time.
   const double runtime_begun = since(start) - runtime.report().seconds;
   Shared shared;
   std::vector<Worker> workers(setup.threads);
-  std::vector<std::jthread> threads;
-  record.series.push_back({0, 0});
+  record.series.push_back({});
   const auto note = [&] {
-    double steps = 0;
+    Point point{since(start)};
     for (const Worker& worker : workers) {
-      steps += static_cast<double>(worker.steps.load(std::memory_order_relaxed));
+      point.steps += static_cast<double>(worker.steps.load(std::memory_order_relaxed));
+      const clockid_t clock = worker.clock.load();
+      point.processor_s += clock == -1 ? worker.processor_s : clock_seconds(clock);
     }
-    record.series.push_back({since(start), steps});
+    record.series.push_back(point);
   };
   note();
-  for (Worker& worker : workers) {
-    threads.emplace_back([&] { navigate(runtime, setup.source, shared, worker); });
-  }
+  const common::RayMaker rays(*world, setup.source);
   const auto interval =
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(setup.interval));
-  for (auto next = Clock::now() + interval; since(start) < setup.seconds; next += interval) {
-    std::this_thread::sleep_until(next);
-    note();
-  }
-  shared.stop = true;
-  threads.clear();
+  std::atomic<std::size_t> next_worker{0};
+  const auto watcher = std::this_thread::get_id();
+  common::in_parallel(setup.threads + 1, shared.stop, [&] {
+    if (std::this_thread::get_id() != watcher) {
+      navigate(runtime, rays, shared, workers[next_worker++]);
+      return;
+    }
+    for (auto next = Clock::now() + interval; since(start) < setup.seconds && !shared.stop;
+         next += interval) {
+      std::this_thread::sleep_until(next);
+      note();
+    }
+    shared.stop = true;
+  });
   note();
   // Making the runtime is work, watching it is not.
-  const double watching = processor_time(CLOCK_THREAD_CPUTIME_ID) - own_begun - made_own;
-  const double all = processor_time(CLOCK_PROCESS_CPUTIME_ID) - process_begun;
+  const double watching = thread_seconds() - own_begun - made_own;
+  const double all = process_seconds() - process_begun;
   for (const Worker& worker : workers) {
     record.rays += worker.rays;
     record.steps += worker.steps.load();

@@ -33,7 +33,8 @@ std::string to_text(const RunRecord& record) {
             {"withdrawn", record.withdrawn},
             {"code_bytes", record.code_bytes}};
   for (const char* list : {"series", "swaps", "chunks"}) json[list] = Json::array();
-  for (const Point& p : record.series) json["series"].push_back({p.seconds, p.steps});
+  for (const Point& p : record.series)
+    json["series"].push_back({p.seconds, p.steps, p.processor_s});
   for (const Swap& s : record.swaps) json["swaps"].push_back({s.seconds, s.share});
   for (const Chunk& c : record.chunks) json["chunks"].push_back({c.steps, c.length});
   return json.dump();
@@ -52,9 +53,10 @@ RunRecord from_text(const std::string& text) try {
   json.at("withdrawn").get_to(record.withdrawn);
   json.at("code_bytes").get_to(record.code_bytes);
   for (const Json& p : json.at("series")) {
-    const Point next{amount(p.at(0)), amount(p.at(1))};
-    if (!record.series.empty() &&
-        (next.seconds <= record.series.back().seconds || next.steps < record.series.back().steps)) {
+    const Point next{amount(p.at(0)), amount(p.at(1)), amount(p.at(2))};
+    const Point last = record.series.empty() ? Point{-1} : record.series.back();
+    if (next.seconds <= last.seconds || next.steps < last.steps ||
+        next.processor_s < last.processor_s) {
       fail("its series goes back");
     }
     record.series.push_back(next);

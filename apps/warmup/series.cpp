@@ -4,15 +4,29 @@
 
 namespace navjit::warmup {
 
-double steps_at(const Series& series, double seconds) {
+namespace {
+
+double value_at(const Series& series, double seconds, double Point::*value) {
   const auto after = std::lower_bound(series.begin(), series.end(), seconds,
                                       [](const Point& p, double t) { return p.seconds < t; });
-  if (after == series.end()) return series.empty() ? 0 : series.back().steps;
-  if (after->seconds == seconds) return after->steps;
+  if (after == series.end()) return series.empty() ? 0 : series.back().*value;
+  if (after->seconds == seconds) return (*after).*value;
   if (after == series.begin()) return 0;
   const Point& before = *(after - 1);
   const double part = (seconds - before.seconds) / (after->seconds - before.seconds);
-  return before.steps + part * (after->steps - before.steps);
+  return before.*value + part * ((*after).*value - before.*value);
+}
+
+}  // namespace
+
+double steps_at(const Series& series, double seconds) {
+  return value_at(series, seconds, &Point::steps);
+}
+
+double processor_rate(const Series& series, double from, double to) {
+  const double processor_s =
+      value_at(series, to, &Point::processor_s) - value_at(series, from, &Point::processor_s);
+  return processor_s > 0 ? (steps_at(series, to) - steps_at(series, from)) / processor_s : 0;
 }
 
 double rate(const Series& series, double from, double to) {

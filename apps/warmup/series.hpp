@@ -6,11 +6,11 @@
 
 namespace navjit::warmup {
 
-/// Steps made since the start of a run; linear in between.
+/// Steps made since the start of a run, and the processor time that they took; linear in between.
 struct Point {
-  double seconds = 0, steps = 0;
+  double seconds = 0, steps = 0, processor_s = 0;
 };
-/// Times strictly increase; steps do not decrease.
+/// Times strictly increase; the others do not decrease.
 using Series = std::vector<Point>;
 
 /// 0 before the first point; beyond the last one its steps.
@@ -18,6 +18,9 @@ double steps_at(const Series& series, double seconds);
 
 /// Steps per second between two times; 0 if the time between them is not positive.
 double rate(const Series& series, double from, double to);
+
+/// Steps per second of processor time between two times; 0 if there is none between them.
+double processor_rate(const Series& series, double from, double to);
 
 /// The time from which on `run` has made at least as many steps as `baseline` at the same time, for
 /// as long as both go on: 0 if it never was behind, nothing if it is behind in the end, or if one

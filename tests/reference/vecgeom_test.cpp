@@ -96,10 +96,9 @@ TEST_P(VecGeomReference, AgreesWithVecGeom) {
   const fs::path flat = folder_ / "flat.gdml", ray_file = folder_ / "rays.csv",
                  trace_file = folder_ / "vecgeom.csv";
   const auto world = std::make_shared<const World>(read_gdml(detector));
+  const common::RayMaker maker(*world, source.rays);
   std::vector<Ray> rays;
-  for (std::size_t i = 0; i < source.count; ++i) {
-    rays.push_back(common::make_ray(source.rays, *world, i));
-  }
+  for (std::size_t i = 0; i < source.count; ++i) rays.push_back(maker.ray(i));
   ASSERT_NO_FATAL_FAILURE(write_rays(ray_file, rays));
   rays = common::read_rays(ray_file);  // both sides normalise the directions that they read
   ASSERT_NO_FATAL_FAILURE(run({NAVJIT_PYTHON, NAVJIT_FLATTEN, detector, flat}));

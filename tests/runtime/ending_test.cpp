@@ -74,6 +74,12 @@ TEST(Ending, TheFinalReportDoesNotWaitForTheCompiler) {
     EXPECT_EQ(report.modules, 0U);
     EXPECT_GT(report.scenes.at(0).generic_ns_per_step, 0);
     EXPECT_FALSE(report.scenes.at(0).structure.empty());
+    bool told = false;
+    for (const SceneReport& scene : report.scenes) {
+      EXPECT_EQ(scene.status, SceneStatus::generic) << scene.volume;
+      told |= scene.note == "the run ended before it was compiled";
+    }
+    EXPECT_TRUE(told);
     EXPECT_FALSE(runtime.step_profile().volumes.empty());
     slow->released.set_value();
     wait_until_nothing_compiles();

@@ -1,8 +1,6 @@
 // A long run whose hot regions change: memory has to stay flat, no ray may get stuck, every step
 // has to be the generic navigator's, and it must not be slower than the generic navigator. Exit
 // status 1 if not. Each phase has threads of its own, and its own navigators.
-#include <time.h>
-
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
@@ -12,6 +10,7 @@
 
 #include "common/rays.hpp"
 #include "geometry/gdml/reader.hpp"
+#include "runtime/processor_time.hpp"
 #include "runtime/runtime.hpp"
 #include "tests/stress/memory.hpp"
 
@@ -25,12 +24,6 @@ struct Options {
   double most_growth_mb = 32;  ///< after all phases came once
   double least_ratio = 0.97;   ///< of the generic navigator's time to that of the JIT's, by phase
 };
-
-double processor_time() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 /// Where particles come from, phase by phase: along z either way, from everywhere, and from the
 /// corners of the world.
@@ -65,7 +58,7 @@ struct Totals {
 };
 
 /// Blocks of rays, in turn with and without specialised navigators.
-Totals work(Runtime& runtime, Runtime& generic, const common::RaySource& source, double seconds,
+Totals work(Runtime& runtime, Runtime& generic, const common::RayMaker& rays, double seconds,
             std::atomic<std::uint64_t>& next) {
   using Clock = std::chrono::steady_clock;
   constexpr std::uint64_t block = 32;
@@ -75,14 +68,14 @@ Totals work(Runtime& runtime, Runtime& generic, const common::RaySource& source,
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
   const auto timed = [&](Navigator& navigator, std::uint64_t first, double& time) {
     RayTotals sum;
-    const double begun = processor_time();
+    const double begun = thread_seconds();
     for (std::uint64_t i = first; i < first + block; ++i) {
-      const RayTotals ray = transport(navigator, make_ray(source, world, i), world.tolerance);
+      const RayTotals ray = transport(navigator, rays.ray(i), world.tolerance);
       sum.steps += ray.steps;
       sum.length += ray.length;
       totals.stuck += ray.stuck ? 1 : 0;
     }
-    time += processor_time() - begun;
+    time += thread_seconds() - begun;
     return sum;
   };
   while (Clock::now() < end) {
@@ -108,13 +101,13 @@ int run(const Options& options) {
   double settled_mb = 0;
   std::uint64_t steps = 0;
   for (int phase = 0; phase < phases; ++phase) {
-    const common::RaySource source = source_of(runtime.world(), phase);
+    const common::RayMaker rays(runtime.world(), source_of(runtime.world(), phase));
     std::atomic<std::uint64_t> next{0};
     std::vector<Totals> totals(options.threads);
     {
       std::vector<std::jthread> threads;
       for (Totals& mine : totals) {
-        threads.emplace_back([&] { mine = work(runtime, generic, source, options.phase_s, next); });
+        threads.emplace_back([&] { mine = work(runtime, generic, rays, options.phase_s, next); });
       }
     }
     Totals sum;

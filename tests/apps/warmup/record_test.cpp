@@ -19,7 +19,7 @@ RunSetup short_run() {
 
 RunRecord some_record() {
   RunRecord record;
-  record.series = {{0, 0}, {0.1, 5}, {0.25, 90}};
+  record.series = {{0, 0, 0}, {0.1, 5, 0.125}, {0.25, 90, 0.5}};
   record.swaps = {{0.2, 0.75}};
   record.rays = 3;
   record.steps = 90;
@@ -37,6 +37,7 @@ TEST(RunOnce, CountsWhatItDid) {
   }
   EXPECT_EQ(record.series.front().steps, 0);
   EXPECT_EQ(record.series.back().steps, static_cast<double>(record.steps));
+  EXPECT_DOUBLE_EQ(record.series.back().processor_s, record.navigating_s);
   EXPECT_GE(record.series.back().seconds, 0.2);
   EXPECT_GT(record.rays, 0U);
   EXPECT_EQ(record.stuck, 0U);
@@ -85,10 +86,11 @@ TEST(Record, RefusesWhatIsNone) {
     changed.replace(changed.find(old), old.size(), by);
     return changed;
   };
-  EXPECT_THROW(from_text(with("[0.25,90.0]", "[0.05,90.0]")), std::runtime_error);
-  EXPECT_THROW(from_text(with("[0.25,90.0]", "[0.25,1.0]")), std::runtime_error);
-  EXPECT_THROW(from_text(with("[0.25,90.0]", "[0.25]")), std::runtime_error);
-  EXPECT_THROW(from_text(with("[0.25,90.0]", "[-0.25,90.0]")), std::runtime_error);
+  EXPECT_THROW(from_text(with("[0.25,90.0,0.5]", "[0.05,90.0,0.5]")), std::runtime_error);
+  EXPECT_THROW(from_text(with("[0.25,90.0,0.5]", "[0.25,1.0,0.5]")), std::runtime_error);
+  EXPECT_THROW(from_text(with("[0.25,90.0,0.5]", "[0.25,90.0,0.1]")), std::runtime_error);
+  EXPECT_THROW(from_text(with("[0.25,90.0,0.5]", "[0.25]")), std::runtime_error);
+  EXPECT_THROW(from_text(with("[0.25,90.0,0.5]", "[-0.25,90.0,0.5]")), std::runtime_error);
   for (std::size_t n = 0; n < text.size(); n += 7) {
     EXPECT_THROW(from_text(text.substr(0, n)), std::runtime_error) << n;
   }
@@ -96,8 +98,9 @@ TEST(Record, RefusesWhatIsNone) {
 
 TEST(Figures, ComeFromTheRecords) {
   RunRecord off, on;
-  off.series = {{0, 0}, {4, 400}};
-  on.series = {{0, 0}, {1, 50}, {4, 650}};  // half as fast, then twice
+  off.series = {{0, 0, 0}, {4, 400, 4}};
+  // Half as fast, then twice; but it had the processor to itself half of the time.
+  on.series = {{0, 0, 0}, {1, 50, 0.5}, {4, 650, 2}};
   on.swaps = {{1, 0.6}, {2, 0.35}};
   const RunFigures figures = figures_of(on, off);
   ASSERT_TRUE(figures.break_even_s);
@@ -105,7 +108,7 @@ TEST(Figures, ComeFromTheRecords) {
   EXPECT_EQ(figures.half_s, 1.0);
   EXPECT_EQ(figures.most_s, 2.0);
   EXPECT_DOUBLE_EQ(figures.share, 0.95);
-  EXPECT_DOUBLE_EQ(figures.speed_up, 2);
+  EXPECT_DOUBLE_EQ(figures.speed_up, 4) << "in processor time";
   EXPECT_DOUBLE_EQ(figures.steps_per_second, 162.5);
 }
 

@@ -1,0 +1,66 @@
+#include "apps/run/compare.hpp"
+
+#include <algorithm>
+
+#include "common/interruption.hpp"
+#include "runtime/processor_time.hpp"
+
+namespace navjit::apps {
+namespace {
+
+/// What one of the two has done so far.
+struct Side {
+  Navigator navigator;
+  double seconds = 0;
+  std::uint64_t steps = 0;
+};
+
+}  // namespace
+
+std::optional<Comparison> compare_with_generic(Runtime& specialised, const RuntimeOptions& options,
+                                               const std::vector<Ray>& rays, double seconds) {
+  const double begun = thread_seconds();
+  RuntimeOptions off = options;
+  off.jit = JitMode::off;
+  off.cache = {};
+  off.plugin = {};
+  Runtime generic(specialised.share_world(), off);
+  Side with{specialised.navigator()}, without{generic.navigator()};
+  const double tolerance = specialised.world().tolerance;
+  const auto make = [&](Side& side, std::uint64_t first, std::uint64_t last) {
+    const double start = thread_seconds();
+    for (std::uint64_t i = first; i < last && common::interruption() == 0; ++i) {
+      side.steps += transport(side.navigator, rays[i], tolerance).steps;
+    }
+    side.seconds += thread_seconds() - start;
+  };
+  // What is met for the first time is slow, and with generic navigators all is: not counted.
+  constexpr std::uint64_t first_rays = 8;
+  for (Side* side : {&without, &with}) {
+    make(*side, 0, std::min<std::uint64_t>(first_rays, rays.size()));
+    side->seconds = 0;
+    side->steps = 0;
+  }
+  Comparison result;
+  // Few rays at a time first, so that it ends in time where they are long; then more, so that the
+  // processor's caches are not filled anew for each.
+  std::uint64_t turn = first_rays;
+  while (result.rays < rays.size()) {
+    const std::uint64_t last =
+        result.rays + std::min<std::uint64_t>(turn, rays.size() - result.rays);
+    make(with, result.rays, last);
+    make(without, result.rays, last);
+    if (common::interruption() != 0) return std::nullopt;
+    result.rays = last;
+    turn = std::min<std::uint64_t>(2 * turn, 64);
+    if (thread_seconds() - begun >= seconds) break;
+  }
+  if (with.steps == 0 || !(with.seconds > 0) || !(without.seconds > 0)) {
+    return std::nullopt;
+  }
+  result.with = static_cast<double>(with.steps) / with.seconds;
+  result.without = static_cast<double>(without.steps) / without.seconds;
+  return result;
+}
+
+}  // namespace navjit::apps

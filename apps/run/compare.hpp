@@ -1,0 +1,25 @@
+// What specialisation won, measured rather than estimated.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "runtime/runtime.hpp"
+#include "runtime/transport.hpp"
+
+namespace navjit::apps {
+
+/// Some rays once more, by one thread, in turn with the navigators as they are now and with generic
+/// ones; steps per second of its processor time.
+struct Comparison {
+  std::uint64_t rays = 0;
+  double with = 0, without = 0;
+};
+
+/// For about so long at the most; `options` are those that `specialised` was made with. Nothing if
+/// a signal was noted before there was anything to tell.
+std::optional<Comparison> compare_with_generic(Runtime& specialised, const RuntimeOptions& options,
+                                               const std::vector<Ray>& rays, double seconds);
+
+}  // namespace navjit::apps

@@ -1,0 +1,20 @@
+// Under what circumstances a run was made: what its report says of the program and the machine.
+#pragma once
+
+#include <string>
+
+namespace navjit::apps {
+
+/// The words that this program was called with, quoted for a shell where they need it; empty where
+/// the system does not tell.
+std::string command_line();
+
+struct Machine {
+  std::string processor;        ///< model, as the system names it; empty: not told
+  unsigned processors = 0;      ///< that this process may use
+  unsigned long memory_mb = 0;  ///< of the machine; 0: not told
+  std::string system;           ///< kernel, its release, and the architecture
+};
+Machine this_machine();
+
+}  // namespace navjit::apps

@@ -1,0 +1,180 @@
+#include "apps/run/transport.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <mutex>
+#include <new>
+#include <optional>
+#include <system_error>
+#include <thread>
+
+#include "apps/run/progress.hpp"
+#include "common/interruption.hpp"
+#include "common/ordered_chunks.hpp"
+#include "common/parallel.hpp"
+#include "runtime/processor_time.hpp"
+
+namespace navjit::apps {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Rays that a thread takes at a time. Sums are made per chunk and added in order, so that they do
+/// not depend on the number of threads.
+constexpr std::size_t rays_per_chunk = 64;
+/// Chunks that may be under way for each thread.
+constexpr std::uint64_t chunks_per_thread = 64;
+
+struct ChunkTotals {
+  std::uint64_t rays = 0, steps = 0, stuck = 0;
+  double length = 0;
+};
+
+/// Counters that are read while threads work.
+struct Progress {
+  std::atomic<std::uint64_t> rays{0};
+  std::atomic<std::uint64_t> steps{0};
+};
+
+/// Looks at a run a hundred times a second until it is done: the progress line, and when the last
+/// swap was.
+class Watch {
+ public:
+  Watch(const Runtime& runtime, const Progress& progress, std::uint64_t rays,
+        Clock::time_point start)
+      : runtime_(runtime), progress_(progress), rays_(rays), start_(start) {
+    try {
+      thread_ = std::jthread([this](const std::stop_token& stop) {
+        const double begun = thread_seconds();
+        while (!stop.stop_requested()) {
+          std::this_thread::sleep_for(std::chrono::milliseconds(10));
+          look();
+        }
+        if (shown_s_ > 0) std::fputs("\r\033[K", stderr);
+        processor_s = thread_seconds() - begun;
+      });
+    } catch (const std::system_error&) {  // then nobody watches
+    }
+  }
+  /// Then the figures may be read.
+  void end() {
+    thread_.request_stop();
+    if (thread_.joinable()) thread_.join();
+  }
+
+  double last_swap_s = 0, processor_s = 0;
+  std::uint64_t steps_at_last_swap = 0;
+
+ private:
+  void look() {
+    const double t = seconds_since(start_);
+    const std::uint64_t steps = progress_.steps.load();
+    if (const std::size_t now = runtime_.specialised(); now != swapped_) {
+      swapped_ = now;
+      last_swap_s = t;
+      steps_at_last_swap = steps;
+    }
+    const std::size_t columns = terminal_columns();
+    if (columns == 0 || t - shown_s_ < 0.2) return;
+    RunProgress progress{t, progress_.rays.load(), rays_,
+                         static_cast<double>(steps - shown_steps_) / (t - shown_s_)};
+    try {
+      for (const SceneReport& scene : runtime_.report().scenes) {
+        progress.hot += scene.share >= 0.01 ? 1 : 0;
+        progress.compiling += scene.status == SceneStatus::compiling ? 1 : 0;
+        progress.swapped += scene.binding != Binding::generic ? 1 : 0;
+      }
+      std::fprintf(stderr, "\r\033[K%s", progress_line(progress, columns).c_str());
+      std::fflush(stderr);
+    } catch (const std::bad_alloc&) {  // nothing depends on the line
+    }
+    shown_s_ = t;
+    shown_steps_ = steps;
+  }
+
+  const Runtime& runtime_;
+  const Progress& progress_;
+  std::uint64_t rays_;
+  Clock::time_point start_;
+  double shown_s_ = 0;
+  std::uint64_t shown_steps_ = 0;
+  std::size_t swapped_ = 0;
+  std::jthread thread_;  ///< last: it uses all of them
+};
+
+}  // namespace
+
+Transport transport_rays(Runtime& runtime, common::RayStream& rays, unsigned threads) {
+  const double tolerance = runtime.world().tolerance;
+  Transport result;
+  result.threads = threads;
+  Progress progress;
+  common::OrderedChunks<std::vector<Ray>, ChunkTotals> chunks(
+      chunks_per_thread * threads,
+      [&]() -> std::optional<std::vector<Ray>> {
+        std::vector<Ray> next = rays.next(rays_per_chunk);
+        if (next.empty()) return std::nullopt;
+        if (result.first_rays.size() < rays_kept) {
+          result.first_rays.insert(result.first_rays.end(), next.begin(), next.end());
+        }
+        return next;
+      },
+      [&](const ChunkTotals& chunk) {
+        result.rays += chunk.rays;
+        result.steps += chunk.steps;
+        result.stuck += chunk.stuck;
+        result.length_mm += chunk.length;
+      });
+  std::atomic<bool> stop{false};
+  std::mutex summing;
+  const auto work = [&] {
+    // Whoever ends wakes those that wait for work; whoever fails leaves a gap that nobody fills.
+    struct AtTheEnd {
+      decltype(chunks)& all;
+      ~AtTheEnd() { all.stop(); }
+    } const at_the_end{chunks};
+    const double begun = thread_seconds();
+    Navigator navigator = runtime.navigator();
+    for (bool complete = true; complete;) {
+      const auto piece = chunks.take();
+      if (!piece) break;
+      ChunkTotals totals;
+      for (const Ray& ray : piece->work) {
+        complete = common::interruption() == 0 && !stop;
+        if (!complete) break;
+        const RayTotals made = transport(navigator, ray, tolerance);
+        ++totals.rays;
+        totals.steps += made.steps;
+        totals.length += made.length;
+        totals.stuck += made.stuck ? 1 : 0;
+      }
+      progress.rays.fetch_add(totals.rays, std::memory_order_relaxed);
+      progress.steps.fetch_add(totals.steps, std::memory_order_relaxed);
+      chunks.give(piece->number, totals, complete);
+    }
+    const std::lock_guard lock(summing);
+    result.cpu_seconds += thread_seconds() - begun;
+    result.differences += navigator.counts().differences;
+    result.declined += navigator.counts().declined;
+  };
+
+  const Clock::time_point start = Clock::now();
+  Watch watch(runtime, progress, rays.count(), start);
+  common::in_parallel(threads, stop, work);
+  result.seconds = seconds_since(start);
+  watch.end();
+  result.watch_seconds = watch.processor_s;
+  const double after = result.seconds - watch.last_swap_s;
+  result.warm_steps_per_second =
+      after > 0.01 && result.steps > watch.steps_at_last_swap
+          ? static_cast<double>(result.steps - watch.steps_at_last_swap) / after
+          : static_cast<double>(result.steps) / result.seconds;
+  return result;
+}
+
+}  // namespace navjit::apps
