@@ -15,7 +15,20 @@ void require_finite(const Vec3& v, const char* what) {
   }
 }
 
+[[noreturn]] void throw_other_world() {
+  throw std::invalid_argument("navjit: the state is of another world");
+}
+
+/// How far from 1 the length of a direction may be: that of one in single precision is.
+constexpr double unit_slack = 1e-5;
+
 }  // namespace
+
+Navigator::Own::Own(std::size_t volumes) : profile(volumes) {
+  stack.depth = -1;
+  // No step has this direction, so that even the first one's is looked at.
+  for (double& given : stack.ray.given) given = std::numeric_limits<double>::signaling_NaN();
+}
 
 Navigator::Navigator(std::shared_ptr<detail::Shared> shared)
     : shared_(std::move(shared)),
@@ -35,16 +48,16 @@ Navigator::~Navigator() {
 State Navigator::locate(const Vec3& point) { return locate(point, {0, 0, 0}); }
 
 State Navigator::locate(const Vec3& point, const Vec3& direction) {
-  require_finite(point, "point");
-  require_finite(direction, "direction");
+  require_finite(point, "the point");
+  require_finite(direction, "the direction");
   generic::locate(shared_->geometry, own_->stack, point, direction);
   return state_of(own_->stack);
 }
 
 double Navigator::safety(const State& from, const Vec3& point) {
-  require_finite(point, "point");
+  require_finite(point, "the point");
   const Stack& stack = own_->stack;
-  if (stack.depth < 0 || stack.levels[stack.depth].touchable != from.touchable()) restore(from);
+  if (!is_at(stack, from)) restore(from);
   own_->presence->enter();
   const kernels::Navigators& navigators =
       *kernels::navigators_of(context_, stack.levels[stack.depth].volume);
@@ -55,20 +68,30 @@ double Navigator::safety(const State& from, const Vec3& point) {
 }
 
 void Navigator::require_numbers(const Vec3& point, double limit) {
-  require_finite(point, "point");
+  require_finite(point, "the point");
   if (!(limit >= 0))
     throw std::invalid_argument("navjit: the step limit is negative, or no number");
 }
 
 void Navigator::begin_ray(const Vec3& direction) {
-  require_finite(direction, "direction");
+  // Not a number, nor infinity, is near 1.
+  const double square =
+      direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+  if (!(std::abs(square - 1) <= 2 * unit_slack)) {
+    require_finite(direction, "the direction");
+    throw std::invalid_argument("navjit: the direction is not a unit vector: its length is " +
+                                std::to_string(std::sqrt(square)));
+  }
   kernels::set_ray(own_->stack, direction.x, direction.y, direction.z);
 }
 
 void Navigator::restore(const State& from) {
   if (!from.inside()) throw std::invalid_argument("navjit: the state is outside the world");
+  const World& world = shared_->geometry.world();
+  if (from.touchable() >= world.volumes[world.top].touchables) throw_other_world();
   ++own_->counts.restored;
   generic::restore(shared_->geometry, own_->stack, from.touchable());
+  if (!is_at(own_->stack, from)) throw_other_world();
 }
 
 Step Navigator::recorded_step(const Vec3& point, const Vec3& direction, double limit) {

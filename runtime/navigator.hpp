@@ -23,7 +23,10 @@ struct NavigatorCounts {
 };
 
 /// Answers where, how far and what next. One per thread; keeps the runtime's data alive. Points and
-/// directions are global, directions of unit length; both have to be finite.
+/// directions are global and have to be finite, directions of steps of unit length (to 1e-5).
+/// States are good in any navigator of their world. What breaks these rules is answered by
+/// std::invalid_argument, and the navigator stays as good as it was; one that was moved from may
+/// only be destroyed.
 class Navigator {
  public:
   Navigator(Navigator&&) noexcept = default;
@@ -37,14 +40,16 @@ class Navigator {
   /// As above; on a face the direction decides.
   State locate(const Vec3& point, const Vec3& direction);
 
-  /// One step from `point` in `state`, at most `limit` mm. The state must be inside the world.
-  /// Throws std::invalid_argument if it is not, if a number is not finite (the limit may be
-  /// infinite), or if the limit is negative.
+  /// One step from `point` in `state`, at most `limit` mm; a limit of 0 or infinity is one.
+  /// Throws std::invalid_argument if the state is outside the world or of another world, if the
+  /// point is not finite, if the direction is not a unit vector, or if the limit is negative or not
+  /// a number. (A state of another world is not recognised where it has the same touchable and
+  /// volume numbers as one of this world; then it is taken for that.)
   Step step(const State& state, const Vec3& point, const Vec3& direction,
             double limit = std::numeric_limits<double>::infinity());
 
-  /// A lower bound of the distance to the nearest boundary, mm. The state must be inside. Throws
-  /// std::invalid_argument if it is not, or if a coordinate is not finite.
+  /// A lower bound of the distance to the nearest boundary, mm. Throws std::invalid_argument if the
+  /// state is outside the world or of another world, or if a coordinate is not finite.
   double safety(const State& state, const Vec3& point);
 
   const NavigatorCounts& counts() const { return own_->counts; }
@@ -57,15 +62,21 @@ class Navigator {
     std::shared_ptr<Presence> presence;
     NavigatorCounts counts;
     std::uint64_t shadowed = 0;  ///< steps made in shadow mode
-    explicit Own(std::size_t volumes) : profile(volumes) { stack.depth = -1; }
+    explicit Own(std::size_t volumes);
   };
 
   explicit Navigator(std::shared_ptr<detail::Shared> shared);
   /// Throws std::invalid_argument unless the point is finite and the limit is no less than 0.
   static void require_numbers(const Vec3& point, double limit);
-  /// Steps will be along another direction. Throws std::invalid_argument unless it is finite.
+  /// Steps will be along another direction. Throws std::invalid_argument unless it is of unit
+  /// length.
   void begin_ray(const Vec3& direction);
+  /// Throws std::invalid_argument if the world has no such state.
   void restore(const State& state);
+  static bool is_at(const Stack& s, const State& state) {
+    return s.depth >= 0 && s.levels[s.depth].touchable == state.touchable() &&
+           s.levels[s.depth].volume == state.volume();
+  }
   /// The step, recorded for the specialiser; with shadow mode on, all steps are made here.
   Step recorded_step(const Vec3& point, const Vec3& direction, double limit);
   double shadow(const kernels::Navigators& navigators, const Vec3& point, const Vec3& direction,
@@ -94,7 +105,7 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
   if (!(kernels::same_bits(ray[0], direction.x) && kernels::same_bits(ray[1], direction.y) &&
         kernels::same_bits(ray[2], direction.z))) [[unlikely]]
     begin_ray(direction);
-  if (stack.depth < 0 || stack.levels[stack.depth].touchable != from.touchable()) restore(from);
+  if (!is_at(stack, from)) restore(from);
   const VolumeId volume = stack.levels[stack.depth].volume;
   own.profile.count(volume);
   if (own.profile.due()) [[unlikely]]

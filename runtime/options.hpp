@@ -69,6 +69,7 @@ struct Faults {
   /// Called on the compiling thread before each compilation, as if it were part of it: it may take
   /// its time, and throw.
   std::function<void()> compiling{};
+  bool skip_verification = false;  ///< what is wrong is installed, and stays
 };
 
 struct RuntimeOptions {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "geometry/model/finished.hpp"
 #include "geometry/solids/extent.hpp"
 
 namespace navjit {
@@ -72,6 +73,7 @@ void check_references(const World& world) {
 void finish(World& world) {
   check_references(world);
   std::vector<int> depths(world.volumes.size(), 0);
+  for (LogicalVolume& volume : world.volumes) volume.touchables = 0;
   for (const VolumeId id : daughters_first(world)) {
     LogicalVolume& volume = world.volumes[id];
     volume.touchables = 1;
@@ -92,6 +94,26 @@ void finish(World& world) {
   world.depth = depths[world.top];
   const double size = largest_coordinate(world.volumes[world.top].solid.extent);
   world.tolerance = std::max(world.tolerance_rule.absolute, world.tolerance_rule.relative * size);
+}
+
+bool is_finished(const World& world) {
+  if (world.depth < 1 || world.depth > max_depth || !(world.tolerance > 0) ||
+      world.top >= world.volumes.size() || world.volumes[world.top].touchables == 0) {
+    return false;
+  }
+  for (const LogicalVolume& volume : world.volumes) {
+    if (volume.touchables == 0) continue;  // not reached from the top
+    // A daughter's tree is smaller than its mother's, so that sums that are right exclude cycles.
+    TouchableId sum = 1;
+    for (const Placement& placement : volume.daughters) {
+      if (placement.volume >= world.volumes.size() || placement.offset != sum) return false;
+      const TouchableId below = world.volumes[placement.volume].touchables;
+      if (below == 0 || below >= volume.touchables) return false;
+      sum += below;
+    }
+    if (sum != volume.touchables || volume.solid.shape == nullptr) return false;
+  }
+  return true;
 }
 
 std::string path_of(const World& world, TouchableId touchable) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/support/command.hpp"
 
@@ -126,6 +127,22 @@ TEST(Inspect, ShowsDensityAndRadiationLength) {
   const tests::Output output = run_navjit("inspect " + shashlik);
   EXPECT_EQ(output.status, 0);
   EXPECT_NE(output.text.find("     g/cm3      X0/cm material\n"), std::string::npos) << output.text;
+  // The Review of Particle Physics has 0.5612 cm for lead, and 41.3 cm for polystyrene of 1.06
+  // g/cm3.
+  const auto row = [&](const std::string& material) {
+    std::istringstream lines(output.text);
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream words(line);
+      double density = 0, length = 0;
+      std::string name;
+      if (words >> density >> length >> name && name == material) return std::pair(density, length);
+    }
+    return std::pair(0.0, 0.0);
+  };
+  EXPECT_EQ(row("Lead").first, 11.35) << output.text;
+  EXPECT_NEAR(row("Lead").second, 0.5612, 0.002) << output.text;
+  EXPECT_EQ(row("Polystyrene").first, 1.05) << output.text;
+  EXPECT_NEAR(row("Polystyrene").second, 41.3 * 1.06 / 1.05, 0.5) << output.text;
 }
 
 TEST(Usage, WrongUsageIsStatusTwo) {

@@ -10,7 +10,7 @@
 #include "geometry/gdml/reader.hpp"
 #include "geometry/reference/wide_geometry.hpp"
 #include "runtime/runtime.hpp"
-#include "tests/support/worlds.hpp"
+#include "tests/support/traces.hpp"
 
 namespace navjit {
 namespace {
@@ -138,22 +138,18 @@ TEST(Budget, BelowAnyBoundIsPromisedNowhereAndRunsAllTheSame) {
 
 TEST(Levels, AllGiveTheBitsOfExact) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
-  Runtime generic(world, {.jit = JitMode::off});
+  const std::vector<Ray> rays = tests::rays_through(*world, 11, 300);
   for (const Level level : {Level::exact, Level::fast, Level::single}) {
-    Runtime runtime(world, {.level = level, .jit = JitMode::wait});
-    Navigator a = generic.navigator(), b = runtime.navigator();
-    std::mt19937_64 random(11);
-    for (int i = 0; i < 300; ++i) {
-      Vec3 p{uniform(random, -99, 99), uniform(random, -99, 99), uniform(random, -99, 99)};
-      const Vec3 v = tests::random_direction(random);
-      for (State state = a.locate(p, v); state.inside();) {
-        const Step right = a.step(state, p, v), made = b.step(state, p, v);
-        ASSERT_EQ(right.length, made.length) << level_name(level);
-        ASSERT_TRUE(right.next == made.next) << level_name(level);
-        p += right.length * v;
-        state = right.next;
-      }
-    }
+    SCOPED_TRACE(level_name(level));
+    RuntimeOptions options = tests::eager_options(JitMode::wait);
+    options.level = level;
+    Runtime runtime(world, options);
+    EXPECT_EQ(tests::traces_that_differ(runtime, rays), 0U);
+    EXPECT_GT(tests::share_specialised(runtime), 0.5);
+    options.faults = tests::wrong_code();
+    Runtime wrong(world, options);
+    EXPECT_GT(tests::traces_that_differ(wrong, rays), rays.size() / 4)
+        << "nothing would be noticed";
   }
 }
 

@@ -106,24 +106,52 @@ TEST(Schedule, KeepsItsPromisesForAnyScenes) {
   }
 }
 
-TEST(CostModel, MoreCostsMore) {
-  const Geometry geometry(std::make_shared<const World>(tests::mixed_world()));
-  const WorldFacts facts = analyse_world(geometry);
-  double leaf = 0, most = 0;
-  for (VolumeId v = 0; v < geometry.size(); ++v) {
-    const ScenePlan plan = plan_scene(geometry, facts, v);
-    const double ms = expected_compile_ms(geometry, plan);
-    EXPECT_GT(ms, 0);
-    if (geometry.scene(v).daughters.empty()) {
-      leaf = std::max(leaf, ms);
-      EXPECT_LT(expected_gain_ns(plan), 60);
-    } else {
-      EXPECT_GT(ms, 90);
-    }
-    most = std::max(most, ms);
+/// Of the world volume, a box of 100 mm, with the daughters in a row.
+struct Expected {
+  double compile_ms, gain_ns;
+};
+Expected expected_of(const std::vector<Solid>& daughters) {
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 100, 100, 100));
+  for (const Solid& solid : daughters) {
+    tests::place(
+        world, world.top, tests::add_volume(world, "v", solid),
+        {-90 + 10.0 * static_cast<double>(world.volumes[world.top].daughters.size()), 0, 0});
   }
-  EXPECT_LT(leaf, 90);
-  EXPECT_GT(most, 150);  // the world: several solids
+  finish(world);
+  const Geometry geometry(std::make_shared<const World>(std::move(world)));
+  const WorldFacts facts = analyse_world(geometry);
+  const ScenePlan plan = plan_scene(geometry, facts, geometry.world().top);
+  return {expected_compile_ms(geometry, plan), expected_gain_ns(plan)};
+}
+
+TEST(CostModel, MoreCostsMore) {
+  const Solid box = make_box("box", 1, 2, 3), tube = make_tube("tube", 1, 2, 3, 0, 7),
+              orb = make_orb("orb", 2);
+  const auto polycone = [](int planes) {
+    std::vector<ZPlane> of;
+    for (int i = 0; i < planes; ++i) of.push_back({double(i) / planes, 0, 2 + i % 2 + 0.0});
+    return make_polycone("polycone", of, 0, 7);
+  };
+  // Each has one thing more than the one before.
+  const std::vector<std::vector<Solid>> ever_more = {{},
+                                                     {orb},
+                                                     {orb, tube},
+                                                     {orb, tube, box},
+                                                     {orb, tube, box, polycone(4)},
+                                                     {orb, tube, box, polycone(9)}};
+  Expected last{0, 0};
+  for (const auto& daughters : ever_more) {
+    const Expected next = expected_of(daughters);
+    EXPECT_GT(next.compile_ms, last.compile_ms) << daughters.size();
+    EXPECT_GE(next.gain_ns, last.gain_ns) << daughters.size();
+    last = next;
+  }
+  EXPECT_GT(expected_of({box}).gain_ns, expected_of({}).gain_ns);
+  // Code is written once for all daughters of one shape, and a large table is a loop.
+  EXPECT_LT(expected_of(std::vector<Solid>(12, tube)).compile_ms,
+            2 * expected_of({tube}).compile_ms);
+  EXPECT_LT(expected_of({polycone(500)}).compile_ms, 2 * expected_of({polycone(50)}).compile_ms);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -55,6 +56,50 @@ inline std::vector<Ray> rays_through(const World& world, std::uint64_t seed, int
     rays.push_back(ray);
   }
   return rays;
+}
+
+/// How many of the rays are traced otherwise than generically, in bits.
+inline std::size_t traces_that_differ(Runtime& runtime, const std::vector<Ray>& rays) {
+  const World& world = runtime.world();
+  Runtime generic(runtime.share_world(), {.jit = JitMode::off});
+  Navigator a = generic.navigator(), b = runtime.navigator();
+  return static_cast<std::size_t>(std::count_if(rays.begin(), rays.end(), [&](const Ray& ray) {
+    return !same_bits(trace(a, ray, world.tolerance), trace(b, ray, world.tolerance));
+  }));
+}
+
+/// The part of all steps so far that was made in scenes that are specialised now. Equal answers
+/// prove nothing unless specialised navigators gave them.
+inline double share_specialised(const Runtime& runtime) {
+  double share = 0;
+  for (const SceneReport& scene : runtime.report().scenes) {
+    share += scene.status == SceneStatus::specialised ? scene.share : 0;
+  }
+  return share;
+}
+
+/// How many scenes have compiled code of their own now.
+inline std::size_t scenes_compiled(const Runtime& runtime) {
+  std::size_t count = 0;
+  for (const SceneReport& scene : runtime.report().scenes) {
+    count += scene.binding == Binding::constants ? 1 : 0;
+  }
+  return count;
+}
+
+/// Generated code whose steps are a last bit too long, installed all the same: what has to notice
+/// is tried with it.
+inline Faults wrong_code() {
+  Faults faults;
+  faults.skip_verification = true;
+  faults.edit_source = [](std::string& source) {
+    const std::string right = "  return best;\n", wrong = "  return best * (1 + 0x1p-52);\n";
+    for (std::size_t at = 0; (at = source.find(right, at)) != std::string::npos;
+         at += wrong.size()) {
+      source.replace(at, right.size(), wrong);
+    }
+  };
+  return faults;
 }
 
 /// For small worlds and runs: everything is specialised early.

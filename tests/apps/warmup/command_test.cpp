@@ -1,12 +1,14 @@
 // `navjit warmup` as a user runs it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/support/command.hpp"
 #include "tests/support/folder.hpp"
+#include "tests/support/plates.hpp"
 
 namespace navjit::tests {
 namespace {
@@ -21,18 +23,37 @@ std::size_t leftovers(const std::string& folder) {
   return count;
 }
 
+/// Did the runs of that mode have the time for a swap?
+bool swapped(const nlohmann::json& report, const std::string& mode) {
+  const auto& variants = report.at("variants");
+  return std::all_of(variants.begin(), variants.end(), [&](const auto& variant) {
+    const auto& runs = variant.at("runs");
+    return variant.at("mode") != mode ||
+           std::none_of(runs.begin(), runs.end(),
+                        [](const auto& run) { return run.at("swaps").empty(); });
+  });
+}
+
 TEST(WarmupCommand, ComparesTheWaysToStart) {
   const TemporaryFolder folder, temporary;
-  const Output output = run_command(
-      "TMPDIR=" + temporary.path() + " " NAVJIT_COMMAND,
-      "warmup " + detector + " --seconds 0.4 --prime 1 --repetitions 2 --interval 0.01 --report " +
-          folder.file("report.json") + " --csv " + folder.file("points.csv"));
-  ASSERT_EQ(output.status, 0) << output.text;
+  write_plates(folder.file("plates.gdml"));
+  Output output{0, {}};
+  nlohmann::json report;
+  // A fraction of a second is enough, unless the machine has too much else to do.
+  for (const char* seconds : {"0.3", "2", "15"}) {
+    output =
+        run_command("TMPDIR=" + temporary.path() + " " NAVJIT_COMMAND,
+                    "warmup " + folder.file("plates.gdml") + " --seconds " + seconds + " --prime " +
+                        seconds + " --repetitions 2 --interval 0.01 --nice 0 --report " +
+                        folder.file("report.json") + " --csv " + folder.file("points.csv"));
+    ASSERT_EQ(output.status, 0) << output.text;
+    report = nlohmann::json::parse(read_file(folder.file("report.json")));
+    if (swapped(report, "cache") && swapped(report, "plugin")) break;
+  }
   for (const char* row : {"| off |", "| cold |", "| cache |", "| plugin |", "break-even"}) {
     EXPECT_NE(output.text.find(row), npos) << output.text;
   }
   EXPECT_EQ(leftovers(temporary.path()), 0U);
-  const auto report = nlohmann::json::parse(read_file(folder.file("report.json")));
   EXPECT_TRUE(report.at("same_rays"));
   ASSERT_EQ(report.at("variants").size(), 4U);
   std::size_t points = 0;
