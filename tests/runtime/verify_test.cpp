@@ -15,10 +15,10 @@ namespace {
 
 constexpr double asleep_ns = 300'000;
 
-double slow_step(Stack* stack, const kernels::Context* context, double x, double y, double z,
-                 double limit) {
+double slow_step(Stack* stack, const kernels::Context* context, const void* data, double x,
+                 double y, double z, double limit) {
   std::this_thread::sleep_for(std::chrono::nanoseconds(static_cast<long>(asleep_ns)));
-  return generic::navigators.step(stack, context, x, y, z, limit);
+  return generic::navigators.step(stack, context, data, x, y, z, limit);
 }
 
 TEST(TimePerStep, IsProcessorTime) {
