@@ -27,6 +27,7 @@ constexpr void (*commands[])(CLI::App&, apps::Action&) = {
 
 /// One line, whatever names from files are in it.
 void print_error(const std::string& text) {
+  std::fflush(stdout);  // where both go to one place, the error has a line to itself
   std::fprintf(stderr, "navjit: %s\n", common::printable(one_line(text, 4000)).c_str());
 }
 

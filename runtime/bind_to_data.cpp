@@ -96,7 +96,7 @@ void Specialiser::bind_to_data(VolumeId volume) {
   }
   const bool pays = !only_if_faster || bound_ns <= least_gain * generic_ns;
   spdlog::debug(
-      "event=bound at_s={:.3f} scene={} structure={} generic_ns={:.1f} bound_ns={:.1f} {}",
+      "event=bound at_s={:.3f} scene={} structure={} generic_ns={:.1f} bound_ns={:.1f} verdict={}",
       seconds(), quoted(geometry.world().volumes[volume].name),
       quoted(codegen::structure_of(geometry, plan)), generic_ns, bound_ns,
       pays ? "installed" : "slower");
