@@ -99,6 +99,8 @@ Target resolve_target(const CompileOptions& options) {
     target.cpu = llvm::sys::getHostCPUName().str();
     // A virtual machine may hide features that the processor's name implies.
     for (const auto& feature : llvm::sys::getHostCPUFeatures()) {
+      // Processors that have it have AVX-512 as well, and Clang warns of the two together.
+      if (feature.first() == "avx10.1-256") continue;
       target.features.emplace_back(1, feature.second ? '+' : '-');
       target.features.back() += feature.first();
     }
