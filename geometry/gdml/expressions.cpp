@@ -248,6 +248,17 @@ double Evaluator::evaluate(std::string_view expression) {
 }
 
 double Evaluator::parse(const std::string& expression) {
+  try {
+    return parse_compiled(expression);
+  } catch (...) {
+    // A parser that gave up in the middle is in no state to be asked again.
+    compiled_.erase(expression);
+    parser_.reset();
+    throw;
+  }
+}
+
+double Evaluator::parse_compiled(const std::string& expression) {
   const auto compiled = compiled_.find(expression);
   Parser* parser = compiled != compiled_.end() ? compiled->second.get() : nullptr;
   try {

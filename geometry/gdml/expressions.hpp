@@ -64,6 +64,7 @@ class Evaluator {
   const double* find(std::string_view name);
   void check_readable(std::string_view name) const;
   double parse(const std::string& expression);
+  double parse_compiled(const std::string& expression);
 
   StringMap<Value> values_;
   StringMap<std::string> broken_;

@@ -102,6 +102,16 @@ TEST_F(GdmlExpressions, HaveTheValuesOfClhep) {
   }
 }
 
+TEST_F(GdmlExpressions, ThatFailFailAgain) {
+  // What a module or a second <materials> repeats is evaluated again.
+  for (const char* text : {"1auxtype=3", "1 +", "width * nothing", "2 3", "(1", "1)", "max(1",
+                           "1/0", "width = 2", "1 == ", "a=b=c", "sin()", "2-7width"}) {
+    const std::string first = error(text);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(error(text), first) << text;
+    EXPECT_EQ(evaluator_.evaluate("2 * width"), 80) << text;
+  }
+}
+
 TEST_F(GdmlExpressions, RoundAsWritten) {
   // No folding of constants, no fused or reordered operations.
   evaluator_.define_variable("x", 0.1);
