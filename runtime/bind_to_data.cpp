@@ -24,8 +24,12 @@ constexpr double most_ms = 20;
 /// Per volume, for verification, beside those that were recorded: the code is that of the library,
 /// what may be wrong is the data.
 constexpr std::size_t states_made_up = 64;
-/// Timings of a few hundred steps are no better than this.
-constexpr double least_gain = 0.95;
+/// Of all steps, for a scene to be bound: the many that share the rest of a run are met with cold
+/// caches, where a second copy of their numbers costs what it wins.
+constexpr double least_share = 0.002;
+/// A twentieth is lost in the noise of such timings; where thousands of scenes were bound for so
+/// little, the run was slower (docs/decisions.md).
+constexpr double least_gain = 0.85;
 
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -41,9 +45,13 @@ bool tree_may_be_faster(const Scene& scene, const ScenePlan& plan) {
 
 bool Specialiser::bind_hot_to_data() {
   std::vector<VolumeId> hot;
+  std::uint64_t all = 0;
+  for (const std::uint64_t steps : steps_) all += steps;
+  const auto least =
+      std::max(least_steps, static_cast<std::uint64_t>(least_share * static_cast<double>(all)));
   for (std::size_t v = 0; v < steps_.size(); ++v) {
     const auto volume = static_cast<VolumeId>(v);
-    if (steps_[v] + steps_below_[v] >= least_steps && !bound_.contains(volume)) {
+    if (steps_[v] + steps_below_[v] >= least && !bound_.contains(volume)) {
       hot.push_back(volume);
     }
   }

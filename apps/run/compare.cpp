@@ -45,11 +45,14 @@ std::optional<Comparison> compare_with_generic(Runtime& specialised, const Runti
   // Few rays at a time first, so that it ends in time where they are long; then more, so that the
   // processor's caches are not filled anew for each.
   std::uint64_t turn = first_rays;
+  bool with_first = true;
   while (result.rays < rays.size()) {
     const std::uint64_t last =
         result.rays + std::min<std::uint64_t>(turn, rays.size() - result.rays);
-    make(with, result.rays, last);
-    make(without, result.rays, last);
+    // Whoever goes second finds the solids of these rays, which both share, in the caches.
+    make(with_first ? with : without, result.rays, last);
+    make(with_first ? without : with, result.rays, last);
+    with_first = !with_first;
     if (common::interruption() != 0) return std::nullopt;
     result.rays = last;
     turn = std::min<std::uint64_t>(2 * turn, 64);

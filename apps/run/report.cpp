@@ -115,7 +115,8 @@ void print_table(const RunReport& report) {
                 100 * s.share, figure(s.generic_ns_per_step, "%.1f").c_str(),
                 figure(s.specialised_ns_per_step, "%.1f").c_str(),
                 figure(s.compile_ms, "%.1f").c_str(), figure(s.swapped_at_s, "%.2f").c_str(),
-                status_name(s.status), s.note.empty() ? "" : ": ",
+                s.binding == Binding::data ? "bound to data" : status_name(s.status),
+                s.note.empty() ? "" : ": ",
                 common::printable(s.note.substr(0, s.note.find('\n'))).c_str());
   }
   if (others > 0) {
