@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "analysis/axis.hpp"
-#include "geometry/model/vector.hpp"
 #include "geometry/solids/kernels.hpp"
+#include "navjit/vector.hpp"
 
 namespace navjit {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "analysis/axis.hpp"
-#include "geometry/model/vector.hpp"
+#include "navjit/vector.hpp"
 
 namespace navjit {
 namespace {

@@ -8,8 +8,8 @@
 #include "analysis/plates.hpp"
 #include "analysis/rings.hpp"
 #include "analysis/shells.hpp"
-#include "geometry/model/vector.hpp"
 #include "geometry/solids/extent.hpp"
+#include "navjit/vector.hpp"
 
 namespace navjit {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "apps/commands.hpp"
 #include "files/output_file.hpp"
-#include "runtime/step_profile.hpp"
+#include "navjit/step_profile.hpp"
 
 namespace navjit::apps {
 namespace {

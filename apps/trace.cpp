@@ -17,7 +17,7 @@
 #include "common/parallel.hpp"
 #include "common/text.hpp"
 #include "files/output_file.hpp"
-#include "runtime/runtime.hpp"
+#include "navjit/runtime.hpp"
 
 namespace navjit::apps {
 namespace {

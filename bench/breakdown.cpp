@@ -15,8 +15,8 @@
 #include "bench/sampler.hpp"
 #include "common/clock.hpp"
 #include "common/statistics.hpp"
-#include "geometry/gdml/reader.hpp"
-#include "runtime/runtime.hpp"
+#include "geometry/gdml/read_world.hpp"
+#include "navjit/runtime.hpp"
 
 namespace {
 
@@ -151,7 +151,7 @@ int main(int argc, char** argv) try {
   bench::add_isa_option(app, sets);
   CLI11_PARSE(app, argc, argv);
 
-  const auto world = std::make_shared<const World>(read_gdml(detector));
+  const auto world = std::make_shared<const World>(read_world(detector));
   const std::vector<Ray> rays = bench::rays_of(ray_options, *world);
 
   RuntimeOptions options;

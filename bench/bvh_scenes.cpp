@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "geometry/gdml/reader.hpp"
+#include "geometry/gdml/read_world.hpp"
 #include "geometry/model/random.hpp"
 #include "geometry/navigation/geometry.hpp"
 
@@ -54,7 +54,7 @@ std::vector<BoxScene> made_up_scenes(std::size_t count) {
 }
 
 std::vector<BoxScene> scenes_of(const std::string& file, std::size_t most) {
-  const World world = read_gdml(file);
+  const World world = read_world(file);
   std::vector<const LogicalVolume*> volumes;
   for (const LogicalVolume& volume : world.volumes) {
     if (volume.daughters.size() >= 4) volumes.push_back(&volume);

@@ -17,7 +17,7 @@
 #include "bench/scene_states.hpp"
 #include "common/clock.hpp"
 #include "common/statistics.hpp"
-#include "geometry/gdml/reader.hpp"
+#include "geometry/gdml/read_world.hpp"
 #include "runtime/overrides.hpp"
 
 namespace {
@@ -151,7 +151,7 @@ int main(int argc, char** argv) try {
   bench::add_isa_option(app, sets);
   CLI11_PARSE(app, argc, argv);
 
-  const auto world = std::make_shared<const World>(read_gdml(detector));
+  const auto world = std::make_shared<const World>(read_world(detector));
   RuntimeOptions off;
   off.jit = JitMode::off;
   Runtime generic(world, off);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/runtime.hpp"
+#include "navjit/runtime.hpp"
 #include "runtime/transport.hpp"
 
 namespace navjit::bench {

@@ -115,7 +115,9 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
   const std::string push =
       "#pragma clang attribute push(__attribute__((always_inline)), apply_to = function)\n";
   const std::string pop = "#pragma clang attribute pop\n";
-  source += push + std::string(kernel_text("prelude")) + pop;
+  source += push;
+  for (const char* head : {"vectors", "prelude"}) source += kernel_text(head);
+  source += pop;
   for (const char* kernel : kernel_order()) {
     if (!shapes.kernels().contains(kernel)) continue;
     // Constants fold only into kernels that are inlined; the large ones would be inlined into each
@@ -130,6 +132,7 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
   if (shapes.kernels().contains("box")) source += kernel_text("four_boxes");
   source += kernel_text("shells");
   source += kernel_text("rings");
+  source += kernel_text("touchable_stack");
   source += kernel_text("navigation");
   source += "#pragma clang attribute pop\n\nnamespace navjit::kernels {\n\n";
   source += "constexpr double tolerance = " + number(geometry.tolerance()) + ";\n";

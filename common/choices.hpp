@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/options.hpp"
+#include "navjit/options.hpp"
 
 namespace navjit::common {
 

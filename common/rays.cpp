@@ -14,7 +14,7 @@
 #include <string_view>
 
 #include "common/numbers.hpp"
-#include "runtime/runtime.hpp"
+#include "navjit/runtime.hpp"
 
 namespace navjit::common {
 namespace {

@@ -97,13 +97,13 @@ void Specialiser::bind_to_data(VolumeId volume) {
   const kernels::Navigators* bound = codegen::bind_to_data(geometry, plan, *arena_);
   if (recorded) samples.insert(samples.end(), made_up.begin(), made_up.end());
   std::string problem = verify(geometry, context, *bound, volume, samples);
-  if (shared_->options.faults.fail_verification) problem = "injected failure";
+  if (shared_->faults.fail_verification) problem = "injected failure";
   if (!problem.empty()) {
     note_failure(volume, problem);
     return;
   }
   const bool pays = !only_if_faster || bound_ns <= least_gain * generic_ns;
-  spdlog::debug(
+  shared_->log->debug(
       "event=bound at_s={:.3f} scene={} structure={} generic_ns={:.1f} bound_ns={:.1f} verdict={}",
       seconds(), quoted(geometry.world().volumes[volume].name),
       quoted(codegen::structure_of(geometry, plan)), generic_ns, bound_ns,

@@ -82,16 +82,16 @@ void Specialiser::hold_to_budget() {
     decide(bounds[volume], budget, report);
     ++all;
     met += report.met ? 1 : 0;
-    spdlog::debug("scene {}: exact; budget {} {}: {}; {} states measured, at most {}",
-                  geometry.world().volumes[volume].name, millimetres(budget),
-                  report.met ? "kept" : "not promised", report.why, report.states,
-                  millimetres(report.measured_mm));
+    shared_->log->debug("scene {}: exact; budget {} {}: {}; {} states measured, at most {}",
+                        geometry.world().volumes[volume].name, millimetres(budget),
+                        report.met ? "kept" : "not promised", report.why, report.states,
+                        millimetres(report.measured_mm));
     const std::lock_guard lock(mutex_);
     scenes_[volume].budget = std::move(report);
   }
   if (met < all) {
-    spdlog::warn("budget {}: promised in {} of {} scenes; the others run exact all the same",
-                 millimetres(budget), met, all);
+    shared_->log->warn("budget {}: promised in {} of {} scenes; the others run exact all the same",
+                       millimetres(budget), met, all);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "runtime/cache.hpp"
+#include "navjit/cache.hpp"
 
 #include <cstdlib>
 

@@ -10,7 +10,7 @@ namespace {
 std::string_view view(const std::vector<char>& bytes) { return {bytes.data(), bytes.size()}; }
 
 /// The processor's name for the compiler; empty for this machine's own.
-const char* processor(InstructionSet set) {
+const char* processor(InstructionSet set, spdlog::logger& log) {
 #if defined(__x86_64__)
   switch (set) {
     case InstructionSet::native:
@@ -26,23 +26,25 @@ const char* processor(InstructionSet set) {
   }
 #endif
   if (set != InstructionSet::native) {
-    spdlog::warn("this processor has not the instructions asked for: generated code uses its own");
+    log.warn("this processor has not the instructions asked for: generated code uses its own");
   }
   return "";
 }
 
-jit::CompileOptions compile_options(const SpecialiserOptions& options) {
+jit::CompileOptions compile_options(const SpecialiserOptions& options, spdlog::logger& log) {
   jit::CompileOptions result;
   result.optimisation = options.optimisation;
   result.debug_info = options.debug_info;
-  result.cpu = processor(options.instruction_set);
+  result.cpu = processor(options.instruction_set, log);
   return result;
 }
 
 }  // namespace
 
-CodeMaker::CodeMaker(const SpecialiserOptions& options, const Cache& cache)
-    : compile_options_(compile_options(options)),
+CodeMaker::CodeMaker(const SpecialiserOptions& options, const Cache& cache,
+                     std::shared_ptr<spdlog::logger> log)
+    : log_(std::move(log)),
+      compile_options_(compile_options(options, *log_)),
       linker_options_{true, options.perf_map},
       cache_place_(cache),
       target_(jit::target_description(compile_options_)) {
@@ -58,9 +60,9 @@ CodeMaker::CodeMaker(const SpecialiserOptions& options, const Cache& cache)
 void CodeMaker::complain(bool& complained, const std::string& what) const {
   // Trouble comes in swarms: told once, the rest is for who asks.
   if (complained) {
-    spdlog::debug("cache {}: {}", cache_place_.directory, what);
+    log_->debug("cache {}: {}", cache_place_.directory, what);
   } else {
-    spdlog::warn("cache {}: {}", cache_place_.directory, what);
+    log_->warn("cache {}: {}", cache_place_.directory, what);
   }
   complained = true;
 }

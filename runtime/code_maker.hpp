@@ -1,6 +1,8 @@
 // Source in, linked code out: from the cache where it is there, else compiled. Private to runtime/.
 #pragma once
 
+#include <spdlog/fwd.h>
+
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -10,8 +12,8 @@
 #include "jit/compiler.hpp"
 #include "jit/linker.hpp"
 #include "jit/object_cache.hpp"
-#include "runtime/cache.hpp"
-#include "runtime/options.hpp"
+#include "navjit/cache.hpp"
+#include "navjit/options.hpp"
 
 namespace navjit {
 
@@ -20,7 +22,8 @@ namespace navjit {
 /// with it is one line in the log for each kind of trouble.
 class CodeMaker {
  public:
-  CodeMaker(const SpecialiserOptions& options, const Cache& cache);
+  CodeMaker(const SpecialiserOptions& options, const Cache& cache,
+            std::shared_ptr<spdlog::logger> log);
 
   struct Made {
     jit::Code code;
@@ -53,6 +56,7 @@ class CodeMaker {
   void store(const jit::Digest& key, std::string_view label, std::string_view content);
   void complain(bool& complained, const std::string& what) const;
 
+  std::shared_ptr<spdlog::logger> log_;
   jit::CompileOptions compile_options_;
   jit::LinkerOptions linker_options_;
   Cache cache_place_;

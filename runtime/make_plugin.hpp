@@ -8,7 +8,7 @@
 
 #include "analysis/facts.hpp"
 #include "jit/expected.hpp"
-#include "runtime/step_profile.hpp"
+#include "navjit/step_profile.hpp"
 
 namespace navjit {
 

@@ -1,9 +1,10 @@
-#include "runtime/navigator.hpp"
+#include "navjit/navigator.hpp"
 
 #include <cmath>
 #include <cstring>
-#include <stdexcept>
+#include <string>
 
+#include "geometry/navigation/generic.hpp"
 #include "runtime/shared.hpp"
 
 namespace navjit {
@@ -11,13 +12,11 @@ namespace {
 
 void require_finite(const Vec3& v, const char* what) {
   if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) {
-    throw std::invalid_argument(std::string("navjit: ") + what + " is not finite");
+    throw UsageError(std::string(what) + " is not finite");
   }
 }
 
-[[noreturn]] void throw_other_world() {
-  throw std::invalid_argument("navjit: the state is of another world");
-}
+[[noreturn]] void throw_other_world() { throw UsageError("the state is of another world"); }
 
 /// How far from 1 the length of a direction may be: that of one in single precision is.
 constexpr double unit_slack = 1e-5;
@@ -56,8 +55,8 @@ State Navigator::locate(const Vec3& point, const Vec3& direction) {
 
 double Navigator::safety(const State& from, const Vec3& point) {
   require_finite(point, "the point");
+  restore_unless_at(from);
   const Stack& stack = own_->stack;
-  if (!is_at(stack, from)) restore(from);
   own_->presence->enter();
   const kernels::Navigators& navigators =
       *kernels::navigators_of(context_, stack.levels[stack.depth].volume);
@@ -67,10 +66,51 @@ double Navigator::safety(const State& from, const Vec3& point) {
   return safety;
 }
 
+State Navigator::relocate(const State& hint, const Vec3& point, const Vec3& direction) {
+  require_finite(point, "the point");
+  require_finite(direction, "the direction");
+  if (hint.inside()) {
+    restore_unless_at(hint);
+  } else {
+    own_->stack.depth = -1;
+  }
+  generic::locate_from(shared_->geometry, own_->stack, point, direction);
+  return state_of(own_->stack);
+}
+
+Transformation Navigator::frame(const State& state) {
+  restore_unless_at(state);
+  return frame_of(own_->stack.levels[own_->stack.depth]);
+}
+
+Transformation Navigator::frame(const State& state, int depth) {
+  restore_unless_at(state);
+  if (depth < 0 || depth > own_->stack.depth) {
+    throw UsageError("the state has no ancestor at depth " + std::to_string(depth) +
+                     ": its own is " + std::to_string(own_->stack.depth));
+  }
+  return frame_of(own_->stack.levels[depth]);
+}
+
+Vec3 Navigator::to_local(const State& state, const Vec3& point) {
+  return navjit::to_local(frame(state), point);
+}
+
+Vec3 Navigator::to_global(const State& state, const Vec3& local_point) {
+  return to_outer(frame(state), local_point);
+}
+
+Vec3 Navigator::direction_to_local(const State& state, const Vec3& direction) {
+  return navjit::direction_to_local(frame(state), direction);
+}
+
+Vec3 Navigator::direction_to_global(const State& state, const Vec3& local_direction) {
+  return direction_to_outer(frame(state), local_direction);
+}
+
 void Navigator::require_numbers(const Vec3& point, double limit) {
   require_finite(point, "the point");
-  if (!(limit >= 0))
-    throw std::invalid_argument("navjit: the step limit is negative, or no number");
+  if (!(limit >= 0)) throw UsageError("the step limit is negative, or no number");
 }
 
 void Navigator::begin_ray(const Vec3& direction) {
@@ -79,14 +119,14 @@ void Navigator::begin_ray(const Vec3& direction) {
       direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
   if (!(std::abs(square - 1) <= 2 * unit_slack)) {
     require_finite(direction, "the direction");
-    throw std::invalid_argument("navjit: the direction is not a unit vector: its length is " +
-                                std::to_string(std::sqrt(square)));
+    throw UsageError("the direction is not a unit vector: its length is " +
+                     std::to_string(std::sqrt(square)));
   }
   kernels::set_ray(own_->stack, direction.x, direction.y, direction.z);
 }
 
 void Navigator::restore(const State& from) {
-  if (!from.inside()) throw std::invalid_argument("navjit: the state is outside the world");
+  if (!from.inside()) throw UsageError("the state is outside the world");
   const World& world = shared_->geometry.world();
   if (from.touchable() >= world.volumes[world.top].touchables) throw_other_world();
   ++own_->counts.restored;

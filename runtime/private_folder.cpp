@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "jit/trust.hpp"
-#include "runtime/cache.hpp"
+#include "navjit/cache.hpp"
 
 namespace navjit {
 namespace {

@@ -3,25 +3,13 @@
 // all threads of the process (membarrier(2)).
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "navjit/detail/presence.hpp"
+
 namespace navjit {
-
-/// One navigating thread's mark: odd while it is inside a navigator.
-struct alignas(64) Presence {
-  std::atomic<std::uint64_t> passages{0};
-
-  void enter() {
-    passages.store(passages.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
-    std::atomic_signal_fence(std::memory_order_seq_cst);
-  }
-  void leave() {
-    passages.store(passages.load(std::memory_order_relaxed) + 1, std::memory_order_release);
-  }
-};
 
 /// Things to be destroyed once every thread has left what it was in when they were retired. Not
 /// thread-safe: the owner calls all of it.

@@ -1,4 +1,4 @@
-#include "runtime/runtime.hpp"
+#include "navjit/runtime.hpp"
 
 #include <spdlog/spdlog.h>
 
@@ -19,15 +19,13 @@ const char* level_name(Level level) {
   return "";
 }
 
-Runtime::Runtime(World world, RuntimeOptions options)
-    : Runtime(std::make_shared<const World>(std::move(world)), std::move(options)) {}
-
-Runtime::Runtime(std::shared_ptr<const World> world, RuntimeOptions options)
-    : shared_(std::make_shared<detail::Shared>(std::move(world), std::move(options))),
+Runtime::Runtime(Detector detector, RuntimeOptions options)
+    : detector_(std::move(detector)),
+      shared_(std::make_shared<detail::Shared>(detector_.model(), std::move(options))),
       specialiser_(std::make_shared<Specialiser>(shared_)) {
   if (shared_->options.level != Level::exact) {
-    spdlog::warn("level {}: all scenes run exact, which is as fast",
-                 level_name(shared_->options.level));
+    shared_->log->warn("level {}: all scenes run exact, which is as fast",
+                       level_name(shared_->options.level));
   }
   if (!shared_->options.plugin.empty()) specialiser_->install_plugin(shared_->options.plugin);
   if (shared_->options.jit == JitMode::wait) {
@@ -40,12 +38,6 @@ Runtime::Runtime(std::shared_ptr<const World> world, RuntimeOptions options)
 Runtime::~Runtime() { specialiser_->stop(); }
 
 Navigator Runtime::navigator() { return Navigator(shared_); }
-
-const World& Runtime::world() const { return shared_->geometry.world(); }
-
-std::shared_ptr<const World> Runtime::share_world() const {
-  return shared_->geometry.share_world();
-}
 
 RuntimeReport Runtime::report() const { return specialiser_->report(); }
 

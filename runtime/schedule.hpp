@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/plan.hpp"
-#include "runtime/options.hpp"
+#include "navjit/options.hpp"
 
 namespace navjit {
 

@@ -23,6 +23,8 @@ std::uint64_t Counts::declined(VolumeId volume) const {
 
 Shared::Shared(std::shared_ptr<const World> world, RuntimeOptions runtime_options)
     : options(std::move(runtime_options)),
+      faults(options.faults ? *options.faults : Faults{}),
+      log(make_log(options.log)),
       geometry(std::move(world), options.geometry),
       table(geometry) {
   counts_.past_steps.resize(geometry.size());

@@ -4,8 +4,11 @@
 #include <mutex>
 #include <vector>
 
-#include "runtime/navigator.hpp"
-#include "runtime/options.hpp"
+#include "navjit/navigator.hpp"
+#include "navjit/options.hpp"
+#include "runtime/faults.hpp"
+#include "runtime/log.hpp"
+#include "runtime/table.hpp"
 
 namespace navjit::detail {
 
@@ -26,6 +29,8 @@ struct Shared {
   Counts counts() const;
 
   RuntimeOptions options;
+  Faults faults;
+  std::shared_ptr<spdlog::logger> log;
   Geometry geometry;
   NavigatorTable table;
 

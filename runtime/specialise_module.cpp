@@ -87,7 +87,7 @@ codegen::Module Specialiser::generate(const std::vector<VolumeId>& batch, bool a
 bool Specialiser::make_module(const std::vector<VolumeId>& batch) {
   const double start = now();
   codegen::Module module = generate(batch, takes_rays_along_faces(batch));
-  if (shared_->options.faults.edit_source) shared_->options.faults.edit_source(module.source);
+  if (shared_->faults.edit_source) shared_->faults.edit_source(module.source);
   if (auto found = maker_->find(module.source)) {
     if (install(module, std::move(found->code), true, start)) return true;
     if (stopping()) return false;
@@ -100,7 +100,7 @@ bool Specialiser::make_module(const std::vector<VolumeId>& batch) {
   }
   const jit::CompileReport& report = made->object.report;
   const double expected = expected_ms(batch), took = (now() - start) * 1e3;
-  spdlog::debug(
+  shared_->log->debug(
       "event=compiled at_s={:.3f} scenes={} ms={:.0f} expected_ms={:.0f} source_kb={} "
       "frontend_ms={:.0f} optimise_ms={:.0f} codegen_ms={:.0f} code_kb={}",
       seconds(), batch.size(), took, expected, module.source.size() / 1024, report.frontend_ms,
@@ -120,7 +120,7 @@ jit::Expected<CodeMaker::Made> Specialiser::compile(const std::string& source) {
   }
   jit::Expected<CodeMaker::Made> made = jit::stopped();
   try {
-    if (shared_->options.faults.compiling) shared_->options.faults.compiling();
+    if (shared_->faults.compiling) shared_->faults.compiling();
     made = maker_->compile(source, stop_.get_token());
   } catch (const std::bad_alloc&) {
     made = jit::out_of_memory();
@@ -145,7 +145,7 @@ double Specialiser::expected_ms(const std::vector<VolumeId>& batch) const {
 void Specialiser::no_module(const std::vector<VolumeId>& batch, const jit::Failure& failure) {
   const std::string& why = failure.message;
   if (failure.exhausted || !maker_->no_compiler().empty() || !maker_->no_linker().empty()) {
-    spdlog::warn("nothing more is specialised in this run: {}", one_line(why));
+    shared_->log->warn("nothing more is specialised in this run: {}", one_line(why));
     hopeless_ = true;
     for (const VolumeId volume : batch) note(volume, SceneStatus::generic, why);
     return;
@@ -157,8 +157,8 @@ void Specialiser::no_module(const std::vector<VolumeId>& batch, const jit::Failu
     }
     return;
   }
-  spdlog::warn("scene {} stays generic: {}", shared_->geometry.world().volumes[batch[0]].name,
-               one_line(why));
+  shared_->log->warn("scene {} stays generic: {}", shared_->geometry.world().volumes[batch[0]].name,
+                     one_line(why));
   note(batch[0], SceneStatus::failed, why);
 }
 
@@ -196,8 +196,8 @@ bool Specialiser::install(const codegen::Module& module, jit::Code code, bool ca
   totals_.compile_ms += (now() - start) * 1e3;
   totals_.code_bytes += code_bytes;
   if (cached) {
-    spdlog::debug("event=cached at_s={:.3f} scenes={} ms={:.1f} with_verification_ms={:.1f}",
-                  seconds(), module.entries.size(), compile_ms, (now() - start) * 1e3);
+    shared_->log->debug("event=cached at_s={:.3f} scenes={} ms={:.1f} with_verification_ms={:.1f}",
+                        seconds(), module.entries.size(), compile_ms, (now() - start) * 1e3);
   }
   return all_good;
 }
@@ -212,7 +212,7 @@ bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& reco
   const std::size_t recorded = samples.size();
   const std::vector<Sample> made_up = sampler_.states(volume, states_made_up, volume + 1);
   samples.insert(samples.end(), made_up.begin(), made_up.end());
-  const Faults& faults = shared_->options.faults;
+  const Faults& faults = shared_->faults;
   problem = faults.skip_verification ? "" : verify(geometry, context, record, volume, samples);
   if (faults.fail_verification) problem = "injected failure";
   if (!problem.empty()) return false;
@@ -227,7 +227,7 @@ bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& reco
   const double bar = std::min(generic_ns, bound_ns(volume));
   const bool pays = forced || specialised_ns <= least_gain * bar || timed.size() < 16;
   if (pays) shared_->table.install(volume, &record, owner);
-  spdlog::debug(
+  shared_->log->debug(
       "event={} at_s={:.3f} scene={} generic_ns={:.1f} specialised_ns={:.1f} states={} recorded={} "
       "verification_ms={:.2f}",
       pays ? "installed" : "slower", seconds(), quoted(geometry.world().volumes[volume].name),
@@ -255,7 +255,7 @@ bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& reco
 void Specialiser::install_plugin(const std::string& path) {
   const auto plugin = Plugin::load(path, shared_->geometry);
   if (!plugin) {
-    spdlog::warn("plugin not used: {}", plugin.failure().message);
+    shared_->log->warn("plugin not used: {}", plugin.failure().message);
     return;
   }
   for (const Plugin::Entry& entry : (*plugin)->entries()) {
@@ -268,8 +268,8 @@ void Specialiser::install_plugin(const std::string& path) {
       scenes_[entry.volume] = std::move(report);
       ++totals_.plugin_scenes;
     } else {
-      spdlog::warn("plugin {}: scene {} not used: {}", path,
-                   shared_->geometry.world().volumes[entry.volume].name, problem);
+      shared_->log->warn("plugin {}: scene {} not used: {}", path,
+                         shared_->geometry.world().volumes[entry.volume].name, problem);
     }
   }
 }

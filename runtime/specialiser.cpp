@@ -89,7 +89,8 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
   if (!jit::has_compiler()) {
     return;
   }
-  maker_ = std::make_unique<CodeMaker>(shared_->options.specialiser, shared_->options.cache);
+  maker_ = std::make_unique<CodeMaker>(shared_->options.specialiser, shared_->options.cache,
+                                       shared_->log);
 }
 
 void Specialiser::apply_overrides() {
@@ -117,7 +118,7 @@ void Specialiser::apply_overrides() {
                                                                       : Candidates::boxes;
     }
   }
-  if (!complaints.empty()) spdlog::warn("{}: {}", overrides_variable, complaints);
+  if (!complaints.empty()) shared_->log->warn("{}: {}", overrides_variable, complaints);
 }
 
 void Specialiser::stop() {
@@ -155,7 +156,7 @@ void Specialiser::start() {
         });
   } catch (const std::exception& error) {
     hopeless_ = true;
-    spdlog::warn("nothing is specialised in this run: no thread for it: {}", error.what());
+    shared_->log->warn("nothing is specialised in this run: no thread for it: {}", error.what());
   }
 }
 
@@ -165,7 +166,8 @@ void Specialiser::run() {
   try {
     look_until_stopped();
   } catch (const std::exception& error) {
-    if (!stopping()) spdlog::warn("nothing more is specialised in this run: {}", error.what());
+    if (!stopping())
+      shared_->log->warn("nothing more is specialised in this run: {}", error.what());
   }
   const std::lock_guard lock(mutex_);
   ended_ = true;
@@ -270,9 +272,9 @@ std::vector<VolumeId> Specialiser::choose() {
   }
   const std::vector<VolumeId> module = next_module(candidates, options);
   if (!module.empty()) {
-    spdlog::debug("event=chosen at_s={:.3f} scenes={} first={} candidates={}", seconds(),
-                  module.size(), quoted(shared_->geometry.world().volumes[module[0]].name),
-                  candidates.size());
+    shared_->log->debug("event=chosen at_s={:.3f} scenes={} first={} candidates={}", seconds(),
+                        module.size(), quoted(shared_->geometry.world().volumes[module[0]].name),
+                        candidates.size());
   }
   return module;
 }
@@ -289,9 +291,9 @@ bool Specialiser::may_be_tried(VolumeId volume) {
 }
 
 void Specialiser::note(VolumeId volume, SceneStatus status, const std::string& why) {
-  spdlog::debug("event=status at_s={:.3f} scene={} status={} why={}", seconds(),
-                quoted(shared_->geometry.world().volumes[volume].name), status_name(status),
-                quoted(why));
+  shared_->log->debug("event=status at_s={:.3f} scene={} status={} why={}", seconds(),
+                      quoted(shared_->geometry.world().volumes[volume].name), status_name(status),
+                      quoted(why));
   const std::lock_guard lock(mutex_);
   for (const VolumeId equal : facts_.equals[volume]) {
     SceneReport& scene = scenes_[equal];
@@ -302,9 +304,9 @@ void Specialiser::note(VolumeId volume, SceneStatus status, const std::string& w
 
 void Specialiser::note_failure(VolumeId volume, const std::string& why) {
   const std::lock_guard lock(mutex_);
-  spdlog::warn("scene {} stays {}: {}", shared_->geometry.world().volumes[volume].name,
-               scenes_[volume].binding == Binding::data ? "bound to data" : "generic",
-               one_line(why));
+  shared_->log->warn("scene {} stays {}: {}", shared_->geometry.world().volumes[volume].name,
+                     scenes_[volume].binding == Binding::data ? "bound to data" : "generic",
+                     one_line(why));
   scenes_[volume].status = SceneStatus::failed;
   scenes_[volume].note = why;
 }

@@ -12,13 +12,13 @@
 #include "analysis/facts.hpp"
 #include "codegen/data/arena.hpp"
 #include "codegen/module.hpp"
+#include "navjit/report.hpp"
+#include "navjit/step_profile.hpp"
 #include "runtime/code_maker.hpp"
 #include "runtime/hot_list.hpp"
-#include "runtime/report.hpp"
 #include "runtime/schedule.hpp"
 #include "runtime/shared.hpp"
 #include "runtime/states.hpp"
-#include "runtime/step_profile.hpp"
 
 namespace navjit {
 

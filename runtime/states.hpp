@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/navigation/geometry.hpp"
-#include "runtime/profile.hpp"
+#include "navjit/detail/profile.hpp"
 
 namespace navjit {
 

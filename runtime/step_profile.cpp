@@ -1,4 +1,4 @@
-#include "runtime/step_profile.hpp"
+#include "navjit/step_profile.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "files/output_file.hpp"
 #include "jit/trust.hpp"
@@ -23,7 +22,7 @@ constexpr std::uint64_t version = 1;
 constexpr std::size_t max_bytes = std::size_t{64} << 20;
 
 [[noreturn]] void fail(const std::string& path, const std::string& why) {
-  throw std::runtime_error(path + ": " + why);
+  throw Error(path + ": " + why);
 }
 
 std::uint64_t sum(std::uint64_t a, std::uint64_t b) {
@@ -110,7 +109,7 @@ StepProfile read_profile(const std::string& path) {
 
 StepProfile merge(const StepProfile& a, const StepProfile& b) {
   if (a.geometry != b.geometry) {
-    throw std::runtime_error("the profiles are of different detectors, or versions of one");
+    throw Error("the profiles are of different detectors, or versions of one");
   }
   StepProfile merged;
   merged.geometry = a.geometry;

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "runtime/navigator.hpp"
+#include "navjit/navigator.hpp"
 
 namespace navjit {
 

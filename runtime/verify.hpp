@@ -5,7 +5,7 @@
 #include <string>
 
 #include "geometry/navigation/geometry.hpp"
-#include "runtime/profile.hpp"
+#include "navjit/detail/profile.hpp"
 
 namespace navjit {
 

@@ -49,7 +49,7 @@ void Specialiser::reconsider() {
       }
     }
     const auto fresh = fresh_.find(volume);
-    if (fresh == fresh_.end() || shared_->options.faults.skip_verification) continue;
+    if (fresh == fresh_.end() || shared_->faults.skip_verification) continue;
     const std::string problem = verify(shared_->geometry, shared_->table.context(),
                                        *shared_->table.at(volume), volume, fresh->second);
     if (!problem.empty()) withdraw(volume, SceneStatus::failed, problem);
@@ -58,8 +58,8 @@ void Specialiser::reconsider() {
 }
 
 void Specialiser::make_again(VolumeId volume, std::uint64_t declined, std::uint64_t steps) {
-  spdlog::info("scene {} left out {} of {} steps: it is made again, with code for them",
-               shared_->geometry.world().volumes[volume].name, declined, steps);
+  shared_->log->info("scene {} left out {} of {} steps: it is made again, with code for them",
+                     shared_->geometry.world().volumes[volume].name, declined, steps);
   const std::lock_guard lock(mutex_);
   for (const VolumeId equal : facts_.equals[facts_.first_equal[volume]]) {
     shared_->table.reset(equal);
@@ -72,8 +72,8 @@ void Specialiser::make_again(VolumeId volume, std::uint64_t declined, std::uint6
 void Specialiser::withdraw(VolumeId volume, SceneStatus status, const std::string& why) {
   shared_->table.reset(volume);
   seen_.erase(volume);
-  spdlog::warn("scene {} is generic again: {}", shared_->geometry.world().volumes[volume].name,
-               one_line(why));
+  shared_->log->warn("scene {} is generic again: {}",
+                     shared_->geometry.world().volumes[volume].name, one_line(why));
   const std::lock_guard lock(mutex_);
   scenes_[volume].status = status;
   scenes_[volume].binding = Binding::generic;

@@ -10,7 +10,7 @@
 #include "common/interruption.hpp"
 #include "common/parallel.hpp"
 #include "common/statistics.hpp"
-#include "geometry/model/vector.hpp"
+#include "navjit/vector.hpp"
 
 namespace navjit::accuracy {
 namespace {

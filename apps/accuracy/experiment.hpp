@@ -10,7 +10,7 @@
 #include "apps/accuracy/figures.hpp"
 #include "apps/accuracy/peer.hpp"
 #include "apps/accuracy/track.hpp"
-#include "runtime/options.hpp"
+#include "navjit/options.hpp"
 
 namespace navjit::accuracy {
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <bit>
 
+#include "geometry/model/world.hpp"
+#include "navjit/search.hpp"
+
 namespace navjit::accuracy {
 namespace {
 

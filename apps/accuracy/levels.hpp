@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "apps/accuracy/made.hpp"
-#include "runtime/runtime.hpp"
+#include "geometry/model/world.hpp"
+#include "navjit/runtime.hpp"
+#include "navjit/search.hpp"
 
 namespace navjit::accuracy {
 

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "common/child.hpp"
-#include "geometry/model/vector.hpp"
+#include "navjit/vector.hpp"
 #include "runtime/private_folder.hpp"
 
 namespace navjit::accuracy {

@@ -7,7 +7,7 @@
 
 #include "common/interruption.hpp"
 #include "geometry/model/random.hpp"
-#include "geometry/model/vector.hpp"
+#include "navjit/vector.hpp"
 
 namespace navjit::accuracy {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/reference/wide_geometry.hpp"
-#include "runtime/navigator.hpp"
+#include "navjit/navigator.hpp"
 
 namespace navjit::accuracy {
 

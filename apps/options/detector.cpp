@@ -14,7 +14,7 @@ void add_detector(CLI::App& command, Detector& detector) {
 
 std::shared_ptr<const World> read(const Detector& detector, GdmlReport& report) {
   return std::make_shared<const World>(
-      read_gdml(detector.file, {.setup = detector.setup}, &report));
+      read_world(detector.file, {.setup = detector.setup}, &report));
 }
 
 std::shared_ptr<const World> read(const Detector& detector) {

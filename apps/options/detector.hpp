@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "geometry/gdml/reader.hpp"
+#include "geometry/gdml/read_world.hpp"
 
 namespace CLI {
 class App;

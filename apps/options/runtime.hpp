@@ -1,7 +1,7 @@
 // How navigators are specialised, and where compiled code is kept.
 #pragma once
 
-#include "runtime/options.hpp"
+#include "navjit/options.hpp"
 
 namespace CLI {
 class App;

@@ -12,8 +12,8 @@
 #include "apps/options/source.hpp"
 #include "apps/run/report.hpp"
 #include "common/interruption.hpp"
+#include "navjit/runtime.hpp"
 #include "runtime/processor_time.hpp"
-#include "runtime/runtime.hpp"
 
 namespace navjit::apps {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/runtime.hpp"
+#include "navjit/runtime.hpp"
 #include "runtime/transport.hpp"
 
 namespace navjit::apps {

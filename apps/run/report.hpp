@@ -7,8 +7,8 @@
 
 #include "apps/run/compare.hpp"
 #include "apps/run/transport.hpp"
-#include "runtime/options.hpp"
-#include "runtime/report.hpp"
+#include "navjit/options.hpp"
+#include "navjit/report.hpp"
 
 namespace navjit::apps {
 

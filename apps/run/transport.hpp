@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/rays.hpp"
-#include "runtime/runtime.hpp"
+#include "navjit/runtime.hpp"
 
 namespace navjit::apps {
 

@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "common/parallel.hpp"
+#include "navjit/runtime.hpp"
 #include "runtime/processor_time.hpp"
-#include "runtime/runtime.hpp"
 
 namespace navjit::warmup {
 namespace {

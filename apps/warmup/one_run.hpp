@@ -9,7 +9,7 @@
 #include "apps/options/detector.hpp"
 #include "apps/warmup/series.hpp"
 #include "common/rays.hpp"
-#include "runtime/options.hpp"
+#include "navjit/options.hpp"
 
 namespace navjit::warmup {
 

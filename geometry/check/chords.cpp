@@ -1,6 +1,6 @@
 #include "geometry/check/chords.hpp"
 
-#include "geometry/model/vector.hpp"
+#include "navjit/vector.hpp"
 
 namespace navjit {
 

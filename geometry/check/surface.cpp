@@ -4,7 +4,7 @@
 
 #include "geometry/check/chords.hpp"
 #include "geometry/model/random.hpp"
-#include "geometry/model/vector.hpp"
+#include "navjit/vector.hpp"
 
 namespace navjit {
 namespace {

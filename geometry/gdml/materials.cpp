@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/gdml/context.hpp"
-#include "geometry/model/radiation_length.hpp"
+#include "navjit/material.hpp"
 
 namespace navjit::gdml {
 namespace {
@@ -177,16 +177,6 @@ std::vector<ElementShare> read_shares(FileContext& file, const XmlElement& mater
   return normalised(std::move(all));
 }
 
-/// g/cm2; 0 where it is not known.
-double radiation_length_of(const World& world, const std::vector<ElementShare>& shares) {
-  std::vector<MaterialComponent> components;
-  for (const ElementShare& share : shares) {
-    const Element& element = world.elements[share.element];
-    components.push_back({element.z, element.a, share.fraction});
-  }
-  return radiation_length(components);
-}
-
 void read_material(FileContext& file, const XmlElement& element) {
   const std::string name = file.name(element);
   Material material{name, read_density(file, element)};
@@ -202,7 +192,7 @@ void read_material(FileContext& file, const XmlElement& element) {
   material.elements = if_readable(file, element, [&] {
                         return read_shares(file, element, name);
                       }).value_or(std::vector<ElementShare>{});
-  const double per_area = radiation_length_of(file.session.world, material.elements);
+  const double per_area = radiation_length(file.session.world, material.elements);
   if (per_area > 0 && material.density > 0) {
     material.radiation_length = per_area / material.density * 10;
   } else {

@@ -90,11 +90,11 @@ void read_physvol(FileContext& file, const XmlElement& element, Mother& mother) 
   }
   if (!target) fail(element, "it places no volume; add a <volumeref> or <file>");
   Placement placement;
+  placement.auxiliaries = read_auxiliaries(file, element);
   placement.copy_number = file.integer(element, "copynumber", 0);
   placement.name = file.optional_name(element);
   if (placement.name.empty()) placement.name = target->name + "_PV";
   placement.transformation = placement_frame(frame, scale);
-  placement.auxiliaries = read_auxiliaries(file, element);
   if (target->assembly == nullptr) {
     placement.volume = target->volume;
     return add_placement(file, element, mother, std::move(placement));

@@ -1,5 +1,5 @@
 // A GDML file from its root: sections, setups and modules.
-#include "geometry/gdml/reader.hpp"
+#include "geometry/gdml/read_world.hpp"
 
 #include <algorithm>
 
@@ -110,8 +110,8 @@ const Setup& choose_setup(const FileContext& file, const std::string& wanted) {
 
 namespace {
 
-World read_world(const std::filesystem::path& path, const GdmlOptions& options,
-                 GdmlReport* report) {
+World read_unchecked(const std::filesystem::path& path, const GdmlOptions& options,
+                     GdmlReport* report) {
   gdml::Session session(options);
   gdml::FileContext& file = gdml::read_file(session, path, nullptr);
   const gdml::Setup& setup = gdml::choose_setup(file, options.setup);
@@ -133,9 +133,10 @@ World read_world(const std::filesystem::path& path, const GdmlOptions& options,
 
 }  // namespace
 
-World read_gdml(const std::filesystem::path& path, const GdmlOptions& options, GdmlReport* report) {
+World read_world(const std::filesystem::path& path, const GdmlOptions& options,
+                 GdmlReport* report) {
   try {
-    return read_world(path, options, report);
+    return read_unchecked(path, options, report);
   } catch (const GdmlError&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -143,6 +144,11 @@ World read_gdml(const std::filesystem::path& path, const GdmlOptions& options, G
   } catch (const std::exception& e) {
     throw GdmlError(gdml::printable_path(path.string()) + ":0: " + gdml::printable(e.what()));
   }
+}
+
+Detector read_gdml(const std::filesystem::path& path, const GdmlOptions& options,
+                   GdmlReport* report) {
+  return Detector(read_world(path, options, report));
 }
 
 }  // namespace navjit

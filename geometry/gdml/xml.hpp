@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/gdml/reader.hpp"
+#include "geometry/gdml/read_world.hpp"
 
 namespace navjit::gdml {
 

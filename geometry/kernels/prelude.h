@@ -1,5 +1,6 @@
-// What every kernel stands on: vectors, directions, and the few functions of a number that the
-// kernels need. Freestanding: this text is also the head of every generated navigator.
+// What every kernel stands on beside vectors (navjit/detail/vectors.h): directions, and the few
+// functions of a number that the kernels need. Freestanding: this text is also near the head of
+// every generated navigator.
 //
 // Conventions shared by all kernels (docs/tolerance.md has the reasons):
 //   inside(s, p, tol)            where a point is, regardless of direction
@@ -14,19 +15,6 @@
 namespace navjit::kernels {
 
 enum class Side : int { outside = 0, surface = 1, inside = 2 };
-
-template <class Real>
-struct Vec3 {
-  Real x, y, z;
-};
-
-/// A direction with its reciprocals. Components are never negative zero; the reciprocal of a zero
-/// component is +infinity, which the slab tests rely on.
-template <class Real>
-struct Direction {
-  Real x, y, z;
-  Real inverse_x, inverse_y, inverse_z;
-};
 
 template <class Real>
 constexpr Real infinity() {
@@ -86,13 +74,6 @@ constexpr double with_sign<double>(double magnitude, double sign) {
 template <class Real>
 constexpr Vec3<Real> advance(const Vec3<Real>& p, const Direction<Real>& v, Real t) {
   return {p.x + t * v.x, p.y + t * v.y, p.z + t * v.z};
-}
-
-template <class Real>
-constexpr Direction<Real> make_direction(Real x, Real y, Real z) {
-  // Adding +0 turns -0 into +0, so that reciprocals of zero are +infinity.
-  const Real cx = x + Real(0), cy = y + Real(0), cz = z + Real(0);
-  return {cx, cy, cz, Real(1) / cx, Real(1) / cy, Real(1) / cz};
 }
 
 /// A direction without its reciprocals: enough for `contains`, which reads the components alone.

@@ -1,6 +1,8 @@
-#include "geometry/model/radiation_length.hpp"
+#include "navjit/material.hpp"
 
 #include <cmath>
+
+#include "geometry/model/world.hpp"
 
 namespace navjit {
 
@@ -33,6 +35,15 @@ double radiation_length(std::span<const MaterialComponent> components) {
   }
   const double length = mass / inverse;
   return length > 0 && std::isfinite(length) ? length : 0;
+}
+
+double radiation_length(const World& world, std::span<const ElementShare> shares) {
+  std::vector<MaterialComponent> components;
+  for (const ElementShare& share : shares) {
+    const Element& element = world.elements[share.element];
+    components.push_back({element.z, element.a, share.fraction});
+  }
+  return radiation_length(components);
 }
 
 }  // namespace navjit

@@ -67,6 +67,12 @@ void rotation_from_angles(double x, double y, double z, double (&rotation)[9]) {
   std::copy_n(product, 9, rotation);
 }
 
+Transformation placed_at(const Vec3& translation, const Vec3& angles) {
+  double rotation[9];
+  rotation_from_angles(angles.x, angles.y, angles.z, rotation);
+  return make_transformation({translation.x, translation.y, translation.z}, rotation);
+}
+
 Transformation compose(const Transformation& outer, const Transformation& inner) {
   // local = Ri (Ro (p - To) - Ti) = (Ri Ro) (p - (To + Ro^T Ti))
   const double* ro = outer.rotation;

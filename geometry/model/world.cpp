@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include "geometry/model/finished.hpp"
 #include "geometry/solids/extent.hpp"
 
 namespace navjit {
@@ -116,18 +114,22 @@ bool is_finished(const World& world) {
   return true;
 }
 
+void require_finished(const World* world) {
+  if (world == nullptr) throw GeometryError("there is no detector: the pointer is null");
+  if (!is_finished(*world)) {
+    throw GeometryError(
+        "the detector is not ready to be navigated: call navjit::finish after its last change");
+  }
+}
+
 std::string path_of(const World& world, TouchableId touchable) {
   const LogicalVolume* volume = &world.volumes.at(world.top);
   if (touchable >= volume->touchables) {
-    throw std::out_of_range("the world has no touchable " + std::to_string(touchable));
+    throw UsageError("the world has no touchable " + std::to_string(touchable));
   }
   std::string path = volume->name;
   while (touchable > 0) {
-    // The last daughter whose tree starts at or before the touchable.
-    const auto after = std::upper_bound(
-        volume->daughters.begin(), volume->daughters.end(), touchable,
-        [](TouchableId id, const Placement& placement) { return id < placement.offset; });
-    const Placement& placement = *std::prev(after);
+    const Placement& placement = volume->daughters[daughter_holding(volume->daughters, touchable)];
     path += '/' + placement.name;
     touchable -= placement.offset;
     volume = &world.volumes[placement.volume];

@@ -2,45 +2,24 @@
 // world volume. Immutable once built; shared by all threads.
 #pragma once
 
-#include <cstdint>
+#include <algorithm>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "geometry/model/auxiliary.hpp"
-#include "geometry/model/material.hpp"
 #include "geometry/model/transformation.hpp"
 #include "geometry/solids/solid.hpp"
+#include "navjit/material.hpp"
+#include "navjit/volume.hpp"
 
 namespace navjit {
-
-using VolumeId = std::uint32_t;
-using TouchableId = std::uint64_t;
 
 /// How near to a face a point counts as on it, mm: absolute, or relative to the world's size (the
 /// largest coordinate in it), whichever is larger (docs/tolerance.md).
 struct Tolerance {
   double absolute = 1e-11;
   double relative = 4e-15;
-};
-
-struct Placement {
-  std::string name;
-  VolumeId volume = 0;
-  int copy_number = 0;
-  Transformation transformation;
-  /// Touchable of this daughter = touchable of the mother + offset. Set by finish().
-  TouchableId offset = 0;
-  Auxiliaries auxiliaries{};
-};
-
-struct LogicalVolume {
-  std::string name;
-  Solid solid;
-  std::uint32_t material = 0;  ///< index into World::materials
-  std::vector<Placement> daughters;
-  /// Number of touchables in the tree below and including one placement of this volume.
-  TouchableId touchables = 0;
-  Auxiliaries auxiliaries{};
 };
 
 struct World {
@@ -65,8 +44,27 @@ constexpr int max_depth = 64;
 /// with more than 2^62 touchables, or a placement of a volume that does not exist.
 void finish(World& world);
 
+/// Whether finish() was called and nothing changed since that it checks or sets: what navigation
+/// relies on.
+bool is_finished(const World& world);
+/// Throws GeometryError if there is no world, or if it is not finished.
+void require_finished(const World* world);
+
+/// The number of the daughter whose tree holds the touchable that is `below` > 0 after its mother:
+/// the last that starts at or before it.
+template <class Daughters>
+std::size_t daughter_holding(const Daughters& daughters, TouchableId below) {
+  const auto after = std::upper_bound(
+      daughters.begin(), daughters.end(), below,
+      [](TouchableId value, const auto& daughter) { return value < daughter.offset; });
+  return static_cast<std::size_t>(after - daughters.begin() - 1);
+}
+
+/// Of a mixture of the world's elements, g/cm2; 0 where it is not known.
+double radiation_length(const World& world, std::span<const ElementShare> shares);
+
 /// "world/mother/daughter": the top volume's name, then placement names down to the touchable.
-/// Throws std::out_of_range where the world has no such touchable.
+/// Throws UsageError where the world has no such touchable.
 std::string path_of(const World& world, TouchableId touchable);
 
 }  // namespace navjit

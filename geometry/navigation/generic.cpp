@@ -12,14 +12,7 @@ using kernels::AnySolid;
 constexpr unsigned no_daughter = ~0U;
 
 void push(Stack& stack, const Daughter& daughter, unsigned index) {
-  const Transformation& t = daughter.transformation;
-  if (t.rotated) {
-    kernels::push_rotated(&stack, daughter.volume, index, daughter.offset, t.translation[0],
-                          t.translation[1], t.translation[2], t.rotation);
-  } else {
-    kernels::push_translated(&stack, daughter.volume, index, daughter.offset, t.translation[0],
-                             t.translation[1], t.translation[2]);
-  }
+  navjit::push(stack, daughter.transformation, daughter.volume, index, daughter.offset);
 }
 
 // Most volumes are boxes: their kernels are inlined here, in front of the switch over all kinds.
@@ -172,23 +165,35 @@ Hit nearest_daughter(const Scene& scene, const Vec3& p, const Direction& v, doub
   return hit;
 }
 
-void enter_world(const Geometry& geometry, Stack& stack) {
-  stack.depth = 0;
-  StackLevel& top = stack.levels[0];
-  top = {};
-  top.volume = geometry.world().top;
-}
-
 }  // namespace
 
 void locate(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction) {
-  enter_world(geometry, stack);
+  enter_world(stack, geometry.world().top);
   stack.boundary = 0;
   const Vec3 p{point.x + 0.0, point.y + 0.0, point.z + 0.0};
   const Direction v = kernels::make_heading(direction.x, direction.y, direction.z);
   if (!contains(geometry.scene(geometry.world().top).solid, p, v, geometry.tolerance())) {
     stack.depth = -1;
     return;
+  }
+  settle(geometry, stack, p, direction, -1);
+}
+
+void locate_from(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction) {
+  if (stack.depth < 0) {
+    locate(geometry, stack, point, direction);
+    return;
+  }
+  stack.boundary = 0;
+  const Vec3 p{point.x + 0.0, point.y + 0.0, point.z + 0.0};
+  for (;;) {
+    const StackLevel& level = stack.levels[stack.depth];
+    if (contains_here(geometry.scene(level.volume).solid, kernels::to_local(level, p.x, p.y, p.z),
+                      kernels::to_local_heading(level, direction.x, direction.y, direction.z),
+                      geometry.tolerance())) {
+      break;
+    }
+    if (--stack.depth < 0) return;
   }
   settle(geometry, stack, p, direction, -1);
 }
@@ -318,15 +323,12 @@ void restore(const Geometry& geometry, Stack& stack, TouchableId touchable) {
     }
     --stack.depth;
   }
-  if (stack.depth < 0) enter_world(geometry, stack);
+  if (stack.depth < 0) enter_world(stack, world.top);
   while (stack.levels[stack.depth].touchable != touchable) {
     const StackLevel& level = stack.levels[stack.depth];
     const auto daughters = geometry.scene(level.volume).daughters;
-    const TouchableId rest = touchable - level.touchable;
-    const auto after = std::upper_bound(
-        daughters.begin(), daughters.end(), rest,
-        [](TouchableId value, const Daughter& daughter) { return value < daughter.offset; });
-    const auto index = static_cast<unsigned>(after - daughters.begin() - 1);
+    const auto index =
+        static_cast<unsigned>(daughter_holding(daughters, touchable - level.touchable));
     push(stack, daughters[index], index);
   }
 }

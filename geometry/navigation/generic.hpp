@@ -11,6 +11,10 @@ namespace navjit::generic {
 /// the face. Where volumes overlap, the last in file order holds the point.
 void locate(const Geometry&, Stack&, const Vec3& point, const Vec3& direction);
 
+/// The same, searched for from the stack's touchable outwards and then inwards: where several hold
+/// the point (on faces, in overlaps) it is one of those nearest to it in the tree.
+void locate_from(const Geometry&, Stack&, const Vec3& point, const Vec3& direction);
+
 /// One step from a global point (mm) along a unit direction, at most `limit` mm. Returns the length
 /// and leaves the stack at the next touchable; `stack.boundary` says whether a boundary ended the
 /// step. The stack must not be outside the world.

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "geometry/bvh/box_tree.hpp"
-#include "geometry/model/finished.hpp"
 
 namespace navjit {
 
@@ -52,14 +51,6 @@ std::optional<bvh::Structure> choose(const LogicalVolume& volume, const Geometry
   return options.boxes.value_or(bvh::default_method(daughters));
 }
 
-void check_world(const World* world) {
-  if (world == nullptr) throw GeometryError("there is no world to navigate: the pointer is null");
-  if (!is_finished(*world)) {
-    throw GeometryError(
-        "the world is not ready to be navigated: call navjit::finish after its last change");
-  }
-}
-
 void check_names(const World& world, const GeometryOptions& options) {
   for (const auto& [name, structure] : options.boxes_of) {
     if (std::none_of(world.volumes.begin(), world.volumes.end(),
@@ -74,7 +65,7 @@ void check_names(const World& world, const GeometryOptions& options) {
 
 Geometry::Geometry(std::shared_ptr<const World> world, const GeometryOptions& options)
     : world_(std::move(world)) {
-  check_world(world_.get());
+  require_finished(world_.get());
   check_names(*world_, options);
   std::size_t total = 0;
   for (const LogicalVolume& volume : world_->volumes) total += volume.daughters.size();

@@ -1,7 +1,6 @@
 // The world prepared for navigation: per volume a compact scene with its acceleration structure.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +11,7 @@
 #include "geometry/model/world.hpp"
 #include "geometry/navigation/stack.hpp"
 #include "geometry/navigation/surroundings.hpp"
+#include "navjit/search.hpp"
 
 namespace navjit {
 
@@ -41,18 +41,6 @@ struct Scene {
   Scene();
   Scene(Scene&&) noexcept;
   ~Scene();
-};
-
-struct GeometryOptions {
-  /// Forces one search for all scenes with daughters, for tests and measurements. All but
-  /// `automatic` search on leaving a daughter, too, without surroundings.
-  enum class Force : std::uint8_t { automatic, all, linear_boxes, bvh } force = Force::automatic;
-  /// The box structure of all scenes that have enough daughters for one, whatever their number;
-  /// nothing: bvh::default_method. Changes no answer.
-  std::optional<bvh::Structure> boxes{};
-  /// The same for single volumes by name, few daughters or many. Boxes where there were none may
-  /// make safeties larger, never too large.
-  std::map<std::string, bvh::Structure> boxes_of{};
 };
 
 /// Immutable, shared by all threads. Keeps the world alive.

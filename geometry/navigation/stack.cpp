@@ -1,5 +1,6 @@
 #include "geometry/navigation/stack.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace navjit {
@@ -23,6 +24,21 @@ bool identical(const Stack& a, const Stack& b) {
     }
   }
   return true;
+}
+
+void enter_world(Stack& stack, VolumeId top) {
+  stack.depth = 0;
+  StackLevel& level = stack.levels[0];
+  level = {};
+  level.volume = top;
+}
+
+Transformation frame_of(const StackLevel& level) {
+  Transformation frame;
+  std::copy_n(level.translation, 3, frame.translation);
+  frame.rotated = level.rotation != nullptr;
+  if (frame.rotated) std::copy_n(level.rotation, 9, frame.rotation);
+  return frame;
 }
 
 void copy(const Stack& from, Stack& to) {

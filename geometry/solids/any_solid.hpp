@@ -2,42 +2,10 @@
 // any solids are the kernel templates instantiated with AnySolid itself.
 #pragma once
 
-#include <cstdint>
-
 #include "geometry/solids/kernels.hpp"
+#include "navjit/solid_kind.hpp"
 
 namespace navjit::kernels {
-
-enum class SolidKind : std::uint8_t {
-  box,
-  tube,
-  cone,
-  trd,
-  trap,
-  hull,
-  facets,
-  arb8,
-  cut_tube,
-  orb,
-  sphere,
-  polycone,
-  polyhedra,
-  torus,
-  ellipsoid,
-  eltube,
-  elcone,
-  paraboloid,
-  hype,
-  twistedtubs,
-  twistedbox,
-  twistedtrd,
-  twistedtrap,
-  placed,
-  scaled,
-  union_of,
-  intersection_of,
-  subtraction_of,
-};
 
 /// A pointer to a kernel's shape with its kind. Does not own the shape (navjit::Solid does).
 template <class Real>

@@ -2,6 +2,7 @@
 #pragma once
 
 // clang-format off
+#include "navjit/detail/vectors.h"
 #include "geometry/kernels/prelude.h"
 #include "geometry/kernels/convex.h"
 #include "geometry/kernels/box.h"

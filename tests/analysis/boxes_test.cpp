@@ -7,10 +7,10 @@
 
 #include "analysis/buckets.hpp"
 #include "analysis/plan.hpp"
-#include "geometry/model/vector.hpp"
 #include "geometry/navigation/generic.hpp"
 #include "geometry/solids/extent.hpp"
 #include "geometry/solids/kernels.hpp"
+#include "navjit/vector.hpp"
 #include "tests/support/worlds.hpp"
 
 // clang-format off

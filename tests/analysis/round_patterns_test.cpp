@@ -12,8 +12,8 @@
 #include "analysis/plan.hpp"
 #include "analysis/rings.hpp"
 #include "analysis/shells.hpp"
-#include "geometry/model/vector.hpp"
 #include "geometry/solids/kernels.hpp"
+#include "navjit/vector.hpp"
 #include "tests/support/worlds.hpp"
 
 // clang-format off

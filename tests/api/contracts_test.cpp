@@ -7,8 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "geometry/model/finished.hpp"
-#include "runtime/runtime.hpp"
+#include "navjit/runtime.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace navjit {
@@ -32,7 +31,8 @@ std::string message_of(const Call& call) {
 bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
 TEST(RuntimeContract, RefusesAWorldThatIsNotThere) {
-  const auto message = message_of<GeometryError>([] { Runtime runtime{nullptr}; });
+  const auto message =
+      message_of<GeometryError>([] { Runtime runtime{std::shared_ptr<const World>()}; });
   EXPECT_TRUE(has(message, "null")) << message;
 }
 
@@ -77,7 +77,7 @@ class Contract : public ::testing::TestWithParam<JitMode> {
   void refused(const Call& call, const char* why) {
     // More often than steps are recorded, so that no check there can stand in for one elsewhere.
     for (int i = 0; i < 70; ++i) {
-      const auto message = message_of<std::invalid_argument>(call);
+      const auto message = message_of<UsageError>(call);
       ASSERT_TRUE(has(message, why)) << message;
     }
     const Step again = navigator_.step(state_, point, direction);
@@ -97,13 +97,13 @@ TEST_P(Contract, DirectionsAreUnitVectors) {
     refused([&] { navigator_.step(state_, point, bad); }, "not a unit vector");
     Navigator fresh = runtime_.navigator();  // nor may the first direction be wrong
     const State state = fresh.locate(point);
-    EXPECT_THROW(fresh.step(state, point, bad), std::invalid_argument);
+    EXPECT_THROW(fresh.step(state, point, bad), UsageError);
   }
   for (const double bad : {nan, infinity, -infinity}) {
     refused([&] { navigator_.step(state_, point, {0, bad, 0}); }, "the direction is not finite");
     Navigator fresh = runtime_.navigator();
     const State state = fresh.locate(point);
-    EXPECT_THROW(fresh.step(state, point, {bad, bad, bad}), std::invalid_argument);
+    EXPECT_THROW(fresh.step(state, point, {bad, bad, bad}), UsageError);
   }
   // Rounding is not held against anybody, that of single precision included.
   const float third = 1 / std::sqrt(3.0F);
@@ -165,8 +165,8 @@ TEST_P(Contract, StatesAreInsideTheirOwnWorld) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, Contract, ::testing::Values(JitMode::off, JitMode::wait),
-                         [](const auto& info) {
-                           return info.param == JitMode::off ? "Generic" : "Specialised";
+                         [](const auto& mode) {
+                           return mode.param == JitMode::off ? "Generic" : "Specialised";
                          });
 
 }  // namespace

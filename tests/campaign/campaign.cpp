@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "geometry/gdml/reader.hpp"
-#include "runtime/runtime.hpp"
+#include "geometry/gdml/read_world.hpp"
+#include "navjit/runtime.hpp"
 #include "tests/campaign/files.hpp"
 #include "tests/campaign/judge.hpp"
 
@@ -30,7 +30,7 @@ struct Result {
 
 Result run_file(const std::string& file, std::uint64_t rays, unsigned threads,
                 const campaign::Plan& plan) {
-  const auto world = std::make_shared<const World>(read_gdml(file));
+  const auto world = std::make_shared<const World>(read_world(file));
   const reference::WideGeometry reference(world);
   Runtime runtime(world, {.jit = JitMode::off});
   Result result{file, {}, 0, {}};

@@ -12,9 +12,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "geometry/gdml/reader.hpp"
-#include "geometry/model/vector.hpp"
-#include "runtime/runtime.hpp"
+#include "geometry/gdml/read_world.hpp"
+#include "navjit/runtime.hpp"
+#include "navjit/vector.hpp"
 #include "tests/campaign/files.hpp"
 #include "tests/campaign/starts.hpp"
 
@@ -90,7 +90,7 @@ struct Options {
 
 Counts run_file(const std::string& file, const Options& options,
                 std::vector<Difference>& differences, std::shared_ptr<const World>& world) {
-  world = std::make_shared<const World>(read_gdml(file));
+  world = std::make_shared<const World>(read_world(file));
   RuntimeOptions with;
   with.jit = options.jit;
   with.specialiser.keep_only_faster = false;  // what is slower has to be right, too

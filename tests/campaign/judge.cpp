@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "geometry/model/random.hpp"
-#include "geometry/model/vector.hpp"
+#include "navjit/vector.hpp"
 #include "tests/campaign/starts.hpp"
 
 namespace navjit::campaign {

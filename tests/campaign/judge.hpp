@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/reference/wide_geometry.hpp"
-#include "runtime/navigator.hpp"
+#include "navjit/navigator.hpp"
 #include "runtime/transport.hpp"
 
 namespace navjit::campaign {

@@ -10,7 +10,7 @@
 
 #include "geometry/model/random.hpp"
 #include "geometry/model/transformation.hpp"
-#include "geometry/model/vector.hpp"
+#include "navjit/vector.hpp"
 
 namespace navjit::campaign {
 namespace {

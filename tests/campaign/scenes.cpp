@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/rays.hpp"
-#include "geometry/gdml/reader.hpp"
+#include "geometry/gdml/read_world.hpp"
 #include "geometry/reference/wide_geometry.hpp"
 #include "tests/campaign/random_scene.hpp"
 #include "tests/campaign/starts.hpp"
@@ -134,7 +134,7 @@ int main(int argc, char** argv) {
                      ray_file = folder / (name + ".rays.csv"),
                      trace_file = folder / (name + ".vecgeom.csv");
       std::ofstream(file) << campaign::random_scene(seed + i, solids, kinds);
-      const auto world = std::make_shared<const World>(read_gdml(file));
+      const auto world = std::make_shared<const World>(read_world(file));
       write_rays(ray_file, *world, seed + i, rays);
       // Both sides normalise the directions that they read.
       const std::vector<Ray> read = common::read_rays(ray_file);

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "geometry/model/random.hpp"
-#include "geometry/model/vector.hpp"
+#include "navjit/vector.hpp"
 
 namespace navjit::campaign {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "runtime/runtime.hpp"
+#include "navjit/runtime.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace navjit::common {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "runtime/runtime.hpp"
+#include "navjit/runtime.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace navjit::extremes {
@@ -48,12 +48,12 @@ TEST_P(NotFinite, NumbersAreRefusedAtEveryStep) {
   // More often than steps are sampled for the profile, so that no check there can stand in.
   for (int i = 0; i < 40; ++i) {
     with_each_number_bad(point, direction, [&](const Vec3& p, const Vec3& v) {
-      EXPECT_THROW(navigator_.step(state, p, v), std::invalid_argument);
-      EXPECT_THROW(navigator_.locate(p, v), std::invalid_argument);
+      EXPECT_THROW(navigator_.step(state, p, v), UsageError);
+      EXPECT_THROW(navigator_.locate(p, v), UsageError);
       const bool bad_point = !(p == point);
       if (bad_point) {
-        EXPECT_THROW(navigator_.locate(p), std::invalid_argument);
-        EXPECT_THROW(navigator_.safety(state, p), std::invalid_argument);
+        EXPECT_THROW(navigator_.locate(p), UsageError);
+        EXPECT_THROW(navigator_.safety(state, p), UsageError);
       }
     });
   }
@@ -66,7 +66,7 @@ TEST_P(NotFinite, LimitsThatAreNoneAreRefused) {
   const Vec3 point{-60, -40, 2}, direction{0.6, 0, 0.8};
   const State state = navigator_.locate(point, direction);
   for (const double limit : {nan, -1.0, -infinity}) {
-    EXPECT_THROW(navigator_.step(state, point, direction, limit), std::invalid_argument) << limit;
+    EXPECT_THROW(navigator_.step(state, point, direction, limit), UsageError) << limit;
   }
   const Step none = navigator_.step(state, point, direction, 0);
   EXPECT_EQ(none.length, 0);

@@ -9,7 +9,7 @@
 
 #include "apps/accuracy/levels.hpp"
 #include "apps/accuracy/peer.hpp"
-#include "geometry/gdml/reader.hpp"
+#include "geometry/gdml/read_world.hpp"
 
 namespace navjit::extremes {
 namespace {
@@ -46,7 +46,7 @@ std::optional<MadeRay> try_ray(Navigator& navigator, const World& world, const R
                                std::size_t index) {
   try {
     return accuracy::make_ray_steps(navigator, world, ray, index);
-  } catch (const std::invalid_argument&) {
+  } catch (const UsageError&) {
     return std::nullopt;
   }
 }
@@ -76,7 +76,7 @@ std::string difference(const Ray& ray, std::size_t index, const MadeRay& a, cons
 
 Outcomes run_case(const Case& extreme) {
   const GdmlFile file(extreme.gdml);
-  const auto world = std::make_shared<const World>(read_gdml(file.path()));
+  const auto world = std::make_shared<const World>(read_world(file.path()));
   const reference::WideGeometry reference(world);
   const std::vector<Ray> rays = extreme.rays(*world);
   Runtime off(world, {.jit = JitMode::off});
@@ -125,7 +125,7 @@ Outcomes run_case(const Case& extreme) {
 
 Outcome run_vecgeom(const Case& extreme, const std::string& program, double seconds) {
   const GdmlFile file(extreme.gdml_for_vecgeom.empty() ? extreme.gdml : extreme.gdml_for_vecgeom);
-  const auto world = std::make_shared<const World>(read_gdml(file.path()));
+  const auto world = std::make_shared<const World>(read_world(file.path()));
   const reference::WideGeometry reference(world);
   const std::vector<Ray> rays = extreme.rays(*world);
   const accuracy::VecGeom vecgeom({program, file.path(), "automatic", seconds});

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "geometry/model/random.hpp"
-#include "geometry/model/vector.hpp"
 #include "geometry/reference/wide_geometry.hpp"
+#include "navjit/vector.hpp"
 
 namespace navjit::extremes {
 namespace {

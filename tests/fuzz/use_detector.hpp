@@ -8,7 +8,7 @@
 #include <memory>
 #include <random>
 
-#include "geometry/gdml/reader.hpp"
+#include "geometry/gdml/read_world.hpp"
 #include "geometry/navigation/generic.hpp"
 
 namespace navjit::fuzz {
@@ -36,7 +36,7 @@ inline bool use_detector(const std::filesystem::path& path) {
   };
   std::shared_ptr<const World> world;
   try {
-    world = std::make_shared<const World>(read_gdml(path, tight_options()));
+    world = std::make_shared<const World>(read_world(path, tight_options()));
   } catch (const GdmlError& error) {
     const std::string message = error.what();
     check(!message.empty() && message.find('\n') == std::string::npos, "not one line");

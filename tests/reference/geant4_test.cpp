@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "common/rays.hpp"
-#include "geometry/gdml/reader.hpp"
+#include "geometry/gdml/read_world.hpp"
 #include "tests/reference/trace.hpp"
 
 namespace navjit::reference {
@@ -181,7 +181,7 @@ class Geant4Reference : public ::testing::TestWithParam<Reference> {
   }
 
   static std::shared_ptr<const World> world() {
-    return std::make_shared<const World>(read_gdml(data / GetParam().detector));
+    return std::make_shared<const World>(read_world(data / GetParam().detector));
   }
 };
 
@@ -222,8 +222,8 @@ TEST(Geant4ReferenceTwistedTrap, AgreesWhereGeant4Steps) {
   }
   const std::vector<Ray> rays = common::read_rays(reference.rays());
   const Trace theirs = read_trace(reference.trace(), rays.size());
-  const Trace ours = make_trace(std::make_shared<const World>(read_gdml(data / reference.detector)),
-                                rays, JitMode::off);
+  const Trace ours = make_trace(
+      std::make_shared<const World>(read_world(data / reference.detector)), rays, JitMode::off);
   int stepped = 0, equal = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (theirs[i].empty() || theirs[i][0].length < 1e-6) continue;

@@ -12,7 +12,8 @@
 #include <string_view>
 #include <utility>
 
-#include "runtime/runtime.hpp"
+#include "geometry/model/world.hpp"
+#include "navjit/runtime.hpp"
 
 namespace navjit::reference {
 namespace {

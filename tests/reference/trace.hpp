@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/options.hpp"
+#include "geometry/model/world.hpp"
+#include "navjit/options.hpp"
 #include "runtime/transport.hpp"
 
 namespace navjit::reference {

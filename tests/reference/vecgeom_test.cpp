@@ -33,7 +33,7 @@
 #include <vector>
 
 #include "common/rays.hpp"
-#include "geometry/gdml/reader.hpp"
+#include "geometry/gdml/read_world.hpp"
 #include "tests/reference/trace.hpp"
 
 namespace navjit::reference {
@@ -95,7 +95,7 @@ TEST_P(VecGeomReference, AgreesWithVecGeom) {
   const fs::path detector = fs::path(NAVJIT_SOURCE_DIR) / (std::string(source.detector) + ".gdml");
   const fs::path flat = folder_ / "flat.gdml", ray_file = folder_ / "rays.csv",
                  trace_file = folder_ / "vecgeom.csv";
-  const auto world = std::make_shared<const World>(read_gdml(detector));
+  const auto world = std::make_shared<const World>(read_world(detector));
   const common::RayMaker maker(*world, source.rays);
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < source.count; ++i) rays.push_back(maker.ray(i));

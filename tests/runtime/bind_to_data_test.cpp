@@ -9,10 +9,10 @@
 
 #include "analysis/plan.hpp"
 #include "codegen/data/bind.hpp"
-#include "geometry/gdml/reader.hpp"
+#include "geometry/gdml/read_world.hpp"
 #include "geometry/navigation/generic.hpp"
+#include "navjit/runtime.hpp"
 #include "runtime/overrides.hpp"
-#include "runtime/runtime.hpp"
 #include "runtime/states.hpp"
 #include "runtime/verify.hpp"
 #include "tests/support/traces.hpp"
@@ -127,13 +127,13 @@ TEST(BoundToData, ShippedDetectorsAlike) {
   for (const auto& entry : std::filesystem::directory_iterator(NAVJIT_DETECTORS_DIR)) {
     if (entry.path().extension() != ".gdml") continue;
     SCOPED_TRACE(entry.path().filename().string());
-    expect_same_answers(std::make_shared<const World>(read_gdml(entry.path().string())), 3, 300);
+    expect_same_answers(std::make_shared<const World>(read_world(entry.path().string())), 3, 300);
   }
 }
 
 TEST(BoundToData, ScenesOfOneStructureShareTheirCode) {
   const auto world = std::make_shared<const World>(
-      read_gdml(std::string(NAVJIT_DETECTORS_DIR) + "/shashlik.gdml"));
+      read_world(std::string(NAVJIT_DETECTORS_DIR) + "/shashlik.gdml"));
   const Geometry geometry(world);
   const WorldFacts facts = analyse_world(geometry);
   codegen::Arena arena;

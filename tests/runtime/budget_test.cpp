@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "geometry/gdml/reader.hpp"
+#include "geometry/gdml/read_world.hpp"
 #include "geometry/reference/wide_geometry.hpp"
-#include "runtime/runtime.hpp"
+#include "navjit/runtime.hpp"
 #include "tests/support/traces.hpp"
 
 namespace navjit {
@@ -74,7 +74,7 @@ TEST(Budget, IsKeptInShippedDetectors) {
   for (const auto& entry : std::filesystem::directory_iterator(NAVJIT_DETECTORS_DIR)) {
     if (entry.path().extension() != ".gdml") continue;
     SCOPED_TRACE(entry.path());
-    const auto world = std::make_shared<const World>(read_gdml(entry.path()));
+    const auto world = std::make_shared<const World>(read_world(entry.path()));
     EXPECT_GT(expect_budgets_kept(world, JitMode::off, 3000), 20);
   }
 }
@@ -94,7 +94,7 @@ TEST(Budget, IsKeptInPublishedDetectors) {
       SCOPED_TRACE(entry.path());
       std::shared_ptr<const World> world;
       try {
-        world = std::make_shared<const World>(read_gdml(entry.path()));
+        world = std::make_shared<const World>(read_world(entry.path()));
       } catch (const GdmlError& refused) {
         std::printf("refused: %s\n", refused.what());
         continue;
@@ -115,7 +115,7 @@ TEST(Budget, IsKeptInPublishedDetectors) {
     if (!std::filesystem::exists(file)) continue;
     ++found;
     SCOPED_TRACE(file);
-    const auto world = std::make_shared<const World>(read_gdml(file));
+    const auto world = std::make_shared<const World>(read_world(file));
     EXPECT_GT(expect_budgets_kept(world, JitMode::off, 1500), 4);
   }
   if (found == 0) GTEST_SKIP() << "no published detectors in " << NAVJIT_DATA_DIR;

@@ -187,7 +187,7 @@ TEST(RuntimeCache, EntriesWithOtherContentAreCompiledAgain) {
   std::string source;
   {
     RuntimeOptions options = with_cache(folder.path());
-    options.faults.edit_source = [&](std::string& text) { source = text; };
+    options.faults = tests::edited([&](std::string& text) { source = text; });
     Runtime runtime(mixed(), options);
     expect_right(runtime);
   }

@@ -25,10 +25,11 @@ struct SlowCompiler {
 
   static RuntimeOptions options(const std::shared_ptr<SlowCompiler>& slow) {
     RuntimeOptions o = eager_options(JitMode::on);
-    o.faults.compiling = [slow, go = slow->released.get_future().share()] {
-      if (!slow->begun_already.exchange(true)) slow->begun.set_value();
-      go.wait();
-    };
+    o.faults = std::make_shared<const Faults>(
+        Faults{.compiling = [slow, go = slow->released.get_future().share()] {
+          if (!slow->begun_already.exchange(true)) slow->begun.set_value();
+          go.wait();
+        }});
     return o;
   }
 };
@@ -158,7 +159,8 @@ TEST(Exhausted, OneLineTellsOfIt) {
   for (const JitMode jit : {JitMode::on, JitMode::wait}) {
     testing::internal::CaptureStdout();
     RuntimeOptions options = eager_options(jit);
-    options.faults.compiling = [] { throw std::bad_alloc(); };
+    options.faults =
+        std::make_shared<const Faults>(Faults{.compiling = [] { throw std::bad_alloc(); }});
     Runtime runtime(tests::mixed_world(), options);
     transport_all(runtime);
     runtime.wait_until_idle();

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "runtime/runtime.hpp"
+#include "navjit/runtime.hpp"
 #include "runtime/transport.hpp"
 #include "tests/support/worlds.hpp"
 

@@ -1,4 +1,5 @@
-#include "runtime/runtime.hpp"
+#include "navjit/runtime.hpp"
+#include "geometry/navigation/generic.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,14 +25,13 @@ TEST(Navigator, RefusesWhatIsNotFinite) {
   Runtime runtime(tests::mixed_world(), generic_only());
   Navigator navigator = runtime.navigator();
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(navigator.locate({nan, 0, 0}), std::invalid_argument);
-  EXPECT_THROW(navigator.locate({0, 0, 0}, {1, nan, 0}), std::invalid_argument);
-  EXPECT_THROW(navigator.locate({0, std::numeric_limits<double>::infinity(), 0}),
-               std::invalid_argument);
+  EXPECT_THROW(navigator.locate({nan, 0, 0}), UsageError);
+  EXPECT_THROW(navigator.locate({0, 0, 0}, {1, nan, 0}), UsageError);
+  EXPECT_THROW(navigator.locate({0, std::numeric_limits<double>::infinity(), 0}), UsageError);
   const State inside = navigator.locate({0, 0, 0});
   ASSERT_TRUE(inside.inside());
-  EXPECT_THROW(navigator.step(inside, {nan, 0, 0}, {1, 0, 0}), std::invalid_argument);
-  EXPECT_THROW(navigator.step(State{}, {0, 0, 0}, {1, 0, 0}), std::invalid_argument);
+  EXPECT_THROW(navigator.step(inside, {nan, 0, 0}, {1, 0, 0}), UsageError);
+  EXPECT_THROW(navigator.step(State{}, {0, 0, 0}, {1, 0, 0}), UsageError);
 }
 
 TEST(Navigator, OutsideIsAState) {

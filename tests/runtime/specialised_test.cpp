@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <thread>
 
+#include "navjit/runtime.hpp"
 #include "runtime/overrides.hpp"
-#include "runtime/runtime.hpp"
 #include "tests/support/traces.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -207,10 +207,10 @@ TEST(Specialised, SwapsWithinARayDoNotChangeIt) {
 }
 
 /// Differences that shadow mode counts; the answers are to be the generic ones all the same.
-std::uint64_t differences_in_shadow(const Faults& faults) {
+std::uint64_t differences_in_shadow(std::shared_ptr<const Faults> faults) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
   RuntimeOptions with = options(JitMode::shadow);
-  with.faults = faults;
+  with.faults = std::move(faults);
   Runtime generic(world, options(JitMode::off)), runtime(world, with);
   Navigator a = generic.navigator(), b = runtime.navigator();
   for (int pass = 0; pass < 5; ++pass) {
@@ -224,7 +224,7 @@ std::uint64_t differences_in_shadow(const Faults& faults) {
   return b.counts().differences;
 }
 
-TEST(Specialised, ShadowModeCountsNoDifferences) { EXPECT_EQ(differences_in_shadow(Faults{}), 0U); }
+TEST(Specialised, ShadowModeCountsNoDifferences) { EXPECT_EQ(differences_in_shadow(nullptr), 0U); }
 
 TEST(Specialised, ShadowModeCountsDifferencesAndMendsThem) {
   EXPECT_GT(differences_in_shadow(tests::wrong_code()), 1000U);
@@ -253,27 +253,30 @@ void expect_generic_after(const std::function<void(RuntimeOptions&)>& spoil) {
 
 TEST(Faults, ACompilerErrorLeavesScenesGeneric) {
   expect_generic_after([](RuntimeOptions& o) {
-    o.faults.edit_source = [](std::string& source) { source += "\nint broken = ;\n"; };
+    o.faults = tests::edited([](std::string& source) { source += "\nint broken = ;\n"; });
   });
 }
 
 TEST(Faults, AFailedVerificationLeavesScenesGeneric) {
-  expect_generic_after([](RuntimeOptions& o) { o.faults.fail_verification = true; });
+  expect_generic_after([](RuntimeOptions& o) {
+    o.faults = std::make_shared<Faults>(Faults{.fail_verification = true});
+  });
 }
 
 TEST(Faults, WrongCodeIsFoundByVerification) {
   expect_generic_after([](RuntimeOptions& o) {
-    o.faults = tests::wrong_code();
-    o.faults.skip_verification = false;
+    Faults faults = *tests::wrong_code();
+    faults.skip_verification = false;
+    o.faults = std::make_shared<Faults>(faults);
   });
 }
 
 TEST(Faults, OneBadSceneDoesNotSpoilTheOthers) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
   RuntimeOptions o = options(JitMode::wait);
-  o.faults.edit_source = [](std::string& source) {
+  o.faults = tests::edited([](std::string& source) {
     if (source.find("navjit_step_2_") != std::string::npos) source += "\nint broken = ;\n";
-  };
+  });
   Runtime runtime(world, o);
   Navigator navigator = runtime.navigator();
   for (const Ray& ray : rays_through(*world, 15, 2000)) trace(navigator, ray, world->tolerance);

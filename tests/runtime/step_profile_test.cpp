@@ -1,5 +1,5 @@
 // Profiles in files: read back, merged, and refused if they are not right.
-#include "runtime/step_profile.hpp"
+#include "navjit/step_profile.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -33,10 +33,10 @@ void run_until_withdrawn(Runtime& runtime, const std::vector<Ray>& rays) {
 TEST(Withdraw, ANavigatorThatKeepsDecliningIsTakenOut) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
   RuntimeOptions options = looking_often();
-  options.faults.edit_source = [](std::string& source) {
+  options.faults = tests::edited([](std::string& source) {
     replace_all(source, "  if (__builtin_expect(!(best > 0), 0)) return -1.0;\n",
                 "  if (best < 1e300) return -1.0;\n");
-  };
+  });
   Runtime runtime(world, options);
   run_until_withdrawn(runtime, tests::rays_through(*world, 31, 400));
   EXPECT_GT(runtime.report().withdrawn, 0U);
@@ -50,10 +50,10 @@ TEST(Withdraw, ANavigatorThatKeepsDecliningIsTakenOut) {
 TEST(Withdraw, ANavigatorThatIsWrongWhereNobodyTriedItIsTakenOut) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
   RuntimeOptions options = looking_often();
-  options.faults.edit_source = [](std::string& source) {
+  options.faults = tests::edited([](std::string& source) {
     replace_all(source, "  return best;\n",
                 "  return stack->ray.given[0] == 0.6 ? best * (1 + 0x1p-52) : best;\n");
-  };
+  });
   Runtime generic(world, tests::eager_options(JitMode::off)), runtime(world, options);
   const std::vector<Ray> usual = tests::rays_through(*world, 33, 400);
   std::vector<Ray> unusual = usual;

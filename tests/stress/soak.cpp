@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "common/rays.hpp"
-#include "geometry/gdml/reader.hpp"
+#include "geometry/gdml/read_world.hpp"
+#include "navjit/runtime.hpp"
 #include "runtime/processor_time.hpp"
-#include "runtime/runtime.hpp"
 #include "tests/stress/memory.hpp"
 
 namespace navjit {
@@ -94,7 +94,7 @@ int run(const Options& options) {
   RuntimeOptions jit, off;
   jit.specialiser.recheck_ms = 200;
   off.jit = JitMode::off;
-  Runtime runtime(read_gdml(options.detector, {}), jit);
+  Runtime runtime(read_world(options.detector, {}), jit);
   Runtime generic(runtime.share_world(), off);
   const int phases = std::max(2, static_cast<int>(options.minutes * 60 / options.phase_s));
   bool good = true;

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "geometry/model/vector.hpp"
 #include "geometry/solids/solid.hpp"
+#include "navjit/vector.hpp"
 
 namespace navjit::tests {
 

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <memory>
 #include <vector>
 
-#include "runtime/runtime.hpp"
+#include "navjit/runtime.hpp"
+#include "runtime/faults.hpp"
 #include "runtime/transport.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -87,12 +90,16 @@ inline std::size_t scenes_compiled(const Runtime& runtime) {
   return count;
 }
 
+inline std::shared_ptr<const Faults> edited(std::function<void(std::string&)> edit) {
+  return std::make_shared<const Faults>(Faults{.edit_source = std::move(edit)});
+}
+
 /// Generated code whose steps are a last bit too long, installed all the same: what has to notice
 /// is tried with it.
-inline Faults wrong_code() {
-  Faults faults;
-  faults.skip_verification = true;
-  faults.edit_source = [](std::string& source) {
+inline std::shared_ptr<const Faults> wrong_code() {
+  const auto faults = std::make_shared<Faults>();
+  faults->skip_verification = true;
+  faults->edit_source = [](std::string& source) {
     const std::string right = "  return best;\n", wrong = "  return best * (1 + 0x1p-52);\n";
     for (std::size_t at = 0; (at = source.find(right, at)) != std::string::npos;
          at += wrong.size()) {

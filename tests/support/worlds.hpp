@@ -5,8 +5,8 @@
 #include <random>
 
 #include "geometry/model/random.hpp"
-#include "geometry/model/vector.hpp"
 #include "geometry/model/world.hpp"
+#include "navjit/vector.hpp"
 
 namespace navjit::tests {
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "geometry/gdml/reader.hpp"
+#include "geometry/gdml/read_world.hpp"
 
 #define EXPECT_HAS(text, part) EXPECT_PRED_FORMAT2(::testing::IsSubstring, part, text)
 #define EXPECT_LACKS(text, part) EXPECT_PRED_FORMAT2(::testing::IsNotSubstring, part, text)
@@ -33,12 +33,12 @@ class GdmlFiles : public ::testing::Test {
     return folder_ / name;
   }
   World read(const std::string& text, GdmlReport* report = nullptr) const {
-    return read_gdml(write("det.gdml", text), {}, report);
+    return read_world(write("det.gdml", text), {}, report);
   }
   /// The message that reading fails with; the whole test fails if it does not.
   static std::string error(const std::filesystem::path& path, const GdmlOptions& options = {}) {
     try {
-      read_gdml(path, options);
+      read_world(path, options);
     } catch (const GdmlError& e) {
       return e.what();
     }

@@ -25,12 +25,12 @@ using GdmlGzip = GdmlFiles;
 TEST_F(GdmlGzip, IsReadByContent) {
   const std::string text = Gdml{.structure = volume("W", physvol("D"))};
   for (const char* name : {"det.gdml.gz", "det.gdml"}) {
-    EXPECT_EQ(top(read_gdml(write(name, gzipped(text)))).daughters.size(), 1u);
+    EXPECT_EQ(top(read_world(write(name, gzipped(text)))).daughters.size(), 1u);
   }
   // Several members, and what pads a tape.
   const std::string parts = gzipped(text.substr(0, 100)) + gzipped("") + gzipped(text.substr(100)) +
                             std::string(512, '\0');
-  EXPECT_EQ(top(read_gdml(write("parts.gz", parts))).daughters.size(), 1u);
+  EXPECT_EQ(top(read_world(write("parts.gz", parts))).daughters.size(), 1u);
 }
 
 TEST_F(GdmlGzip, InEntitiesAndModules) {

@@ -125,8 +125,8 @@ TEST_F(GdmlReader, ChoosesTheSetup) {
   EXPECT_EQ(top(read(start + setup("only", "B") + "</gdml>")).name, "B");
   EXPECT_EQ(top(read(start + setup("x", "A") + setup("Default", "B") + "</gdml>")).name, "B");
   const auto path = write("det.gdml", start + setup("x", "A") + setup("y", "B") + "</gdml>");
-  EXPECT_EQ(top(read_gdml(path)).name, "A");
-  EXPECT_EQ(top(read_gdml(path, {.setup = "y"})).name, "B");
+  EXPECT_EQ(top(read_world(path)).name, "A");
+  EXPECT_EQ(top(read_world(path, {.setup = "y"})).name, "B");
   EXPECT_HAS(error(path, {.setup = "z"}), "setup 'z' is not defined; choose one of 'x', 'y'");
 }
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "geometry/gdml/reader.hpp"
+#include "geometry/gdml/read_world.hpp"
 
 namespace navjit::testing {
 namespace {
@@ -40,7 +40,7 @@ TEST_P(GdmlRealFiles, AreReadWhole) {
   const RealFile& expected = GetParam();
   const fs::path path = data_folder() / expected.name;
   if (!fs::exists(path)) GTEST_SKIP() << path << " is not here; set NAVJIT_DATA to its folder";
-  const World world = read_gdml(path);
+  const World world = read_world(path);
   EXPECT_EQ(world.volumes.size(), expected.volumes);
   EXPECT_EQ(world.depth, expected.depth);
   const auto touchables = static_cast<double>(world.volumes[world.top].touchables);
@@ -78,7 +78,7 @@ TEST(GdmlRealFolder, EveryFileIsReadOrRefusedWithAReason) {
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.path().extension() != ".gdml") continue;
     try {
-      const World world = read_gdml(entry.path());
+      const World world = read_world(entry.path());
       EXPECT_GT(world.volumes[world.top].touchables, 0u) << entry.path();
       ++read_well;
     } catch (const GdmlError& e) {

@@ -19,7 +19,7 @@ TEST_F(GdmlXml, ReadsEntitiesRelativeToTheirOwnFile) {
                               "</volume>",
                  .doctype = doctype("<!ENTITY solids SYSTEM 'parts/solids.xml'>"
                                     "<!ENTITY more SYSTEM 'parts/deep/more.xml'>")});
-  const World world = read_gdml(path);
+  const World world = read_world(path);
   EXPECT_EQ(top(world).solid.name, "second");
   EXPECT_EQ(top(world).solid.extent.max.x, 4);
 }
@@ -183,7 +183,7 @@ TEST_F(GdmlXml, EveryChangedByteIsReadOrRefused) {
     changed[i] = replacements[i % replacements.size()];
     const auto path = write("det.gdml", changed);
     try {
-      read_gdml(path);
+      read_world(path);
       ++read_well;
     } catch (const GdmlError&) {
       ++refused;

@@ -1,6 +1,6 @@
 // Radiation lengths against those of the Review of Particle Physics (table of atomic and nuclear
 // properties), which were computed with a finer Coulomb correction.
-#include "geometry/model/radiation_length.hpp"
+#include "navjit/material.hpp"
 
 #include <gtest/gtest.h>
 

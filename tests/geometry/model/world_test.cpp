@@ -52,7 +52,7 @@ TEST(World, NumbersTouchablesInPreorder) {
       "top",       "top/leaf0", "top/pair1",       "top/pair1/leaf0", "top/pair1/leaf1",
       "top/leaf2", "top/pair3", "top/pair3/leaf0", "top/pair3/leaf1"};
   for (TouchableId id = 0; id < 9; ++id) EXPECT_EQ(path_of(world, id), paths[id]);
-  EXPECT_THROW(path_of(world, 9), std::out_of_range);
+  EXPECT_THROW(path_of(world, 9), UsageError);
 }
 
 TEST(World, ALoneVolumeHasOneLevel) {

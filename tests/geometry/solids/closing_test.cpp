@@ -7,7 +7,7 @@
 #include <random>
 
 #include "geometry/model/random.hpp"
-#include "geometry/model/vector.hpp"
+#include "navjit/vector.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace navjit {

@@ -3,19 +3,13 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "geometry/model/world.hpp"
+#include "navjit/detector.hpp"
+#include "navjit/errors.hpp"
 
 namespace navjit {
-
-/// Thrown for anything wrong with the input. what() is one line:
-/// "FILE:LINE: <element name='...'>: problem; what to do".
-struct GdmlError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// What a file may ask for, all its entities and modules counted together. The defaults are far
 /// above any real detector's; they keep a hostile file from exhausting memory or time.
@@ -51,12 +45,12 @@ struct GdmlReport {
   std::vector<std::string> skipped{};
 };
 
-/// Reads the world of a GDML file, finished (see finish()). Volumes keep the file's names and its
+/// Reads a detector from a GDML file. Volumes keep the file's names and its
 /// order; assemblies are dissolved into the volumes that hold them. Nothing is fetched from a
 /// network; entities are opened relative to the file that declares them, modules (<file>) relative
 /// to the working folder or else to the file that names them.
-/// Throws GdmlError, and nothing else but std::bad_alloc.
-World read_gdml(const std::filesystem::path& path, const GdmlOptions& options = {},
-                GdmlReport* report = nullptr);
+/// Throws GdmlError, and nothing else but std::bad_alloc. Thread-safe.
+Detector read_gdml(const std::filesystem::path& path, const GdmlOptions& options = {},
+                   GdmlReport* report = nullptr);
 
 }  // namespace navjit

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
-#include "geometry/navigation/geometry.hpp"
-#include "runtime/cache.hpp"
+#include "navjit/cache.hpp"
+#include "navjit/log.hpp"
+#include "navjit/search.hpp"
 
 namespace navjit {
 
@@ -62,15 +63,7 @@ struct SpecialiserOptions {
   bool debug_info = false;       ///< line tables of generated code for gdb
 };
 
-/// For tests: ways to make specialisation go wrong.
-struct Faults {
-  std::function<void(std::string& source)> edit_source{};
-  bool fail_verification = false;
-  /// Called on the compiling thread before each compilation, as if it were part of it: it may take
-  /// its time, and throw.
-  std::function<void()> compiling{};
-  bool skip_verification = false;  ///< what is wrong is installed, and stays
-};
+struct Faults;  ///< of the library's own tests
 
 struct RuntimeOptions {
   Level level = Level::exact;
@@ -83,7 +76,8 @@ struct RuntimeOptions {
   /// the log, and the run goes on without it.
   std::string plugin{};
   SpecialiserOptions specialiser{};
-  Faults faults{};
+  LogSink log{};                           ///< empty: spdlog's default logger
+  std::shared_ptr<const Faults> faults{};  ///< null but in the library's own tests
   GeometryOptions geometry{};
 };
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "geometry/model/world.hpp"
+#include "navjit/state.hpp"
 
 namespace navjit {
 

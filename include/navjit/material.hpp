@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct Isotope {
 
 /// An isotope in an element.
 struct IsotopeShare {
-  std::uint32_t isotope;  ///< index into World::isotopes
+  std::uint32_t isotope;  ///< a number below Detector::isotopes()
   double abundance;       ///< by number of atoms, as the file gives it
 };
 
@@ -32,7 +33,7 @@ struct Element {
 
 /// An element in a material.
 struct ElementShare {
-  std::uint32_t element;  ///< index into World::elements
+  std::uint32_t element;  ///< a number below Detector::elements()
   double fraction;        ///< of the mass; those of a material add up to one
 };
 
@@ -47,5 +48,22 @@ struct Material {
   /// is given by Z has one element of its own name. Empty where some of it is not known.
   std::vector<ElementShare> elements{};
 };
+
+/// What radiation_length() needs to know of a nuclide or element within a material.
+struct MaterialComponent {
+  double z;         ///< charge of the nucleus, elementary charges
+  double a;         ///< molar mass, g/mol
+  double fraction;  ///< of the mass
+
+  friend bool operator==(const MaterialComponent&, const MaterialComponent&) = default;
+};
+
+/// Radiation length of one element, g/cm2: Y.-S. Tsai, Rev. Mod. Phys. 46 (1974) 815, as the Review
+/// of Particle Physics gives it (section "Passage of particles through matter"), with its fit of
+/// the Coulomb correction. 0 unless z >= 0.5 and a > 0.
+double radiation_length(double z, double a);
+/// That of a mixture or compound, g/cm2: inverse lengths add by mass. Fractions need not add up to
+/// one. 0 if there are no components, or one of them has none.
+double radiation_length(std::span<const MaterialComponent> components);
 
 }  // namespace navjit

@@ -1,10 +1,23 @@
-// Arithmetic of vectors for callers; navigation itself does not use it.
+// Points and vectors.
 #pragma once
 
 #include <cmath>
 
-#include "geometry/solids/solid.hpp"
+#include "navjit/detail/vectors.h"
 
+namespace navjit {
+
+/// A point (mm) or a vector: x, y, z.
+using Vec3 = kernels::Vec3<double>;
+
+/// An axis-parallel box, mm.
+struct Extent {
+  Vec3 min, max;
+};
+
+}  // namespace navjit
+
+// Arithmetic for callers, found by its arguments; navigation itself does not use it.
 namespace navjit::kernels {
 
 constexpr Vec3<double> operator+(const Vec3<double>& a, const Vec3<double>& b) {
@@ -19,6 +32,9 @@ constexpr Vec3<double> operator*(double s, const Vec3<double>& a) {
 constexpr Vec3<double>& operator+=(Vec3<double>& a, const Vec3<double>& b) { return a = a + b; }
 constexpr bool operator==(const Vec3<double>& a, const Vec3<double>& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+constexpr double dot(const Vec3<double>& a, const Vec3<double>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 inline double norm(const Vec3<double>& a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
 

@@ -1,14 +1,16 @@
 // How often the volumes of a detector were used, kept in a file between runs.
 #pragma once
 
-#include <span>
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "geometry/model/world.hpp"
+#include "navjit/errors.hpp"
+#include "navjit/state.hpp"
 
 namespace navjit {
 
+/// From Runtime::step_profile(); for read and written by any one thread at a time.
 struct StepProfile {
   struct Volume {
     VolumeId volume = 0;
@@ -24,14 +26,14 @@ struct StepProfile {
 /// JSON (docs/cache.md).
 std::string profile_text(const StepProfile& profile);
 
-/// Writes it to a file, as OutputFile does. Throws std::runtime_error.
+/// Writes it to a file, as OutputFile does. Throws Error.
 void write_profile(const StepProfile& profile, const std::string& path);
 
-/// Throws std::runtime_error, naming the file, for what is no profile: every value is checked. The
+/// Throws Error, naming the file, for what is no profile: every value is checked. The
 /// file may be hostile: at most 64 MB are read.
 StepProfile read_profile(const std::string& path);
 
-/// The sums of both. Throws std::runtime_error if they are of different detectors.
+/// The sums of both. Throws Error if they are of different detectors.
 StepProfile merge(const StepProfile& a, const StepProfile& b);
 
 }  // namespace navjit

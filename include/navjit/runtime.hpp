@@ -3,10 +3,11 @@
 
 #include <memory>
 
-#include "runtime/navigator.hpp"
-#include "runtime/options.hpp"
-#include "runtime/report.hpp"
-#include "runtime/step_profile.hpp"
+#include "navjit/detector.hpp"
+#include "navjit/navigator.hpp"
+#include "navjit/options.hpp"
+#include "navjit/report.hpp"
+#include "navjit/step_profile.hpp"
 
 namespace navjit {
 
@@ -22,8 +23,8 @@ class Specialiser;
 /// that it is at, mostly in less than 0.1 s. A program that cannot wait leaves by _exit().
 class Runtime {
  public:
-  explicit Runtime(World world, RuntimeOptions options = {});
-  explicit Runtime(std::shared_ptr<const World> world, RuntimeOptions options = {});
+  /// Throws GeometryError if the options name a volume that is not there.
+  explicit Runtime(Detector detector, RuntimeOptions options = {});
   Runtime(const Runtime&) = delete;
   Runtime& operator=(const Runtime&) = delete;
   ~Runtime();
@@ -31,8 +32,10 @@ class Runtime {
   /// A navigator for the calling thread. Thread-safe.
   Navigator navigator();
 
-  const World& world() const;
-  std::shared_ptr<const World> share_world() const;
+  const Detector& detector() const { return detector_; }
+  /// For the library's own parts.
+  const World& world() const { return *detector_.model(); }
+  const std::shared_ptr<const World>& share_world() const { return detector_.model(); }
   /// Steps and specialisations so far. Thread-safe; cheap enough for a progress line.
   RuntimeReport report() const;
   /// How many scenes have navigators of their own by now. Thread-safe; cheaper than a report.
@@ -48,6 +51,7 @@ class Runtime {
   void wait_until_idle();
 
  private:
+  Detector detector_;
   std::shared_ptr<detail::Shared> shared_;
   std::shared_ptr<Specialiser> specialiser_;
 };

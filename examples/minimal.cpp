@@ -1,16 +1,15 @@
 // The least that a simulation needs: read a detector, shoot rays through it, print where the time
-// went. Usage: embed DETECTOR.gdml [RAYS]
+// went. Usage: minimal DETECTOR.gdml [RAYS]
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <random>
 
-#include "geometry/gdml/reader.hpp"
-#include "runtime/runtime.hpp"
+#include <navjit/navjit.hpp>
 
 int main(int argc, char** argv) try {
   if (argc < 2) {
-    std::fprintf(stderr, "usage: embed DETECTOR.gdml [RAYS]\n");
+    std::fprintf(stderr, "usage: minimal DETECTOR.gdml [RAYS]\n");
     return 2;
   }
   const int rays = argc > 2 ? std::atoi(argv[2]) : 100000;
@@ -45,6 +44,6 @@ int main(int argc, char** argv) try {
   }
   return 0;
 } catch (const std::exception& error) {
-  std::fprintf(stderr, "embed: %s\n", error.what());
+  std::fprintf(stderr, "minimal: %s\n", error.what());
   return 1;
 }

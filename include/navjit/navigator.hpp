@@ -4,10 +4,12 @@
 #include <limits>
 #include <memory>
 
-#include "geometry/navigation/generic.hpp"
-#include "runtime/profile.hpp"
-#include "runtime/state.hpp"
-#include "runtime/table.hpp"
+#include "navjit/detail/presence.hpp"
+#include "navjit/detail/profile.hpp"
+#include "navjit/detail/touchable_stack.h"
+#include "navjit/errors.hpp"
+#include "navjit/state.hpp"
+#include "navjit/transformation.hpp"
 
 namespace navjit {
 
@@ -25,7 +27,7 @@ struct NavigatorCounts {
 /// Answers where, how far and what next. One per thread; keeps the runtime's data alive. Points and
 /// directions are global and have to be finite, directions of steps of unit length (to 1e-5).
 /// States are good in any navigator of their world. What breaks these rules is answered by
-/// std::invalid_argument, and the navigator stays as good as it was; one that was moved from may
+/// UsageError, and the navigator stays as good as it was; one that was moved from may
 /// only be destroyed.
 class Navigator {
  public:
@@ -34,30 +36,63 @@ class Navigator {
   ~Navigator();
 
   /// The deepest touchable with the point, or outside. On a face that volumes share, the first of
-  /// them in file order; where volumes overlap, the last. Throws std::invalid_argument if a
+  /// them in file order; where volumes overlap, the last. Throws UsageError if a
   /// coordinate is not finite.
   State locate(const Vec3& point);
   /// As above; on a face the direction decides.
   State locate(const Vec3& point, const Vec3& direction);
 
   /// One step from `point` in `state`, at most `limit` mm; a limit of 0 or infinity is one.
-  /// Throws std::invalid_argument if the state is outside the world or of another world, if the
+  /// Throws UsageError if the state is outside the world or of another world, if the
   /// point is not finite, if the direction is not a unit vector, or if the limit is negative or not
   /// a number. (A state of another world is not recognised where it has the same touchable and
   /// volume numbers as one of this world; then it is taken for that.)
   Step step(const State& state, const Vec3& point, const Vec3& direction,
             double limit = std::numeric_limits<double>::infinity());
 
-  /// A lower bound of the distance to the nearest boundary, mm. Throws std::invalid_argument if the
+  /// A lower bound of the distance to the nearest boundary, mm. Throws UsageError if the
   /// state is outside the world or of another world, or if a coordinate is not finite.
   double safety(const State& state, const Vec3& point);
+
+  /// As step(), where the caller has a safety sphere: a step that stays in it is the limit, and
+  /// nothing of the detector is looked at. Else the answer is that of step(). Throws as step().
+  Step step(const State& state, const Vec3& point, const Vec3& direction, double limit,
+            const SafetySphere& sphere) {
+    if (limit >= 0 && limit < sphere.safety(state, point)) return {limit, false, state};
+    return step(state, point, direction, limit);
+  }
+
+  /// The ball about the point that safety() promises: steps in it need no geometry, and a point
+  /// that is displaced in it stays in the state. Throws as safety().
+  SafetySphere safety_sphere(const State& state, const Vec3& point) {
+    return {state, point, safety(state, point)};
+  }
+
+  /// The deepest touchable with a point that is in the hint, or near it: after a displacement in a
+  /// volume that costs a look at the volume and its daughters. (A displacement within the safety
+  /// needs no call: states hold no point.) As locate(), but where several touchables hold the
+  /// point, on faces and in overlaps, it is one of those that are nearest to the hint in the tree.
+  /// The hint may be outside the world. Throws UsageError if a number is not finite or the hint is
+  /// of another world.
+  State relocate(const State& hint, const Vec3& point, const Vec3& direction);
+
+  /// From the world into the state's frame, or into that of its ancestor at a depth (0: the world
+  /// volume): the bits that navigation uses. Throws UsageError if there is none.
+  Transformation frame(const State& state);
+  Transformation frame(const State& state, int depth);
+  /// Points (mm) and directions in the state's frame and back. Throw UsageError if the state is
+  /// outside the world or of another world.
+  Vec3 to_local(const State& state, const Vec3& point);
+  Vec3 to_global(const State& state, const Vec3& local_point);
+  Vec3 direction_to_local(const State& state, const Vec3& direction);
+  Vec3 direction_to_global(const State& state, const Vec3& local_direction);
 
   const NavigatorCounts& counts() const { return own_->counts; }
 
  private:
   friend class Runtime;
   struct Own {
-    Stack stack{};
+    kernels::Stack stack{};
     Profile profile;
     std::shared_ptr<Presence> presence;
     NavigatorCounts counts;
@@ -66,14 +101,17 @@ class Navigator {
   };
 
   explicit Navigator(std::shared_ptr<detail::Shared> shared);
-  /// Throws std::invalid_argument unless the point is finite and the limit is no less than 0.
+  /// Throws UsageError unless the point is finite and the limit is no less than 0.
   static void require_numbers(const Vec3& point, double limit);
-  /// Steps will be along another direction. Throws std::invalid_argument unless it is of unit
+  /// Steps will be along another direction. Throws UsageError unless it is of unit
   /// length.
   void begin_ray(const Vec3& direction);
-  /// Throws std::invalid_argument if the world has no such state.
+  /// Throws UsageError if the world has no such state.
   void restore(const State& state);
-  static bool is_at(const Stack& s, const State& state) {
+  void restore_unless_at(const State& state) {
+    if (!is_at(own_->stack, state)) restore(state);
+  }
+  static bool is_at(const kernels::Stack& s, const State& state) {
     return s.depth >= 0 && s.levels[s.depth].touchable == state.touchable() &&
            s.levels[s.depth].volume == state.volume();
   }
@@ -82,7 +120,7 @@ class Navigator {
   double shadow(const kernels::Navigators& navigators, const Vec3& point, const Vec3& direction,
                 double limit);
   double decline(const Vec3& point, const Vec3& direction, double limit);
-  static State state_of(const Stack& s) {
+  static State state_of(const kernels::Stack& s) {
     return s.depth < 0 ? State{} : State{s.levels[s.depth].touchable, s.levels[s.depth].volume};
   }
 
@@ -100,7 +138,7 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
   if (!((sum == 0) & (limit >= 0))) [[unlikely]]
     require_numbers(point, limit);
   Own& own = *own_;
-  Stack& stack = own.stack;
+  kernels::Stack& stack = own.stack;
   const double* ray = stack.ray.given;
   if (!(kernels::same_bits(ray[0], direction.x) && kernels::same_bits(ray[1], direction.y) &&
         kernels::same_bits(ray[2], direction.z))) [[unlikely]]

@@ -1,0 +1,7 @@
+#include "navjit/version.hpp"
+
+namespace navjit {
+
+const char* version() { return NAVJIT_VERSION; }
+
+}  // namespace navjit

@@ -1,0 +1,47 @@
+// How daughters are searched; changes no answer.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace navjit {
+
+namespace bvh {
+
+/// How boxes are searched. After S. Wenzel et al., "Accelerating navigation in the VecGeom geometry
+/// modeller".
+enum class Method : std::uint8_t {
+  linear,        ///< all groups of boxes, one after the other
+  two_level,     ///< parents of clusters of a few groups, then those groups (BVH_h)
+  regular_tree,  ///< as many levels as it takes, each node one group of eight (BVH_p)
+};
+
+/// How neighbours are found; geometry/bvh/clustering.hpp.
+enum class Clustering : std::uint8_t { surface, k_means, furthest };
+
+struct Structure {
+  Method method = Method::linear;
+  Clustering clustering = Clustering::surface;  ///< not for Method::linear
+  /// Groups of eight boxes in a cluster, 1 ... 8, for Method::two_level; 0 chooses by the count.
+  std::uint32_t groups_per_cluster = 0;
+
+  friend bool operator==(const Structure&, const Structure&) = default;
+};
+
+}  // namespace bvh
+
+struct GeometryOptions {
+  /// Forces one search for all scenes with daughters, for tests and measurements. All but
+  /// `automatic` search on leaving a daughter, too, without surroundings.
+  enum class Force : std::uint8_t { automatic, all, linear_boxes, bvh } force = Force::automatic;
+  /// The box structure of all scenes that have enough daughters for one, whatever their number;
+  /// nothing: bvh::default_method. Changes no answer.
+  std::optional<bvh::Structure> boxes{};
+  /// The same for single volumes by name, few daughters or many. Boxes where there were none may
+  /// make safeties larger, never too large.
+  std::map<std::string, bvh::Structure> boxes_of{};
+};
+
+}  // namespace navjit

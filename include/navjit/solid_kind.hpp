@@ -1,0 +1,48 @@
+// The kinds of solids.
+#pragma once
+
+#include <cstdint>
+
+namespace navjit::kernels {
+
+enum class SolidKind : std::uint8_t {
+  box,
+  tube,
+  cone,
+  trd,
+  trap,
+  hull,
+  facets,
+  arb8,
+  cut_tube,
+  orb,
+  sphere,
+  polycone,
+  polyhedra,
+  torus,
+  ellipsoid,
+  eltube,
+  elcone,
+  paraboloid,
+  hype,
+  twistedtubs,
+  twistedbox,
+  twistedtrd,
+  twistedtrap,
+  placed,
+  scaled,
+  union_of,
+  intersection_of,
+  subtraction_of,
+};
+
+template <class Real>
+struct AnySolid;
+
+}  // namespace navjit::kernels
+
+namespace navjit {
+
+using kernels::SolidKind;
+
+}  // namespace navjit

@@ -1,0 +1,19 @@
+// Faults to be tried on purpose. For tests alone.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace navjit {
+
+/// Ways to make specialisation go wrong.
+struct Faults {
+  std::function<void(std::string& source)> edit_source{};
+  bool fail_verification = false;
+  /// Called on the compiling thread before each compilation, as if it were part of it: it may take
+  /// its time, and throw.
+  std::function<void()> compiling{};
+  bool skip_verification = false;  ///< what is wrong is installed, and stays
+};
+
+}  // namespace navjit

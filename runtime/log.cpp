@@ -1,0 +1,37 @@
+#include "runtime/log.hpp"
+
+#include <spdlog/details/null_mutex.h>
+#include <spdlog/sinks/base_sink.h>
+#include <spdlog/spdlog.h>
+
+namespace navjit {
+namespace {
+
+/// The user's sink has to be thread-safe by itself.
+class UsersSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
+ public:
+  explicit UsersSink(const LogSink& lines) : sink_(lines) {}
+
+ protected:
+  void sink_it_(const spdlog::details::log_msg& message) override {
+    const LogLevel level = message.level <= spdlog::level::debug  ? LogLevel::debug
+                           : message.level == spdlog::level::info ? LogLevel::info
+                                                                  : LogLevel::warning;
+    sink_(level, {message.payload.data(), message.payload.size()});
+  }
+  void flush_() override {}
+
+ private:
+  LogSink sink_;
+};
+
+}  // namespace
+
+std::shared_ptr<spdlog::logger> make_log(const LogSink& sink) {
+  if (!sink) return spdlog::default_logger();
+  auto log = std::make_shared<spdlog::logger>("navjit", std::make_shared<UsersSink>(sink));
+  log->set_level(spdlog::level::debug);
+  return log;
+}
+
+}  // namespace navjit

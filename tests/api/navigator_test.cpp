@@ -1,0 +1,132 @@
+// Steps within safety spheres, and relocation from a hint.
+#include "navjit/navigator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+#include "navjit/runtime.hpp"
+#include "tests/support/traces.hpp"
+
+namespace navjit {
+namespace {
+
+using tests::uniform;
+
+class NavigatorApi : public ::testing::TestWithParam<JitMode> {
+ protected:
+  NavigatorApi()
+      : runtime_(tests::mixed_world(), {.jit = GetParam()}), navigator_(runtime_.navigator()) {}
+
+  Vec3 anywhere() {
+    return {uniform(random_, -99, 99), uniform(random_, -99, 99), uniform(random_, -99, 99)};
+  }
+
+  Runtime runtime_;
+  Navigator navigator_;
+  std::mt19937_64 random_{5};
+};
+
+TEST_P(NavigatorApi, StepsWithinASphereAreTheStepsWithout) {
+  int within = 0, beyond = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Vec3 point = anywhere();
+    const State state = navigator_.locate(point, {0, 0, 1});
+    const SafetySphere sphere = navigator_.safety_sphere(state, point);
+    EXPECT_EQ(sphere.radius, navigator_.safety(state, point));
+    EXPECT_EQ(sphere.safety(state, point), sphere.radius);
+    // Several steps, as of a particle that scatters: each from where the last one ended.
+    State at = state;
+    for (int n = 0; n < 5 && at.inside(); ++n) {
+      const Vec3 direction = tests::random_direction(random_);
+      const double limit = uniform(random_, 0, 1.2) * sphere.radius;
+      const Step right = navigator_.step(at, point, direction, limit);
+      const Step step = navigator_.step(at, point, direction, limit, sphere);
+      EXPECT_EQ(std::memcmp(&step.length, &right.length, sizeof(double)), 0);
+      EXPECT_EQ(step.boundary, right.boundary);
+      EXPECT_EQ(step.next, right.next);
+      ++(limit < sphere.safety(at, point) ? within : beyond);
+      EXPECT_LE(sphere.safety(at, point), navigator_.safety(at, point) + 1e-9 + sphere.radius);
+      point += step.length * direction;
+      at = step.next;
+    }
+  }
+  EXPECT_GT(within, 1000);
+  EXPECT_GT(beyond, 1000);
+}
+
+TEST_P(NavigatorApi, ASphereIsGoodForItsOwnStateAlone) {
+  const Vec3 point{-60, -40, 4};  // in the midst of a tile
+  const State state = navigator_.locate(point, {0, 0, 1});
+  const SafetySphere sphere = navigator_.safety_sphere(state, point);
+  ASSERT_GT(sphere.radius, 0);
+  EXPECT_EQ(sphere.safety(State{}, point), 0);
+  EXPECT_EQ(sphere.safety(state, point + Vec3{0, 0, 2 * sphere.radius}), 0);
+  EXPECT_EQ(SafetySphere{}.safety(State{}, {0, 0, 0}), 0);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double limit : {nan, -1.0}) {
+    EXPECT_THROW(navigator_.step(state, point, {0, 0, 1}, limit, sphere), UsageError);
+  }
+  EXPECT_THROW(navigator_.step(state, {nan, 0, 0}, {0, 0, 1}, 0, sphere), UsageError);
+}
+
+TEST_P(NavigatorApi, RelocatesFromAnyHint) {
+  State hint;
+  for (int i = 0; i < 5000; ++i) {
+    // Near to the last point or far from it.
+    const Vec3 point = anywhere(), direction = tests::random_direction(random_);
+    const State right = navigator_.locate(point, direction);
+    EXPECT_EQ(navigator_.relocate(hint, point, direction), right);
+    EXPECT_EQ(navigator_.relocate(State{}, point, direction), right);
+    EXPECT_EQ(navigator_.relocate(right, point, direction), right);
+    const Vec3 near = point + 0.3 * tests::random_direction(random_);
+    EXPECT_EQ(navigator_.relocate(right, near, direction), navigator_.locate(near, direction));
+    hint = right;
+  }
+  EXPECT_FALSE(navigator_.relocate(hint, {1000, 0, 0}, {1, 0, 0}).inside());
+  // Steps go on from there.
+  const Vec3 point{-60, -40, 2};
+  const State state = navigator_.relocate(hint, point, {0, 0, 1});
+  EXPECT_EQ(navigator_.step(state, point, {0, 0, 1}).length,
+            navigator_.step(navigator_.locate(point, {0, 0, 1}), point, {0, 0, 1}).length);
+}
+
+TEST_P(NavigatorApi, RelocationPrefersTheHintWhereSeveralHoldThePoint) {
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 10, 10, 10));
+  const VolumeId box = tests::add_volume(world, "box", make_box("box", 2, 2, 2));
+  tests::place(world, world.top, box, {-1, 0, 0});
+  tests::place(world, world.top, box, {1, 0, 0});
+  finish(world);
+  Runtime runtime{world, {.jit = GetParam()}};
+  Navigator navigator = runtime.navigator();
+  const State first = navigator.locate({-2.5, 0, 0}), second = navigator.locate({2.5, 0, 0});
+  ASSERT_FALSE(first == second);
+  EXPECT_EQ(navigator.relocate(first, {0.5, 0, 0}, {1, 0, 0}), first);
+  EXPECT_EQ(navigator.relocate(second, {0.5, 0, 0}, {1, 0, 0}), second);
+  EXPECT_EQ(navigator.relocate(first, {2.5, 0, 0}, {1, 0, 0}), second);
+}
+
+TEST_P(NavigatorApi, RefusesBadArgumentsAndStaysGood) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Vec3 point{-60, -40, 2};
+  const State state = navigator_.locate(point);
+  EXPECT_THROW(navigator_.relocate(state, {nan, 0, 0}, {0, 0, 1}), UsageError);
+  EXPECT_THROW(navigator_.relocate(state, point, {0, nan, 1}), UsageError);
+  EXPECT_THROW(navigator_.relocate(State{1'000'000, 0}, point, {0, 0, 1}), UsageError);
+  EXPECT_THROW(navigator_.frame(State{}), UsageError);
+  EXPECT_THROW(navigator_.frame(state, 9), UsageError);
+  EXPECT_THROW(navigator_.frame(state, -1), UsageError);
+  EXPECT_THROW(navigator_.to_local(State{1'000'000, 0}, point), UsageError);
+  EXPECT_THROW(navigator_.safety_sphere(State{}, point), UsageError);
+  EXPECT_EQ(navigator_.locate(point), state);
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, NavigatorApi, ::testing::Values(JitMode::off, JitMode::wait),
+                         [](const auto& mode) {
+                           return mode.param == JitMode::off ? "Generic" : "Specialised";
+                         });
+
+}  // namespace
+}  // namespace navjit
