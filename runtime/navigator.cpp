@@ -5,6 +5,7 @@
 #include <string>
 
 #include "geometry/navigation/generic.hpp"
+#include "geometry/solids/normal.hpp"
 #include "runtime/shared.hpp"
 
 namespace navjit {
@@ -106,6 +107,29 @@ Vec3 Navigator::direction_to_local(const State& state, const Vec3& direction) {
 
 Vec3 Navigator::direction_to_global(const State& state, const Vec3& local_direction) {
   return direction_to_outer(frame(state), local_direction);
+}
+
+Vec3 Navigator::normal(const State& state, const Vec3& point) {
+  require_finite(point, "the point");
+  const Transformation at = frame(state);
+  const Geometry& geometry = shared_->geometry;
+  return direction_to_outer(at, navjit::normal(geometry.scene(state.volume()).solid,
+                                               navjit::to_local(at, point), geometry.tolerance()));
+}
+
+Vec3 Navigator::boundary_normal(const State& from, const State& next, const Vec3& point) {
+  restore_unless_at(from);
+  const int depth = own_->stack.depth;
+  if (next.inside()) {
+    restore_unless_at(next);
+    const Stack& stack = own_->stack;
+    if (stack.depth > depth && stack.levels[depth].touchable == from.touchable()) {
+      // A daughter was entered, and maybe more that are flush with it.
+      const StackLevel& entered = stack.levels[depth + 1];
+      return -1.0 * normal({entered.touchable, entered.volume}, point);
+    }
+  }
+  return normal(from, point);
 }
 
 void Navigator::require_numbers(const Vec3& point, double limit) {

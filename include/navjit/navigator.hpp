@@ -87,6 +87,16 @@ class Navigator {
   Vec3 direction_to_local(const State& state, const Vec3& direction);
   Vec3 direction_to_global(const State& state, const Vec3& local_direction);
 
+  /// The outward unit normal of the state's volume, in the world's frame, at a point (mm) on its
+  /// surface, or near it: then that of the nearest face. On edges it is that of the first of their
+  /// faces (docs/normals.md). Throws UsageError if the point is not finite, or if the state is
+  /// outside the world or of another world.
+  Vec3 normal(const State& state, const Vec3& point);
+  /// The unit normal of the boundary that a step from `from` ended on, at its end `point`; it
+  /// points out of what was left: out of the volume of `from`, or into the daughter of it that was
+  /// entered. `next` is Step::next. Throws as normal().
+  Vec3 boundary_normal(const State& from, const State& next, const Vec3& point);
+
   const NavigatorCounts& counts() const { return own_->counts; }
 
  private:
