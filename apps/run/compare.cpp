@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/interruption.hpp"
+#include "geometry/model/world.hpp"
 #include "runtime/processor_time.hpp"
 
 namespace navjit::apps {

@@ -16,7 +16,7 @@ TEST(Normal, PointsOutOfWhatIsLeft) {
     Runtime runtime{detector, {.jit = jit}};
     Navigator navigator = runtime.navigator();
     std::size_t entered = 0, left = 0, along = 0;
-    for (const Ray& ray : tests::rays_through(*detector.model(), 41, 200)) {
+    for (const Ray& ray : tests::rays_through(*detector.model(), 41, 2000)) {
       Vec3 point = ray.position;
       for (State state = navigator.locate(point, ray.direction); state.inside();) {
         const Step step = navigator.step(state, point, ray.direction);
