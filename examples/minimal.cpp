@@ -39,7 +39,7 @@ int main(int argc, char** argv) try {
   for (const navjit::SceneReport& scene : report.scenes) {
     if (scene.share < 0.01) break;
     std::printf("%5.1f %%  %-12s %6.1f -> %6.1f ns/step  %s\n", 100 * scene.share,
-                status_name(scene.status), scene.generic_ns_per_step, scene.specialised_ns_per_step,
+                binding_name(scene.binding), scene.generic_ns_per_step, scene.specialised_ns_per_step,
                 scene.volume.c_str());
   }
   return 0;
