@@ -57,8 +57,7 @@ std::string SceneText::descend() const {
   else
     table = true;
   text += "    default: ";
-  text += table ? std::string(
-                      "settle_in_table(stack, context, daughters[k].volume, ") +
+  text += table ? std::string("settle_in_table(stack, context, daughters[k].volume, ") +
                       point_values + ", -1); return;\n"
                 : "__builtin_unreachable();\n";
   return text + "  }\n}\n";
@@ -96,8 +95,8 @@ std::string SceneText::leave_to_mother(const char* blocked) const {
     return "  --stack->depth;\n  reenter_" + id(first) + "(stack, context, " + point_values + ", " +
            blocked + ");\n";
   }
-  return "  --stack->depth;\n  settle_in_table(stack, context, " + id(mother) +
-         ", " + point_values + ", static_cast<int>(" + blocked + "));\n";
+  return "  --stack->depth;\n  settle_in_table(stack, context, " + id(mother) + ", " +
+         point_values + ", static_cast<int>(" + blocked + "));\n";
 }
 
 std::string SceneText::reenter() const {
@@ -131,8 +130,8 @@ std::string SceneText::reenter() const {
 
 std::string SceneText::step(const std::string& symbol) const {
   std::string text = "extern \"C\" double " + symbol +
-                     "(Stack* stack, [[maybe_unused]] const Context* context, const void*, " + point_arguments +
-                     ", double limit) {\n";
+                     "(Stack* stack, [[maybe_unused]] const Context* context, const void*, " +
+                     point_arguments + ", double limit) {\n";
   text +=
       "  const StackLevel& level = stack->levels[stack->depth];\n"
       "  const Vec3<double> p = " +
@@ -168,8 +167,9 @@ std::string SceneText::step(const std::string& symbol) const {
 }
 
 std::string SceneText::settle(const std::string& symbol) const {
-  std::string text = "extern \"C\" void " + symbol +
-                     "([[maybe_unused]] Stack* stack, [[maybe_unused]] const Context* context, const void*";
+  std::string text =
+      "extern \"C\" void " + symbol +
+      "([[maybe_unused]] Stack* stack, [[maybe_unused]] const Context* context, const void*";
   for (const char* name : {"x", "y", "z"}) {
     text += std::string(", [[maybe_unused]] double ") + name;
   }

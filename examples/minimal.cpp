@@ -39,8 +39,8 @@ int main(int argc, char** argv) try {
   for (const navjit::SceneReport& scene : report.scenes) {
     if (scene.share < 0.01) break;
     std::printf("%5.1f %%  %-12s %6.1f -> %6.1f ns/step  %s\n", 100 * scene.share,
-                binding_name(scene.binding), scene.generic_ns_per_step, scene.specialised_ns_per_step,
-                scene.volume.c_str());
+                binding_name(scene.binding), scene.generic_ns_per_step,
+                scene.specialised_ns_per_step, scene.volume.c_str());
   }
   return 0;
 } catch (const std::exception& error) {

@@ -21,8 +21,8 @@ enum class Variant : std::uint8_t {
 };
 
 /// Parses "NAME=VARIANT,NAME=VARIANT": logical volumes by name ("*" for every one; later entries
-/// override earlier ones), variants off, all, lanes, shells, rings, buckets, boxes, tree. What cannot be
-/// understood is left out and described, one line each, in `complaints`.
+/// override earlier ones), variants off, all, lanes, shells, rings, buckets, boxes, tree. What
+/// cannot be understood is left out and described, one line each, in `complaints`.
 std::map<VolumeId, Variant> parse_overrides(const World& world, std::string_view text,
                                             std::string* complaints);
 

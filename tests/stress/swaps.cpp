@@ -54,7 +54,8 @@ void trace(const Geometry& geometry, const NavigatorTable& table, Presence& pres
     const kernels::Navigators* navigators =
         kernels::navigators_of(&table.context(), stack.levels[stack.depth].volume);
     kernels::set_ray(stack, d.x, d.y, d.z);
-    double length = navigators->step(&stack, &table.context(), navigators->data, p.x, p.y, p.z, 1e30);
+    double length =
+        navigators->step(&stack, &table.context(), navigators->data, p.x, p.y, p.z, 1e30);
     presence.leave();
     if (length < 0) length = generic::step(geometry, stack, p, d, 1e30);
     rows.push_back({touchable, length});
