@@ -1,4 +1,4 @@
-// Where a daughter is as seen from an axis of her mother, or from the mother's origin.
+// Where a daughter is as seen from an axis of its mother, or from the mother's origin.
 #pragma once
 
 #include "geometry/navigation/geometry.hpp"
@@ -11,12 +11,12 @@ struct AxialExtent {
   double near = 0, far = 0;
   double low = 0, high = 0;  ///< along the axis, mm
   bool around = true;        ///< the azimuth is not limited
-  double first = 0;          ///< azimuth where she begins, in [-pi, pi]
-  double span = 0;           ///< and how far she reaches from there, < 2 pi
-  bool segment = false;      ///< she is cut to just that, about the axis
+  double first = 0;          ///< azimuth where it begins, in [-pi, pi]
+  double span = 0;           ///< and how far it reaches from there, < 2 pi
+  bool segment = false;      ///< it is cut to just that, about the axis
 };
 
-/// As seen from the mother's axis 0, 1, 2 for x, y, z through her origin. The azimuth is from y, z
+/// As seen from the mother's axis 0, 1, 2 for x, y, z through its origin. The azimuth is from y, z
 /// or x, in this order.
 AxialExtent axial_extent(const Solid& solid, const Transformation& transformation, int axis);
 

@@ -32,7 +32,7 @@ enum class BucketUse : std::uint8_t { daughters, blocks };
 
 /// Chooses axes and counts that leave few candidates a bucket. Boxes are in the scene's frame and
 /// are inflated by `margin` (mm), which has to exceed any rounding of a position in the scene. A
-/// daughter is in a bucket unless her box keeps apart from it, or `apart` says that she does.
+/// daughter is in a bucket unless its box keeps apart from it, or `apart` says that it does.
 Buckets make_buckets(const Extent& scene, std::span<const PlacedBox> boxes, double margin,
                      BucketUse use = BucketUse::daughters, const Apart& apart = {},
                      const BucketLimits& limits = {});

@@ -65,7 +65,7 @@ bool may_use_lanes(const Geometry& geometry, const ScenePlan& plan) {
   });
 }
 
-/// Where daughters are segments about the axis, each fills her sector, and boxes tell little: 1.2
+/// Where daughters are segments about the axis, each fills its sector, and boxes tell little: 1.2
 /// and 1.4 times faster than these. What is only placed in a ring (boxes, trapezoids) is better
 /// told by boxes (0.8 to 1.1 times), and so are many rings (26: 0.56 times).
 bool sectors_pay(const Rings& rings) {
@@ -184,7 +184,7 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     use_lanes();
     return;
   }
-  // What is in a hole of a daughter, or beside what her box holds of her, is not hers.
+  // What is in a hole of a daughter, or beside what its box holds of it, is not its own.
   const auto apart = [&](std::uint32_t k, const Extent& box) {
     const Daughter& d = scene.daughters[k];
     return safety_to_in(d.solid, to_local(d.transformation, 0.5 * (box.min + box.max))) >

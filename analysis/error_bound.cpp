@@ -49,7 +49,7 @@ struct FrameError {
   }
 };
 
-/// From a mother's frame into that of a daughter whose points are up to `reach` from her origin.
+/// From a mother's frame into that of a daughter whose points are up to `reach` from its origin.
 FrameError into_daughter(const FrameError& mother, const Transformation& t, double reach) {
   const double away = length(t.translation), skew = skew_at(t);
   // R' = r R, rounded.
@@ -96,7 +96,7 @@ std::vector<VolumeId> from_the_top(const World& world) {
 }
 
 /// By volume: the box around its solid and all that is placed in it, in its frame, mm. What sticks
-/// out of its mother belongs to her scene, too.
+/// out of its mother belongs to its scene, too.
 std::vector<Extent> full_extents(const World& world, const std::vector<VolumeId>& order) {
   std::vector<Extent> full(world.volumes.size());
   for (std::size_t i = order.size(); i-- > 0;) {

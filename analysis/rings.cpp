@@ -57,8 +57,8 @@ int steps_of(std::vector<double> azimuths) {
   return steps;
 }
 
-/// Daughters by sector. One belongs to those into which she reaches by more than the margin, across
-/// the edge: seen from the axis at her far end that is the smallest angle.
+/// Daughters by sector. One belongs to those into which it reaches by more than the margin, across
+/// the edge: seen from the axis at its far end that is the smallest angle.
 void fill(Ring& ring, double start, const std::vector<AxialExtent>& extents,
           const std::vector<std::uint32_t>& members, double margin) {
   const double width = 2 * pi / ring.steps;

@@ -132,7 +132,7 @@ struct ScenePlan {
   /// generic navigator: without them there is much less code.
   bool decline_rare = false;
   bool oblique_only = false;  ///< because of boxes along the axes of the frame
-  bool surroundings = false;  ///< on leaving a daughter only her neighbours are asked
+  bool surroundings = false;  ///< on leaving a daughter only its neighbours are asked
   std::vector<DaughterClass> classes;
   double mean_candidates = 0;  ///< expected candidates per bucket, by volume
   std::string pattern;         ///< in words: "leaf", "stack of 70 along z", "grid 4 x 4", ...

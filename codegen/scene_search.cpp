@@ -42,7 +42,7 @@ std::string searches(const std::string& visit_at, const std::string& walk) {
 
 }  // namespace
 
-/// The body of a function of a daughter's number k: `call` for her solid.
+/// The body of a function of a daughter's number k: `call` for its solid.
 std::string SceneText::daughter_switch(const char* call) const {
   const bool one = plan_.classes.size() == 1;
   std::string text = "  const Daughter& at = daughters[k];\n";
@@ -59,7 +59,7 @@ std::string SceneText::daughter_switch(const char* call) const {
   return text + (one ? "}\n" : "  }\n}\n");
 }
 
-/// Whether a daughter holds a point, and how far along a ray she is.
+/// Whether a daughter holds a point, and how far along a ray it is.
 std::string SceneText::daughter_tests() const {
   return "[[gnu::always_inline]] static inline bool holds(unsigned k, const Vec3<double>& p, const "
          "Direction<double>& d) {\n" +
@@ -238,7 +238,7 @@ std::string SceneText::search_boxes() const {
          searches("visit_blocks_at", "walk_blocks");
 }
 
-/// What is around each daughter, and the search on leaving her.
+/// What is around each daughter, and the search on leaving it.
 std::string SceneText::search_around() const {
   const Surroundings& s = scene_.surroundings;
   std::string text = "constexpr Around around[] = {\n";

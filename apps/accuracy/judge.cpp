@@ -127,7 +127,7 @@ class RayJudge {
   }
 
   /// A touchable of this name with the point, among those about the one that the ray was in last.
-  /// What sticks out of its mother is found only by those who were in her.
+  /// What sticks out of its mother is found only by those who were in it.
   std::optional<Chain> find_nearby(const std::string& name, const WidePoint& p) {
     for (Chain chain = last_;; chain.pop_back()) {
       if (is_called(chain, name) && !refuted(chain, p)) return chain;

@@ -20,7 +20,7 @@ struct PlateStack {
 };
 
 /// The first position that the ray may meet. `left`: the daughter that the track may have left
-/// last, or any number. If she is just behind, the next one follows, and that is known before the
+/// last, or any number. If it is just behind, the next one follows, and that is known before the
 /// point is. `oblique`: the ray is known not to run along the plates.
 template <bool oblique, class Index>
 inline int first_plate(const PlateStack<Index>& s, double p, double v, unsigned left) {
@@ -79,7 +79,7 @@ inline void visit_plates_at(const PlateStack<Index>& s, double p, Visit visit) {
   }
 }
 
-/// Of a daughter: her box with a margin, which holds the points where tracks leave her, and her
+/// Of a daughter: its box with a margin, which holds the points where tracks leave it, and its
 /// neighbours, the only ones that can contain such a point (navjit::Surroundings).
 struct Around {
   double low[3], high[3];

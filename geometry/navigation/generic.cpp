@@ -57,8 +57,8 @@ double distance_local(const Daughter& d, const Vec3& p, const Direction& v, doub
   return distance_to_in(d.solid, q, v, tolerance);
 }
 
-/// Whether daughter `k` of the innermost level contains the global point in her own frame. It and
-/// the way through her mother's frame may differ in the last bit, and so in which side of a face a
+/// Whether daughter `k` of the innermost level contains the global point in its own frame. It and
+/// the way through its mother's frame may differ in the last bit, and so in which side of a face a
 /// ray along it is on. Writes to the level above the innermost.
 struct InOwnFrame {
   Stack& stack;

@@ -1,6 +1,6 @@
-// What a track may meet where it leaves a daughter, known before it does: few others touch her.
+// What a track may meet where it leaves a daughter, known before it does: few others touch it.
 //
-// A daughter's box with a margin holds every point at which a track can leave her. Only daughters
+// A daughter's box with a margin holds every point at which a track can leave it. Only daughters
 // whose boxes, with the same margin, meet that box can contain such a point; and where the box lies
 // well inside the mother, the mother contains it. The margin is far above the tolerance and the
 // rounding of a position, so that no answer depends on it.
@@ -33,7 +33,7 @@ struct Surroundings {
   std::vector<Of> of;                     ///< by daughter; empty: unknown
   std::vector<std::uint32_t> neighbours;  ///< of one daughter: last in file order first
 
-  /// Those of a daughter; null if they are unknown or the point is not in her box.
+  /// Those of a daughter; null if they are unknown or the point is not in its box.
   const Of* at(unsigned daughter, const Vec3& p) const {
     if (daughter >= of.size()) return nullptr;
     const Of& around = of[daughter];

@@ -126,7 +126,7 @@ TEST(ErrorBound, SaysWhatNoBoundIsKnownOf) {
   const std::vector<ErrorBound> bounds = error_bounds(world);
   EXPECT_EQ(bounds[ring].unknown, "torus");
   EXPECT_EQ(bounds[cut].unknown, "subtraction");
-  EXPECT_EQ(bounds[world.top].unknown, "torus");  // a daughter's surfaces end steps in her mother
+  EXPECT_EQ(bounds[world.top].unknown, "torus");  // a daughter's surfaces end steps in its mother
   EXPECT_FALSE(bounds[spare].known());
   EXPECT_EQ(bounds[ring].total(), INFINITY);
 }

@@ -64,7 +64,7 @@ struct Stack {
   Stack(const Stack&) = delete;
 };
 
-/// The daughter's distance by her own kernel.
+/// The daughter's distance by its own kernel.
 double distance(const Extent& e, const Vec3& p, const Direction& v) {
   const kernels::Box<double> box{(e.max.x - e.min.x) / 2, (e.max.y - e.min.y) / 2,
                                  (e.max.z - e.min.z) / 2};
@@ -101,7 +101,7 @@ TEST(Plates, LeadToWhatTheRayMeetsFirst) {
       if (std::any_of(boxes.begin(), boxes.end(), [&](const Extent& e) {
             return holds(e, p) && distance(e, p, kernels::make_direction(d.x, d.y, d.z)) == inf;
           })) {
-        continue;  // in a plate, and not about to enter her: then the track is not in the mother
+        continue;  // in a plate, and not about to enter it: then the track is not in the mother
       }
       const Direction v = kernels::make_direction(d.x, d.y, d.z);
       double nearest = inf;

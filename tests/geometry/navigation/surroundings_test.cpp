@@ -102,7 +102,7 @@ TEST(Surroundings, KnowWhatTheMotherContains) {
 }
 
 TEST(Surroundings, DoNotListTooMany) {
-  // A large daughter with a hundred small ones along her face.
+  // A large daughter with a hundred small ones along its face.
   const Solid mother = make_box("mother", 200, 200, 200);
   std::vector<Extent> boxes{{{-100, -100, -100}, {100, 100, 0}}};
   for (int i = 0; i < 100; ++i) boxes.push_back({{-100.0 + i, 0, 0}, {-99.5 + i, 1, 1}});
