@@ -23,14 +23,16 @@ std::size_t leftovers(const std::string& folder) {
   return count;
 }
 
-/// Did the runs of that mode have the time for a swap?
+/// Had the runs of that mode the time for a swap, and if they have a cache, something in it? Scenes
+/// are bound to data first, so that a short run may compile nothing.
 bool swapped(const nlohmann::json& report, const std::string& mode) {
   const auto& variants = report.at("variants");
   return std::all_of(variants.begin(), variants.end(), [&](const auto& variant) {
     const auto& runs = variant.at("runs");
     return variant.at("mode") != mode ||
-           std::none_of(runs.begin(), runs.end(),
-                        [](const auto& run) { return run.at("swaps").empty(); });
+           std::none_of(runs.begin(), runs.end(), [&](const auto& run) {
+             return run.at("swaps").empty() || (mode == "cache" && run.at("cached_modules") == 0);
+           });
   });
 }
 
@@ -57,7 +59,6 @@ TEST(WarmupCommand, ComparesTheWaysToStart) {
   EXPECT_TRUE(report.at("same_rays"));
   ASSERT_EQ(report.at("variants").size(), 4U);
   std::size_t points = 0;
-  int compiled_cold = 0, cached = 0;
   for (const auto& variant : report["variants"]) {
     const std::string mode = variant.at("mode");
     for (const char* field : {"steps_per_second", "speed_up", "break_even_s", "half_specialised_s",
@@ -86,12 +87,11 @@ TEST(WarmupCommand, ComparesTheWaysToStart) {
       if (mode == "plugin" || mode == "cache") {
         EXPECT_FALSE(run["swaps"].empty()) << mode;
       }
-      // What a run has no reason to compile is in no cache: scenes are bound to data first.
-      if (mode == "cold") compiled_cold += run.at("modules").get<int>();
-      if (mode == "cache") cached += run.at("cached_modules").get<int>();
+      if (mode == "cache") {
+        EXPECT_GT(run.at("cached_modules"), 0);
+      }
     }
   }
-  EXPECT_EQ(cached > 0, compiled_cold > 0);
   std::istringstream csv(read_file(folder.file("points.csv")));
   std::string line;
   std::getline(csv, line);
