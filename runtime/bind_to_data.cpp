@@ -24,11 +24,10 @@ constexpr double most_ms = 20;
 /// Per volume, for verification, beside those that were recorded: the code is that of the library,
 /// what may be wrong is the data.
 constexpr std::size_t states_made_up = 64;
-/// Of all steps, for a scene to be bound: the many that share the rest of a run are met with cold
-/// caches, where a second copy of their numbers costs what it wins.
+/// Of all steps, for a scene to be bound: with the many that share the rest of a run little could
+/// be won. A guess.
 constexpr double least_share = 0.002;
-/// A twentieth is lost in the noise of such timings; where thousands of scenes were bound for so
-/// little, the run was slower (docs/decisions.md).
+/// What is nearer than that is often the noise of such timings. A guess.
 constexpr double least_gain = 0.85;
 
 double now() {
