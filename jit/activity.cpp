@@ -1,5 +1,8 @@
 #include "jit/activity.hpp"
 
+#include <unistd.h>
+
+#include <atomic>
 #include <condition_variable>
 #include <cstdlib>
 #include <mutex>
@@ -48,8 +51,32 @@ bool Activity::any() {
   return !all.activities.empty();
 }
 
+namespace {
+
+struct WaitWhenDestroyed {
+  ~WaitWhenDestroyed() { wait_for_activities(); }
+};
+
+}  // namespace
+
 // Functions given to atexit are called in reverse, static objects destroyed in between: those of
-// LLVM that were made before this call outlive the wait.
-void outlast_activities() { std::atexit(wait_for_activities); }
+// LLVM that were made before this call outlive the wait. Objects of the thread that calls exit()
+// are destroyed before all of these: so where it is the main thread, as in a return from main, it
+// waits before anything of LLVM goes. Other threads must not wait when they end.
+void outlast_activities() {
+  std::atexit(wait_for_activities);
+  if (gettid() == getpid()) {
+    [[maybe_unused]] static thread_local const WaitWhenDestroyed at_the_end_of_main;
+  }
+}
+
+void outlast_static_objects() {
+  constexpr int enough = 4096;
+  static std::atomic<int> calls{0};
+  if (calls.load(std::memory_order_relaxed) < enough) {
+    calls.fetch_add(1, std::memory_order_relaxed);
+    std::atexit(wait_for_activities);
+  }
+}
 
 }  // namespace navjit::jit

@@ -31,4 +31,9 @@ class Activity {
 /// since the activity was: to be called where an activity is left to itself.
 void outlast_activities();
 
+/// The same for static objects of LLVM, which it makes when it first needs them: to be called often
+/// while something is compiled. What is made later than in the first few functions is not covered;
+/// it matters only where exit() is called by another thread than the main one.
+void outlast_static_objects();
+
 }  // namespace navjit::jit

@@ -13,6 +13,7 @@
 #include <llvm/Target/TargetMachine.h>
 #include <llvm/TargetParser/Triple.h>
 
+#include "jit/activity.hpp"
 #include "jit/detail/leave_wreck.hpp"
 
 namespace navjit::jit::detail {
@@ -40,6 +41,7 @@ class StopGate : public llvm::OptPassGate {
 
   bool isEnabled() const override { return true; }
   bool shouldRunPass(llvm::StringRef, llvm::StringRef unit) override {
+    outlast_static_objects();
     if (!stop_.stop_requested()) return true;
     // "function (NAME)"
     if (!emptied_ && unit.consume_front("function (") && unit.consume_back(")")) {
@@ -108,8 +110,10 @@ void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level,
   // (docs/experiments.md).
   tuning.SLPVectorization = false;
   leave_wreck(std::make_unique<Optimiser>(machine, tuning), [&](Optimiser& o) {
-    o.callbacks.registerShouldRunOptionalPassCallback(
-        [stop](llvm::StringRef, llvm::Any) { return !stop.stop_requested(); });
+    o.callbacks.registerShouldRunOptionalPassCallback([stop](llvm::StringRef, llvm::Any) {
+      outlast_static_objects();
+      return !stop.stop_requested();
+    });
     o.function_analyses.registerPass([&] { return llvm::TargetLibraryAnalysis(o.library); });
     o.builder.registerModuleAnalyses(o.module_analyses);
     o.builder.registerCGSCCAnalyses(o.call_graph_analyses);

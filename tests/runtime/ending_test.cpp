@@ -121,6 +121,18 @@ TEST(EndingDeathTest, AProcessMayEndWhileARuntimeCompiles) {
           std::exit(7);
         },
         testing::ExitedWithCode(7), "");
+    EXPECT_EXIT(
+        {
+          std::thread other([ms] {
+            static Runtime* const runtime =  // never destroyed
+                new Runtime(tests::mixed_world(), eager_options(JitMode::on));
+            transport_all(*runtime);
+            std::this_thread::sleep_for(std::chrono::milliseconds(ms));
+            std::exit(7);
+          });
+          other.join();
+        },
+        testing::ExitedWithCode(7), "");
   }
 }
 
