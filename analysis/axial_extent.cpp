@@ -99,8 +99,8 @@ double radius_at(const kernels::ConicalFace<double>& face, double z, double flat
   return face.cosine > 1e-3 ? (face.radius + face.slope * z) / face.cosine : flat;
 }
 
-template <class Stack>
-Round round_stack(const Stack& s) {
+template <class Sections>
+Round round_sections(const Sections& s) {
   Round round{s.rmax, s.rmax, s.wedge};
   for (int i = 0; i < s.count; ++i) {
     const auto& section = s.sections[i];
@@ -144,10 +144,10 @@ bool is_round(const Solid& solid, Round& round) {
       return true;
     }
     case SolidKind::polycone:
-      round = round_stack(as<kernels::Polycone<double>>(solid));
+      round = round_sections(as<kernels::Polycone<double>>(solid));
       return true;
     case SolidKind::polyhedra:
-      round = round_stack(as<kernels::Polyhedra<double>>(solid));
+      round = round_sections(as<kernels::Polyhedra<double>>(solid));
       return true;
     case SolidKind::sphere: {
       const auto& s = as<kernels::Sphere<double>>(solid);

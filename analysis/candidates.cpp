@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/buckets.hpp"
+#include "analysis/grid.hpp"
+#include "analysis/nest.hpp"
 #include "analysis/pattern.hpp"
-#include "analysis/plates.hpp"
 #include "analysis/rings.hpp"
-#include "analysis/shells.hpp"
+#include "analysis/slabs.hpp"
 #include "geometry/solids/extent.hpp"
 #include "navjit/vector.hpp"
 
@@ -39,14 +39,14 @@ constexpr std::size_t most_others = 3;
 constexpr std::size_t most_rings = 4;
 constexpr std::size_t most_beside_rings = 4;
 
-/// So little more than one daughter a bucket, and of one solid, is what grids have: there no box
+/// So little more than one daughter a cell, and of one solid, is what grids have: there no box
 /// needs a test.
 constexpr double about_one = 1.05;
 
 /// What single precision loses of a position, twice over.
 double float_margin(double largest) { return largest * 0x1p-21; }
 
-/// What is_grid() asks that is known before there are buckets.
+/// What is_regular_grid() asks that is known before there are grid.
 bool may_be_grid(const ScenePlan& plan) {
   return plan.classes.size() == 1 && !plan.classes[0].rotated;
 }
@@ -74,9 +74,9 @@ bool sectors_pay(const Rings& rings) {
                      [](const Ring& ring) { return ring.segments; });
 }
 
-/// Stacks and grids are called just that.
+/// Slabs and grids are called just that.
 bool is_regular(const std::string& pattern) {
-  return pattern.starts_with("stack") || pattern.starts_with("grid");
+  return pattern.find(" slabs along ") != std::string::npos || pattern.starts_with("grid");
 }
 
 /// Patterns about an axis or a centre.
@@ -84,11 +84,11 @@ bool choose_round(const Geometry& geometry, std::optional<Candidates> forced, do
                   ScenePlan& plan) {
   const World& world = geometry.world();
   const Scene& scene = geometry.scene(plan.volume);
-  if (!forced || forced == Candidates::shells) {
-    auto shells = find_shells(world, world.volumes[plan.volume].solid, scene.daughters, margin);
-    if (shells && (forced || most_others * shells->others.size() <= shells->members.size())) {
-      plan.candidates = Candidates::shells;
-      plan.shells = std::move(*shells);
+  if (!forced || forced == Candidates::nest) {
+    auto nest = find_nest(world, world.volumes[plan.volume].solid, scene.daughters, margin);
+    if (nest && (forced || most_others * nest->others.size() <= nest->members.size())) {
+      plan.candidates = Candidates::nest;
+      plan.nest = std::move(*nest);
       return true;
     }
   }
@@ -105,7 +105,7 @@ bool choose_round(const Geometry& geometry, std::optional<Candidates> forced, do
 
 }  // namespace
 
-bool is_grid(const ScenePlan& plan) {
+bool is_regular_grid(const ScenePlan& plan) {
   return may_be_grid(plan) && plan.mean_candidates <= about_one;
 }
 
@@ -167,13 +167,13 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     plan.mean_candidates = static_cast<double>(boxes.size());
     return;
   }
-  if (!forced || *forced == Candidates::plates) {
-    if (auto plates = find_plates(extent, boxes, geometry.tolerance(), margin)) {
-      plan.candidates = Candidates::plates;
-      plan.plates = std::move(*plates);
+  if (!forced || *forced == Candidates::slabs) {
+    if (auto slabs = find_slabs(extent, boxes, geometry.tolerance(), margin)) {
+      plan.candidates = Candidates::slabs;
+      plan.slabs = std::move(*slabs);
       if (plan.classes.size() == 1 && plan.classes[0].kind() == SolidKind::box &&
           !plan.classes[0].rotated) {
-        plan.plates.skin = margin + geometry.tolerance() / 2;
+        plan.slabs.skin = margin + geometry.tolerance() / 2;
       }
       plan.mean_candidates = 1;
       return;
@@ -190,16 +190,16 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     return safety_to_in(d.solid, to_local(d.transformation, 0.5 * (box.min + box.max))) >
            norm(0.5 * (box.max - box.min)) + 2 * margin;
   };
-  const auto make = [&](Candidates candidates, BucketUse use) {
+  const auto make = [&](Candidates candidates, CellUse use) {
     plan.candidates = candidates;
-    plan.buckets = make_buckets(extent, placed, margin, use, apart);
-    plan.mean_candidates = mean_candidates(plan.buckets);
+    plan.grid = make_grid(extent, placed, margin, use, apart);
+    plan.mean_candidates = mean_candidates(plan.grid);
   };
-  if (!boxes_possible || (forced ? *forced == Candidates::buckets : may_be_grid(plan))) {
-    make(Candidates::buckets, BucketUse::daughters);
-    if (!boxes_possible || forced || is_grid(plan)) return;
+  if (!boxes_possible || (forced ? *forced == Candidates::grid : may_be_grid(plan))) {
+    make(Candidates::grid, CellUse::daughters);
+    if (!boxes_possible || forced || is_regular_grid(plan)) return;
   }
-  make(Candidates::boxes, BucketUse::blocks);
+  make(Candidates::boxes, CellUse::blocks);
   make_boxes();
 }
 

@@ -11,8 +11,8 @@ namespace navjit {
 /// kind that somebody outside wants.
 void choose_candidates(const Geometry& geometry, std::optional<Candidates> forced, ScenePlan& plan);
 
-/// Whether the plan's buckets have one daughter each, all of them with the same solid.
-bool is_grid(const ScenePlan& plan);
+/// Whether the plan's cells have one daughter each, all of them with the same solid.
+bool is_regular_grid(const ScenePlan& plan);
 
 /// Fills in how the scene's safety is found.
 void choose_safety(const Geometry& geometry, ScenePlan& plan);

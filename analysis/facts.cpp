@@ -63,7 +63,7 @@ StackLevel level_of(const std::array<double, 9>& rotation,
 void compose(const std::array<double, 9>& rotation, const std::array<double, 3>& translation,
              const Transformation& t, std::array<double, 9>& out_rotation,
              std::array<double, 3>& out_translation) {
-  Stack stack{};
+  NavigationStack stack{};
   stack.levels[0] = level_of(rotation, translation);
   stack.levels[0].rotation = rotation == identity ? nullptr : stack.levels[0].own_rotation;
   if (t.rotated) {

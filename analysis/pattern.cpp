@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/nest.hpp"
 #include "analysis/rings.hpp"
-#include "analysis/shells.hpp"
 
 namespace navjit {
 namespace {
@@ -34,7 +34,7 @@ std::string describe_pattern(std::span<const Extent> boxes) {
   const char* axis[3] = {"x", "y", "z"};
   for (int a = 0; a < 3; ++a) {
     if (n[a] == boxes.size() && n[(a + 1) % 3] == 1 && n[(a + 2) % 3] == 1) {
-      return "stack of " + std::to_string(n[a]) + " along " + axis[a];
+      return std::to_string(n[a]) + " slabs along " + axis[a];
     }
   }
   if (n[0] * n[1] * n[2] == boxes.size()) {
@@ -52,10 +52,9 @@ std::string describe_round_pattern(const World& world, const Solid& mother,
     return others == 0 ? std::string() : " and " + std::to_string(others) + " more";
   };
   const auto few = [&](std::size_t others) { return 2 * others < daughters.size(); };
-  const std::optional<Shells> shells = find_shells(world, mother, daughters, margin);
+  const std::optional<Nest> nest = find_nest(world, mother, daughters, margin);
   const std::optional<Rings> rings = find_rings(world, mother, daughters, margin);
-  if (rings && few(rings->others.size()) &&
-      !(shells && shells->others.size() < rings->others.size())) {
+  if (rings && few(rings->others.size()) && !(nest && nest->others.size() < rings->others.size())) {
     const Ring& first = rings->rings[0];
     const auto same = [&](const Ring& r) {
       return r.steps == first.steps && r.present == first.present;
@@ -68,9 +67,9 @@ std::string describe_round_pattern(const World& world, const Solid& mother,
     }
     return text + about[rings->axis] + besides(rings->others.size());
   }
-  if (shells && few(shells->others.size())) {
-    return "nest of " + std::to_string(shells->members.size()) + " shells" + about[shells->axis] +
-           besides(shells->others.size());
+  if (nest && few(nest->others.size())) {
+    return "nest of " + std::to_string(nest->members.size()) + " shells" + about[nest->axis] +
+           besides(nest->others.size());
   }
   return {};
 }

@@ -8,7 +8,7 @@
 
 namespace navjit {
 
-/// "leaf", "single", "stack of 70 along z", "grid 4 x 4 x 1", or "N daughters": what a reader would
+/// "leaf", "single", "70 slabs along z", "grid 4 x 4 x 1", or "N daughters": what a reader would
 /// call the arrangement of these boxes. For display; navigation never depends on it.
 std::string describe_pattern(std::span<const Extent> boxes);
 

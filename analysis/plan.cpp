@@ -95,7 +95,7 @@ void merge_classes(std::vector<DaughterClass>& classes, SolidKind kind, bool rot
 }
 
 /// With more daughters than this the tables of what is around each would be most of the code.
-constexpr std::size_t most_surroundings = 2048;
+constexpr std::size_t most_with_neighbours = 2048;
 
 /// The volume's own solid, or daughters that are not turned.
 bool has_boxes_along_axes(const Scene& scene, const ScenePlan& plan) {
@@ -117,10 +117,10 @@ ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId
   for (const SolidKind kind : {SolidKind::box, SolidKind::tube, SolidKind::cone, SolidKind::trd}) {
     for (const bool rotated : {false, true}) merge_classes(plan.classes, kind, rotated);
   }
-  plan.surroundings =
-      !scene.surroundings.of.empty() && scene.surroundings.of.size() <= most_surroundings;
-  plan.decline_rare = !facts.along_faces.contains(volume);
-  plan.oblique_only = plan.decline_rare && has_boxes_along_axes(scene, plan);
+  plan.neighbour_lists =
+      !scene.neighbour_lists.of.empty() && scene.neighbour_lists.of.size() <= most_with_neighbours;
+  plan.bail_out_rare = !facts.along_faces.contains(volume);
+  plan.oblique_only = plan.bail_out_rare && has_boxes_along_axes(scene, plan);
   const auto forced = facts.forced_candidates.find(volume);
   choose_candidates(geometry,
                     forced == facts.forced_candidates.end() ? std::optional<Candidates>()
@@ -137,9 +137,10 @@ bool worth_compiling(const Geometry& geometry, const ScenePlan& plan, std::strin
   };
   if (plan.candidates == Candidates::tree) return no("its search is bound to data alone");
   const std::size_t daughters = geometry.scene(plan.volume).daughters.size();
-  // Lone daughters of many buckets, tested one after the other, are no faster than the generic
+  // Lone daughters of many cells, tested one after the other, are no faster than the generic
   // navigator's tree.
-  if (plan.candidates == Candidates::buckets && daughters > most_without_boxes && !is_grid(plan)) {
+  if (plan.candidates == Candidates::grid && daughters > most_without_boxes &&
+      !is_regular_grid(plan)) {
     return no("too many daughters for tables of boxes");
   }
   // The walk through many faces is the same code with tables, specialised or not; a copy for every
@@ -170,9 +171,9 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
                                       : "general")
       << "\n"
       << "  leaves out   "
-      << (plan.oblique_only   ? "steps along faces, or from within daughters"
-          : plan.decline_rare ? "steps from within daughters"
-                              : "nothing")
+      << (plan.oblique_only    ? "steps along faces, or from within daughters"
+          : plan.bail_out_rare ? "steps from within daughters"
+                               : "nothing")
       << "\n"
       << "  mother       "
       << (plan.only_mother                      ? geometry.world().volumes[*plan.only_mother].name
@@ -190,13 +191,13 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
     case Candidates::lanes:
       out << "all, four boxes at once";
       break;
-    case Candidates::plates:
-      out << "the next plate along "
-          << "xyz"[plan.plates.axis];
+    case Candidates::slabs:
+      out << "the next slab along "
+          << "xyz"[plan.slabs.axis];
       break;
-    case Candidates::shells:
-      out << "the next of " << plan.shells.members.size() << " shells about "
-          << axis_names[plan.shells.axis];
+    case Candidates::nest:
+      out << "the next of " << plan.nest.members.size() << " shells about "
+          << axis_names[plan.nest.axis];
       break;
     case Candidates::rings:
       out << "sectors about " << axis_names[plan.rings.axis] << ":";
@@ -208,10 +209,10 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
     case Candidates::tree:
       out << "by the hierarchy of boxes";
       break;
-    case Candidates::buckets:
+    case Candidates::grid:
     case Candidates::boxes:
-      out << "buckets " << plan.buckets.count[0] << " x " << plan.buckets.count[1] << " x "
-          << plan.buckets.count[2] << ", " << plan.mean_candidates << " candidates a bucket"
+      out << "cells " << plan.grid.count[0] << " x " << plan.grid.count[1] << " x "
+          << plan.grid.count[2] << ", " << plan.mean_candidates << " candidates a cell"
           << (plan.candidates == Candidates::boxes ? ", boxes tested eight at once" : "");
   }
   out << "\n";
@@ -226,10 +227,10 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
           : plan.safety == SafetyFrom::boxes ? "by boxes, eight at once"
                                              : "generic")
       << "\n";
-  if (plan.surroundings) {
-    const Surroundings& around = geometry.scene(plan.volume).surroundings;
+  if (plan.neighbour_lists) {
+    const NeighbourLists& around = geometry.scene(plan.volume).neighbour_lists;
     std::size_t listed = 0, within = 0;
-    for (const Surroundings::Of& of : around.of) {
+    for (const NeighbourLists::Of& of : around.of) {
       listed += of.listed() ? 1 : 0;
       within += of.mother_contains ? 1 : 0;
     }

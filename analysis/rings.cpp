@@ -8,7 +8,7 @@
 #include "geometry/solids/kernels.hpp"
 
 // clang-format off
-#include "geometry/kernels/shells.h"
+#include "geometry/kernels/nest.h"
 #include "geometry/kernels/rings.h"
 // clang-format on
 

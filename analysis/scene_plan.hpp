@@ -23,34 +23,34 @@ struct FrameFacts {
   std::optional<std::array<double, 3>> only_translation;
 };
 
-/// A regular partition of the scene into buckets along one to three axes, each with the daughters
-/// that reach into it. Stacks, grids, lattices and rings all become few candidates a bucket.
-struct Buckets {
+/// A regular partition of the scene into cells along one to three axes, each with the daughters
+/// that reach into it. Stacks, grids, lattices and rings all become few candidates a cell.
+struct Grid {
   std::array<int, 3> count{1, 1, 1};   ///< 1 on axes that are not split
   std::array<double, 3> origin{};      ///< lower edge, mm
-  std::array<double, 3> width{};       ///< of a bucket, mm
-  std::vector<std::uint32_t> first;    ///< by bucket, and one more: start in `members`
-  std::vector<std::uint32_t> members;  ///< daughter indices, ascending within a bucket
+  std::array<double, 3> width{};       ///< of a cell, mm
+  std::vector<std::uint32_t> first;    ///< by cell, and one more: start in `members`
+  std::vector<std::uint32_t> members;  ///< daughter indices, ascending within a cell
 
   std::size_t size() const { return first.empty() ? 0 : first.size() - 1; }
 };
 
 /// Daughters that follow one another along an axis: positions count along it.
-struct Plates {
+struct Slabs {
   int axis = 0;
   std::vector<std::uint32_t> members;  ///< daughter indices, by position
   std::vector<double> low, high;       ///< by position, with the margin, mm
-  double origin = 0, width = 0;        ///< of the buckets, mm
-  /// From a face of the margin to where a track that left there meets the plate no more, mm; 0
+  double origin = 0, width = 0;        ///< of the cells, mm
+  /// From a face of the margin to where a track that left there meets the slab no more, mm; 0
   /// where not all are boxes along the axes.
   double skin = 0;
-  /// By bucket: the first position that a ray ascending from there may meet, and for one that
+  /// By cell: the first position that a ray ascending from there may meet, and for one that
   /// descends.
   std::vector<std::uint32_t> ascending, descending;
 };
 
 /// Daughters in layers about an axis or a centre, ascending in both radii.
-struct Shells {
+struct Nest {
   int axis = 2;                        ///< 3: about the mother's origin
   std::vector<std::uint32_t> members;  ///< daughter indices, by position
   std::vector<double> near2, far2;     ///< by position, squared radii with the margin, mm^2
@@ -82,15 +82,15 @@ struct Rings {
 };
 
 enum class Candidates : std::uint8_t {
-  none,     ///< no daughters
-  all,      ///< every daughter, spelled out
-  lanes,    ///< every daughter, all of them boxes along the axes, four at once
-  plates,   ///< those next along an axis
-  shells,   ///< those next in radius
-  rings,    ///< those of the sectors that the ray passes
-  buckets,  ///< those of the buckets that the ray passes
-  boxes,    ///< of those, the ones whose boxes it passes
-  tree,     ///< by the generic navigator's hierarchy of boxes; bound to data only
+  none,   ///< no daughters
+  all,    ///< every daughter, spelled out
+  lanes,  ///< every daughter, all of them boxes along the axes, four at once
+  slabs,  ///< those next along an axis
+  nest,   ///< those next in radius
+  rings,  ///< those of the sectors that the ray passes
+  grid,   ///< those of the cells that the ray passes
+  boxes,  ///< of those, the ones whose boxes it passes
+  tree,   ///< by the generic navigator's hierarchy of boxes; bound to data only
 };
 
 enum class SafetyFrom : std::uint8_t {
@@ -121,21 +121,21 @@ struct ScenePlan {
   FrameFacts frame;
   std::optional<VolumeId> only_mother;  ///< where all placements are in the same volume
   Candidates candidates = Candidates::none;
-  Buckets buckets;            ///< for buckets and boxes
+  Grid grid;                  ///< for cells and boxes
   std::vector<Extent> boxes;  ///< by daughter, with a margin for single precision
-  Plates plates;
-  Shells shells;
+  Slabs slabs;
+  Nest nest;
   Rings rings;
   SafetyFrom safety = SafetyFrom::generic;
   std::vector<Extent> tree_boxes;  ///< for safety: by daughter, as the generic navigator inflates
   /// Steps from within a daughter, and those along faces where oblique_only, are left to the
   /// generic navigator: without them there is much less code.
-  bool decline_rare = false;
-  bool oblique_only = false;  ///< because of boxes along the axes of the frame
-  bool surroundings = false;  ///< on leaving a daughter only its neighbours are asked
+  bool bail_out_rare = false;
+  bool oblique_only = false;     ///< because of boxes along the axes of the frame
+  bool neighbour_lists = false;  ///< on leaving a daughter only its neighbours are asked
   std::vector<DaughterClass> classes;
-  double mean_candidates = 0;  ///< expected candidates per bucket, by volume
-  std::string pattern;         ///< in words: "leaf", "stack of 70 along z", "grid 4 x 4", ...
+  double mean_candidates = 0;  ///< expected candidates per cell, by volume
+  std::string pattern;         ///< in words: "leaf", "70 slabs along z", "grid 4 x 4", ...
 };
 
 }  // namespace navjit

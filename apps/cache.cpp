@@ -9,7 +9,7 @@
 
 #include "apps/commands.hpp"
 #include "apps/options/runtime.hpp"
-#include "jit/object_cache.hpp"
+#include "cache/object_cache.hpp"
 
 namespace navjit::apps {
 namespace {
@@ -31,10 +31,10 @@ std::string local_time(std::int64_t seconds) {
 }
 
 /// Prints entries, all or those with problems; returns the number of problems.
-std::size_t print(const std::vector<jit::CacheEntry>& entries, bool only_problems) {
+std::size_t print(const std::vector<cache::CacheEntry>& entries, bool only_problems) {
   std::size_t problems = 0;
   std::uint64_t bytes = 0;
-  for (const jit::CacheEntry& entry : entries) {
+  for (const cache::CacheEntry& entry : entries) {
     bytes += entry.bytes;
     problems += entry.problem.empty() ? 0 : 1;
     if (only_problems && entry.problem.empty()) continue;
@@ -64,7 +64,7 @@ int cache(const Options& options) {
     std::printf("%s is not there yet: an empty cache\n", directory.c_str());
     return 0;
   }
-  auto opened = jit::ObjectCache::open(directory, {}, false);
+  auto opened = cache::ObjectCache::open(directory, {}, false);
   if (!opened) throw std::runtime_error(opened.failure().message);
   if (options.task == Task::clear) {
     const auto removed = opened->clear();

@@ -10,7 +10,7 @@ namespace navjit::bench {
 
 Floor::Floor(const Geometry& geometry, const std::vector<Ray>& rays)
     : tolerance_(geometry.tolerance()) {
-  Stack stack{};
+  NavigationStack stack{};
   for (const Ray& ray : rays) {
     generic::locate(geometry, stack, ray.position, ray.direction);
     Vec3 point = ray.position;

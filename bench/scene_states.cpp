@@ -13,7 +13,7 @@ constexpr std::size_t most_touchables = 64;
 constexpr std::size_t attempts_per_ray = 2000;
 
 Transformation frame_of(const Geometry& geometry, TouchableId touchable) {
-  kernels::Stack stack{};
+  kernels::NavigationStack stack{};
   stack.depth = -1;
   generic::restore(geometry, stack, touchable);
   const kernels::StackLevel& level = stack.levels[stack.depth];

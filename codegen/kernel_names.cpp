@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::array order{
     "convex",  "box",          "trd",          "trap",      "wedge",   "tube",   "cone",   "orb",
-    "sphere",  "stack",        "polycone",     "polyhedra", "hull",    "facets", "pairs",  "torus",
+    "sphere",  "sections",     "polycone",     "polyhedra", "hull",    "facets", "pairs",  "torus",
     "quadric", "twisted_tube", "twisted_trap", "arb8",      "cuttube", "scaled", "boolean"};
 constexpr std::array box{"convex", "box"};
 constexpr std::array trd{"convex", "trd"};
@@ -22,8 +22,9 @@ constexpr std::array tube{"convex", "wedge", "tube"};
 constexpr std::array cone{"convex", "wedge", "tube", "cone"};
 constexpr std::array orb{"convex", "wedge", "tube", "cone", "orb"};
 constexpr std::array sphere{"convex", "wedge", "tube", "cone", "orb", "sphere"};
-constexpr std::array polycone{"convex", "wedge", "tube", "cone", "stack", "polycone"};
-constexpr std::array polyhedra{"convex", "wedge", "tube", "cone", "stack", "polycone", "polyhedra"};
+constexpr std::array polycone{"convex", "wedge", "tube", "cone", "sections", "polycone"};
+constexpr std::array polyhedra{"convex",   "wedge",    "tube",     "cone",
+                               "sections", "polycone", "polyhedra"};
 constexpr std::array torus{"convex", "wedge", "pairs", "torus"};
 constexpr std::array quadric{"convex", "pairs", "quadric"};
 constexpr std::array twisted_tube{"convex", "pairs", "quadric", "twisted_tube"};

@@ -97,15 +97,15 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
     if (part.reenter) bodies += text.reenter();
     if (part.step) {
       const std::string step = "navjit_step_" + id + "_" + identifier(name);
-      const std::string settle = "navjit_settle_" + id + "_" + identifier(name);
-      bodies += text.step(step) + text.settle(settle);
+      const std::string relocate = "navjit_relocate_" + id + "_" + identifier(name);
+      bodies += text.step(step) + text.relocate(relocate);
       std::string safety;
       if (plan.safety != SafetyFrom::generic) {
         safety = "navjit_safety_" + id + "_" + identifier(name);
         bodies += text.safety(safety);
       }
       for (const VolumeId equal : facts.equals[volume]) {
-        module.entries.push_back({equal, step, settle, safety});
+        module.entries.push_back({equal, step, relocate, safety});
       }
     }
   }
@@ -126,13 +126,13 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
     source += (small ? push : "") + std::string(kernel_text(kernel)) + (small ? pop : "");
   }
   source += push;
-  source += kernel_text("buckets");
+  source += kernel_text("grid");
   source += kernel_text("boxes");
-  source += kernel_text("plates");
+  source += kernel_text("slabs");
   if (shapes.kernels().contains("box")) source += kernel_text("four_boxes");
-  source += kernel_text("shells");
+  source += kernel_text("nest");
   source += kernel_text("rings");
-  source += kernel_text("touchable_stack");
+  source += kernel_text("navigation_stack");
   source += kernel_text("navigation");
   source += "#pragma clang attribute pop\n\nnamespace navjit::kernels {\n\n";
   source += "constexpr double tolerance = " + number(geometry.tolerance()) + ";\n";

@@ -15,7 +15,7 @@ namespace navjit::codegen {
 struct Entry {
   VolumeId volume;
   std::string step;
-  std::string settle;
+  std::string relocate;
   std::string safety;  ///< empty where the scene has none of its own
 };
 

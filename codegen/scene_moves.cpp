@@ -15,18 +15,19 @@ std::string id(VolumeId volume) { return std::to_string(volume); }
 
 std::string SceneText::enter_declaration() const {
   return "[[gnu::noinline]] static void enter_" + id(plan_.volume) +
-         "(Stack* stack, const Context* context, " + point_arguments + ");\n";
+         "(NavigationStack* stack, const Context* context, " + point_arguments + ");\n";
 }
 
 std::string SceneText::reenter_declaration() const {
   return "[[gnu::noinline]] static void reenter_" + id(plan_.volume) +
-         "(Stack* stack, const Context* context, " + point_arguments + ", unsigned blocked);\n";
+         "(NavigationStack* stack, const Context* context, " + point_arguments +
+         ", unsigned blocked);\n";
 }
 
 /// Into the daughter just pushed, and further down.
 std::string SceneText::descend() const {
   std::string text =
-      "static inline void descend([[maybe_unused]] Stack* stack, [[maybe_unused]] const "
+      "static inline void descend([[maybe_unused]] NavigationStack* stack, [[maybe_unused]] const "
       "Context* context, [[maybe_unused]] unsigned k";
   for (const char* name : {"x", "y", "z"}) {
     text += std::string(", [[maybe_unused]] double ") + name;
@@ -57,7 +58,7 @@ std::string SceneText::descend() const {
   else
     table = true;
   text += "    default: ";
-  text += table ? std::string("settle_in_table(stack, context, daughters[k].volume, ") +
+  text += table ? std::string("relocate_in_table(stack, context, daughters[k].volume, ") +
                       point_values + ", -1); return;\n"
                 : "__builtin_unreachable();\n";
   return text + "  }\n}\n";
@@ -65,7 +66,8 @@ std::string SceneText::descend() const {
 
 std::string SceneText::enter() const {
   std::string text = "[[gnu::noinline]] static void enter_" + id(plan_.volume) +
-                     "(Stack* stack, const Context* context, " + point_arguments + ") {\n";
+                     "(NavigationStack* stack, const Context* context, " + point_arguments +
+                     ") {\n";
   text +=
       "  const StackLevel& level = stack->levels[stack->depth];\n"
       "  const int k = " +
@@ -87,7 +89,7 @@ std::string SceneText::leave_to_mother(const char* blocked) const {
     if (plan_.volume == geometry_.world().top) return "  --stack->depth;\n";
     return std::string(
                "  const StackLevel& outer = stack->levels[--stack->depth];\n"
-               "  settle_in_table(stack, context, outer.volume, ") +
+               "  relocate_in_table(stack, context, outer.volume, ") +
            point_values + ", static_cast<int>(" + blocked + "));\n";
   }
   const VolumeId mother = *plan_.only_mother;
@@ -95,32 +97,33 @@ std::string SceneText::leave_to_mother(const char* blocked) const {
     return "  --stack->depth;\n  reenter_" + id(first) + "(stack, context, " + point_values + ", " +
            blocked + ");\n";
   }
-  return "  --stack->depth;\n  settle_in_table(stack, context, " + id(mother) + ", " +
+  return "  --stack->depth;\n  relocate_in_table(stack, context, " + id(mother) + ", " +
          point_values + ", static_cast<int>(" + blocked + "));\n";
 }
 
 std::string SceneText::reenter() const {
   std::string text = "[[gnu::noinline]] static void reenter_" + id(plan_.volume) +
-                     "(Stack* stack, const Context* context, " + point_arguments +
+                     "(NavigationStack* stack, const Context* context, " + point_arguments +
                      ", unsigned blocked) {\n  using namespace " + ns_ +
                      ";\n"
                      "  const StackLevel& level = stack->levels[stack->depth];\n"
                      "  const Vec3<double> p = point(level, x, y, z);\n"
                      "  const Direction<double> d = heading(stack, level);\n";
-  if (plan_.surroundings) {
+  if (plan_.neighbour_lists) {
     text +=
-        "  const Around& left_from = around[blocked];\n"
+        "  const NeighbourList& left_from = lists[blocked];\n"
         "  const bool there = is_there(left_from, p);\n";
   }
-  text += plan_.surroundings ? "  if (!(there && left_from.mother_contains) && !contains("
-                             : "  if (!contains(";
+  text += plan_.neighbour_lists ? "  if (!(there && left_from.mother_contains) && !contains("
+                                : "  if (!contains(";
   text += shapes_.constant(scene_.solid) +
           ", p, d, tolerance)) {\n"
           "  [[maybe_unused]] const unsigned left = level.daughter;\n" +
           leave_to_mother("left") + "    return;\n  }\n";
-  text += plan_.surroundings
-              ? "  const int k = find_around(left_from, there, p, d, static_cast<int>(blocked));\n"
-              : "  const int k = find(p, d, static_cast<int>(blocked));\n";
+  text +=
+      plan_.neighbour_lists
+          ? "  const int k = find_neighbour(left_from, there, p, d, static_cast<int>(blocked));\n"
+          : "  const int k = find(p, d, static_cast<int>(blocked));\n";
   return text +
          "  if (k < 0) return;\n"
          "  push(stack, static_cast<unsigned>(k));\n"
@@ -129,9 +132,10 @@ std::string SceneText::reenter() const {
 }
 
 std::string SceneText::step(const std::string& symbol) const {
-  std::string text = "extern \"C\" double " + symbol +
-                     "(Stack* stack, [[maybe_unused]] const Context* context, const void*, " +
-                     point_arguments + ", double limit) {\n";
+  std::string text =
+      "extern \"C\" double " + symbol +
+      "(NavigationStack* stack, [[maybe_unused]] const Context* context, const void*, " +
+      point_arguments + ", double limit) {\n";
   text +=
       "  const StackLevel& level = stack->levels[stack->depth];\n"
       "  const Vec3<double> p = " +
@@ -142,7 +146,7 @@ std::string SceneText::step(const std::string& symbol) const {
       ns_ +
       "::ray(stack, level, d), 0)) return -1.0;\n"
       "  double best = " +
-      (plan_.decline_rare ? "distance_to_exit" : "distance_to_out") + "(" +
+      (plan_.bail_out_rare ? "distance_to_exit" : "distance_to_out") + "(" +
       shapes_.constant(scene_.solid) + ", p, d, tolerance);\n";
   const bool daughters = !scene_.daughters.empty();
   if (daughters)
@@ -166,10 +170,10 @@ std::string SceneText::step(const std::string& symbol) const {
   return text;
 }
 
-std::string SceneText::settle(const std::string& symbol) const {
-  std::string text =
-      "extern \"C\" void " + symbol +
-      "([[maybe_unused]] Stack* stack, [[maybe_unused]] const Context* context, const void*";
+std::string SceneText::relocate(const std::string& symbol) const {
+  std::string text = "extern \"C\" void " + symbol +
+                     "([[maybe_unused]] NavigationStack* stack, [[maybe_unused]] const Context* "
+                     "context, const void*";
   for (const char* name : {"x", "y", "z"}) {
     text += std::string(", [[maybe_unused]] double ") + name;
   }

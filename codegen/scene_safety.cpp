@@ -22,7 +22,8 @@ std::string SceneText::safety(const std::string& symbol) const {
     text += "};\n";
   }
   text += "}  // namespace " + ns_ + "\nextern \"C\" double " + symbol +
-          "(const Stack* stack, const Context*, const void*, double x, double y, double z) {\n"
+          "(const NavigationStack* stack, const Context*, const void*, double x, double y, double "
+          "z) {\n"
           "  using namespace " +
           ns_ +
           ";\n  const Vec3<double> p = point(stack->levels[stack->depth], x, y, z);\n"

@@ -12,8 +12,8 @@
 namespace navjit::codegen {
 namespace {
 
-/// The fields that BucketGrid and BlockGrid share.
-std::string grid_fields(const Buckets& b) {
+/// The fields that CellGrid and BlockGrid share.
+std::string grid_fields(const Grid& b) {
   std::string text = "{";
   for (int a = 0; a < 3; ++a) text += (a == 0 ? "" : ", ") + std::to_string(b.count[a]);
   text += "}, {";
@@ -127,8 +127,8 @@ std::string SceneText::search_lanes() const {
          "  nearest_of_boxes(fours, p, d, tolerance, best, hit);\n  return hit;\n}\n";
 }
 
-std::string SceneText::search_plates() const {
-  const Plates& s = plan_.plates;
+std::string SceneText::search_slabs() const {
+  const Slabs& s = plan_.slabs;
   const char* index = index_type(scene_.daughters.size());
   std::vector<std::uint32_t> position(s.members.size());
   for (std::uint32_t i = 0; i < s.members.size(); ++i) position[s.members[i]] = i;
@@ -136,7 +136,7 @@ std::string SceneText::search_plates() const {
                      list("double", "low", s.low) + list("double", "high", s.high) +
                      list(index, "ascending", s.ascending) +
                      list(index, "descending", s.descending);
-  text += std::string("constexpr PlateStack<") + index + "> plates{" +
+  text += std::string("constexpr SlabRow<") + index + "> slabs{" +
           std::to_string(s.members.size()) + ", low, high, by_position, position, " +
           number(s.skin) + ", " + number(s.origin) + ", " + number(1 / s.width) + ", " +
           std::to_string(s.ascending.size()) + ", ascending, descending};\n";
@@ -144,7 +144,7 @@ std::string SceneText::search_plates() const {
   text += find_head;
   text +=
       "  int found = -1;\n"
-      "  visit_plates_at(plates, p." +
+      "  visit_slabs_at(slabs, p." +
       axis +
       ", [&](unsigned k) {\n"
       "    const int i = static_cast<int>(k);\n"
@@ -158,24 +158,24 @@ std::string SceneText::search_plates() const {
       "      best = t;\n      hit = static_cast<int>(k);\n      return true;\n    }\n"
       "    return false;\n  });\n";
   if (!plan_.oblique_only) {
-    return text + nearest_head + "  walk_plates(plates, " + along +
-           ", smaller(limit, best), left, " + visit + "  return hit;\n}\n";
+    return text + nearest_head + "  walk_slabs(slabs, " + along + ", smaller(limit, best), left, " +
+           visit + "  return hit;\n}\n";
   }
-  // Mostly the first plate is the one; the loop over others would keep registers from it.
+  // Mostly the first slab is the one; the loop over others would keep registers from it.
   return text +
          "struct Found {\n  double best;\n  int hit;\n};\n"
          "[[gnu::noinline, gnu::cold]] static Found nearest_from(int i, double x, double y, double "
          "z, double u, double v, double w, double iu, double iv, double iw, double best, double "
          "limit) {\n"
          "  const Vec3<double> p{x, y, z};\n  const Direction<double> d{u, v, w, iu, iv, iw};\n"
-         "  int hit = -1;\n  walk_plates_from(plates, i, " +
+         "  int hit = -1;\n  walk_slabs_from(slabs, i, " +
          along + ", smaller(limit, best), " + visit + "  return {best, hit};\n}\n" + nearest_head +
-         "  const int i = first_plate<true>(plates, p." + axis + ", d." + axis +
+         "  const int i = first_slab<true>(slabs, p." + axis + ", d." + axis +
          ", left);\n"
-         "  if (i == end_of_plates(plates, d." +
-         axis + ") || plate_is_beyond(plates, i, " + along +
+         "  if (i == end_of_slabs(slabs, d." +
+         axis + ") || slab_is_beyond(slabs, i, " + along +
          ", smaller(limit, best))) return hit;\n"
-         "  const unsigned k = plates.daughter[i];\n"
+         "  const unsigned k = slabs.daughter[i];\n"
          "  const double t = distance(k, p, d, smaller(limit, best));\n"
          "  if (__builtin_expect(t < best, 1)) {\n    best = t;\n    return static_cast<int>(k);\n"
          "  }\n"
@@ -186,12 +186,12 @@ std::string SceneText::search_plates() const {
          "  best = found.best;\n  return found.hit;\n}\n";
 }
 
-std::string SceneText::search_buckets() const {
-  const Buckets& b = plan_.buckets;
+std::string SceneText::search_grid() const {
+  const Grid& b = plan_.grid;
   const char* index = index_type(scene_.daughters.size());
   return list("unsigned", "first", b.first) + list(index, "members", b.members) +
-         "constexpr BucketGrid<" + index + "> grid{" + grid_fields(b) + ", first, members};\n" +
-         searches("visit_bucket_at", "walk_buckets");
+         "constexpr CellGrid<" + index + "> grid{" + grid_fields(b) + ", first, members};\n" +
+         searches("visit_cell_at", "walk_cells");
 }
 
 std::string box_block(const std::function<const Extent*(std::size_t)>& box) {
@@ -213,14 +213,14 @@ std::string box_block(const std::function<const Extent*(std::size_t)>& box) {
 }
 
 std::string SceneText::search_boxes() const {
-  const Buckets& b = plan_.buckets;
+  const Grid& b = plan_.grid;
   const char* index = index_type(scene_.daughters.size());
   std::string blocks = "constexpr BoxBlock blocks[] = {\n", daughters;
   std::vector<std::uint32_t> first{0};
-  for (std::size_t bucket = 0; bucket < b.size(); ++bucket) {
+  for (std::size_t cell = 0; cell < b.size(); ++cell) {
     std::uint32_t count = first.back();
-    for (std::uint32_t m = b.first[bucket]; m < b.first[bucket + 1]; m += box_lanes, ++count) {
-      const std::size_t used = std::min<std::size_t>(box_lanes, b.first[bucket + 1] - m);
+    for (std::uint32_t m = b.first[cell]; m < b.first[cell + 1]; m += box_lanes, ++count) {
+      const std::size_t used = std::min<std::size_t>(box_lanes, b.first[cell + 1] - m);
       blocks += box_block([&](std::size_t lane) {
         return lane < used ? &plan_.boxes[b.members[m + lane]] : nullptr;
       });
@@ -238,12 +238,12 @@ std::string SceneText::search_boxes() const {
          searches("visit_blocks_at", "walk_blocks");
 }
 
-/// What is around each daughter, and the search on leaving it.
-std::string SceneText::search_around() const {
-  const Surroundings& s = scene_.surroundings;
-  std::string text = "constexpr Around around[] = {\n";
+/// The neighbour list of each daughter, and the search on leaving it.
+std::string SceneText::search_neighbours() const {
+  const NeighbourLists& s = scene_.neighbour_lists;
+  std::string text = "constexpr NeighbourList lists[] = {\n";
   bool all_listed = true;
-  for (const Surroundings::Of& of : s.of) {
+  for (const NeighbourLists::Of& of : s.of) {
     const Extent& b = of.box;
     const unsigned count = of.listed() ? of.count : ~0U;
     all_listed &= of.listed();
@@ -261,7 +261,9 @@ std::string SceneText::search_around() const {
       "[[gnu::noinline, gnu::cold]] static int find_elsewhere(double x, double y, double z, double "
       "u, double v, double w, int blocked) {\n"
       "  return find({x, y, z}, make_heading<double>(u, v, w), blocked);\n}\n"
-      "[[gnu::always_inline]] static inline int find_around([[maybe_unused]] const Around& a, bool "
+      "[[gnu::always_inline]] static inline int find_neighbour([[maybe_unused]] const "
+      "NeighbourList& "
+      "a, bool "
       "there, const "
       "Vec3<double>& p, const Direction<double>& d, int blocked) {\n  if (__builtin_expect(!there";
   if (!all_listed) text += " || a.count == ~0U";
@@ -289,22 +291,22 @@ std::string SceneText::search() const {
     case Candidates::all:
       text += search_all();
       break;
-    case Candidates::plates:
-      text += search_plates();
+    case Candidates::slabs:
+      text += search_slabs();
       break;
-    case Candidates::shells:
-      text += search_shells();
+    case Candidates::nest:
+      text += search_nest();
       break;
     case Candidates::rings:
       text += search_rings();
       break;
-    case Candidates::buckets:
-      text += search_buckets();
+    case Candidates::grid:
+      text += search_grid();
       break;
     case Candidates::boxes:
       text += search_boxes();
   }
-  if (plan_.surroundings) text += search_around();
+  if (plan_.neighbour_lists) text += search_neighbours();
   return text + push() + descend() + "}  // namespace " + ns_ + "\n";
 }
 

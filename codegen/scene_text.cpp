@@ -83,10 +83,12 @@ std::string SceneText::frame() const {
   std::string text;
   // heading() serves relocation, ray() the step: it says whether the navigator takes the ray.
   const std::string heading_head =
-      "static inline Direction<double> heading([[maybe_unused]] Stack* stack, [[maybe_unused]] "
+      "static inline Direction<double> heading([[maybe_unused]] NavigationStack* stack, "
+      "[[maybe_unused]] "
       "const StackLevel& level) {\n";
   const std::string ray_head =
-      "static inline bool ray([[maybe_unused]] Stack* stack, [[maybe_unused]] const StackLevel& "
+      "static inline bool ray([[maybe_unused]] NavigationStack* stack, [[maybe_unused]] const "
+      "StackLevel& "
       "level, Direction<double>& d) {\n";
   const char* const given =
       "  const double u = stack->ray.given[0], v = stack->ray.given[1], "
@@ -261,7 +263,7 @@ std::string SceneText::daughter_case(const DaughterClass& c, const char* call, c
                 ? "      if (!may_meet_box(" + box + ", e, reach)) return infinity<double>();\n"
                 : "      if (!is_in_box(" + box + ")) return false;\n";
   }
-  const bool put_off = plan_.decline_rare && std::string_view(call) == "distance_to_in" &&
+  const bool put_off = plan_.bail_out_rare && std::string_view(call) == "distance_to_in" &&
                        !(c.rotated && c.kind() == SolidKind::box);
   return text + "      return " + (put_off ? "distance_to_entry" : call) + "(" + solid +
          ", q, e, tolerance);\n    }\n";
@@ -320,7 +322,7 @@ std::string SceneText::push() const {
   const std::string rotated =
       "push_rotated(stack, at.volume, k, at.offset, at.x, at.y, at.z, rotations[at.rotation]);\n";
   std::string text =
-      "static inline void push(Stack* stack, unsigned k) {\n"
+      "static inline void push(NavigationStack* stack, unsigned k) {\n"
       "  const Daughter& at = daughters[k];\n";
   if (plan_.frame.never_rotated && any) {
     text += "  if (stack->levels[stack->depth].rotation != nullptr) __builtin_unreachable();\n";

@@ -37,7 +37,7 @@ class SceneText {
   std::string enter() const;
   std::string reenter() const;
   std::string step(const std::string& symbol) const;
-  std::string settle(const std::string& symbol) const;
+  std::string relocate(const std::string& symbol) const;
   /// Where the plan has one.
   std::string safety(const std::string& symbol) const;
 
@@ -53,12 +53,12 @@ class SceneText {
   std::string daughter_tests() const;
   std::string search_all() const;
   std::string search_lanes() const;
-  std::string search_plates() const;
-  std::string search_shells() const;
+  std::string search_slabs() const;
+  std::string search_nest() const;
   std::string search_rings() const;
-  std::string search_buckets() const;
+  std::string search_grid() const;
   std::string search_boxes() const;
-  std::string search_around() const;
+  std::string search_neighbours() const;
   std::string push_translation() const;
   std::string push() const;
   std::string descend() const;

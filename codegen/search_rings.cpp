@@ -102,8 +102,8 @@ std::string ring_tables(const Ring& ring, const std::string& n, const char* inde
 
 }  // namespace
 
-std::string SceneText::search_shells() const {
-  const Shells& s = plan_.shells;
+std::string SceneText::search_nest() const {
+  const Nest& s = plan_.nest;
   const char* index = index_type(scene_.daughters.size());
   const Others others = others_of(plan_, s.others, index);
   const Names n = names_of(s.axis % 3);

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "jit/expected.hpp"
+#include "common/expected.hpp"
 
 namespace navjit::jit {
 

@@ -6,8 +6,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "common/expected.hpp"
 #include "jit/compiler.hpp"
-#include "jit/expected.hpp"
 
 namespace navjit::jit {
 

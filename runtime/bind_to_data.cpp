@@ -37,7 +37,7 @@ double now() {
 /// Where the plan's way to find daughters is not sure to be the best, the hierarchy of boxes is
 /// another.
 bool tree_may_be_faster(const Scene& scene, const ScenePlan& plan) {
-  return scene.boxes && plan.candidates != Candidates::plates;
+  return scene.boxes && plan.candidates != Candidates::slabs;
 }
 
 }  // namespace
@@ -92,8 +92,8 @@ void Specialiser::bind_to_data(VolumeId volume) {
       plan = std::move(by_tree);
     }
   }
-  const double generic_ns = time_per_step(geometry, context, generic::navigators, samples);
-  const kernels::Navigators* bound = codegen::bind_to_data(geometry, plan, *arena_);
+  const double generic_ns = time_per_step(geometry, context, generic::dispatch_entry, samples);
+  const kernels::DispatchEntry* bound = codegen::bind_to_data(geometry, plan, *arena_);
   if (recorded) samples.insert(samples.end(), made_up.begin(), made_up.end());
   std::string problem = verify(geometry, context, *bound, volume, samples);
   if (shared_->faults.fail_verification) problem = "injected failure";

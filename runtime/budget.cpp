@@ -25,7 +25,7 @@ std::string millimetres(double value) {
 /// where the step ends at its limit.
 std::optional<double> error_at(const Geometry& geometry, const kernels::Context& context,
                                const reference::WideGeometry& reference, const Sample& s,
-                               Stack& stack) {
+                               NavigationStack& stack) {
   const reference::Chain chain = reference::chain_of(geometry.world(), s.touchable);
   const reference::WideAnswer right =
       reference.step(chain, reference::widen(s.point), reference::widen_direction(s.direction));
@@ -33,8 +33,8 @@ std::optional<double> error_at(const Geometry& geometry, const kernels::Context&
   generic::restore(geometry, stack, s.touchable);
   const Vec3 &p = s.point, &v = s.direction;
   kernels::set_ray(stack, v.x, v.y, v.z);
-  const kernels::Navigators& navigators = *kernels::navigators_of(&context, s.volume);
-  double length = navigators.step(&stack, &context, navigators.data, p.x, p.y, p.z, s.limit);
+  const kernels::DispatchEntry& entry = *kernels::dispatch_entry_of(&context, s.volume);
+  double length = entry.step(&stack, &context, entry.data, p.x, p.y, p.z, s.limit);
   if (length < 0) length = generic::step(geometry, stack, p, v, s.limit);
   stack.depth = -1;
   return reference.across(chain, p, v, length, right.length);
@@ -64,7 +64,7 @@ void Specialiser::hold_to_budget() {
   gather();
   const std::vector<ErrorBound> bounds = error_bounds(geometry.world());
   const reference::WideGeometry reference(geometry.share_world());
-  const auto stack = std::make_unique<Stack>();
+  const auto stack = std::make_unique<NavigationStack>();
   stack->depth = -1;
   std::size_t met = 0, all = 0;
   for (std::size_t v = 0; v < steps_.size(); ++v) {

@@ -50,7 +50,7 @@ CodeMaker::CodeMaker(const SpecialiserOptions& options, const Cache& cache,
       target_(jit::target_description(compile_options_)) {
   if (!cache_place_) return;
   try {
-    jit::sha256({});
+    cache::sha256({});
   } catch (const std::exception& error) {
     complain(complained_of_cache_, std::string(error.what()) + "; this run has no cache");
     cache_place_ = {};
@@ -67,12 +67,12 @@ void CodeMaker::complain(bool& complained, const std::string& what) const {
   complained = true;
 }
 
-jit::ObjectCache* CodeMaker::cache() {
+cache::ObjectCache* CodeMaker::cache() {
   if (!cache_place_) return nullptr;
   if (!cache_) {
-    jit::CacheLimits limits;
+    cache::CacheLimits limits;
     limits.max_bytes = cache_place_.max_bytes;
-    auto opened = jit::ObjectCache::open(cache_place_.directory, limits);
+    auto opened = cache::ObjectCache::open(cache_place_.directory, limits);
     if (!opened) {
       complain(complained_of_cache_, opened.failure().message + "; this run has no cache");
       cache_place_ = {};
@@ -107,14 +107,14 @@ jit::Compiler* CodeMaker::compiler() {
   return compiler_ ? &*compiler_ : nullptr;
 }
 
-jit::Digest CodeMaker::key(std::string_view kind, std::string_view text) const {
-  return jit::sha256_of_parts({"navjit cache 1", kind, target_, text});
+cache::Digest CodeMaker::key(std::string_view kind, std::string_view text) const {
+  return cache::sha256_of_parts({"navjit cache 1", kind, target_, text});
 }
 
 std::optional<CodeMaker::Made> CodeMaker::find(std::string_view source) {
-  jit::ObjectCache* entries = cache();
+  cache::ObjectCache* entries = cache();
   if (entries == nullptr || linker() == nullptr) return std::nullopt;
-  jit::CacheHit hit = entries->load(key("object", source));
+  cache::CacheHit hit = entries->load(key("object", source));
   if (!hit.rejected.empty()) complain(complained_of_entry_, "entry not used: " + hit.rejected);
   if (!hit.content) return std::nullopt;
   jit::Object object;
@@ -127,10 +127,9 @@ std::optional<CodeMaker::Made> CodeMaker::find(std::string_view source) {
   return Made{*std::move(code), std::move(object)};
 }
 
-jit::Expected<CodeMaker::Made> CodeMaker::compile(std::string_view source,
-                                                  const std::stop_token& stop) {
-  if (linker() == nullptr) return jit::Failure{no_linker_};
-  if (compiler() == nullptr) return jit::Failure{no_compiler_};
+Expected<CodeMaker::Made> CodeMaker::compile(std::string_view source, const std::stop_token& stop) {
+  if (linker() == nullptr) return Failure{no_linker_};
+  if (compiler() == nullptr) return Failure{no_compiler_};
   auto object = compiler()->compile(source, "navjit_module", stop);
   if (!object) return object.failure();
   auto code = linker()->link(*object);
@@ -138,8 +137,9 @@ jit::Expected<CodeMaker::Made> CodeMaker::compile(std::string_view source,
   return Made{*std::move(code), *std::move(object)};
 }
 
-void CodeMaker::store(const jit::Digest& entry, std::string_view label, std::string_view content) {
-  jit::ObjectCache* entries = can_store_ ? cache() : nullptr;
+void CodeMaker::store(const cache::Digest& entry, std::string_view label,
+                      std::string_view content) {
+  cache::ObjectCache* entries = can_store_ ? cache() : nullptr;
   if (entries == nullptr) return;
   if (const auto failure = entries->store(entry, label, content)) {
     complain(complained_of_cache_, failure->message + "; nothing more is stored in this run");
@@ -154,13 +154,13 @@ void CodeMaker::keep(std::string_view source, std::string_view label, const jit:
 
 void CodeMaker::reject(std::string_view source) {
   complain(complained_of_entry_, "an entry holds code that gives wrong answers: compiled again");
-  if (jit::ObjectCache* entries = cache()) entries->discard(key("object", source));
+  if (cache::ObjectCache* entries = cache()) entries->discard(key("object", source));
 }
 
 std::optional<std::string> CodeMaker::recall(std::string_view name) {
-  jit::ObjectCache* entries = cache();
+  cache::ObjectCache* entries = cache();
   if (entries == nullptr) return std::nullopt;
-  const jit::CacheHit hit = entries->load(key("text", name));
+  const cache::CacheHit hit = entries->load(key("text", name));
   if (!hit.rejected.empty()) complain(complained_of_entry_, "entry not used: " + hit.rejected);
   if (!hit.content) return std::nullopt;
   return std::string(view(*hit.content));

@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
+#include "cache/object_cache.hpp"
 #include "jit/compiler.hpp"
 #include "jit/linker.hpp"
-#include "jit/object_cache.hpp"
 #include "navjit/cache.hpp"
 #include "navjit/options.hpp"
 
@@ -33,7 +33,7 @@ class CodeMaker {
   /// Code for this source from the cache; nothing if it is not there.
   std::optional<Made> find(std::string_view source);
   /// Fails as stopped, soon, once that is requested.
-  jit::Expected<Made> compile(std::string_view source, const std::stop_token& stop);
+  Expected<Made> compile(std::string_view source, const std::stop_token& stop);
   /// Puts what was compiled from this source into the cache.
   void keep(std::string_view source, std::string_view label, const jit::Object& object);
   /// Code from the cache was no good: it shall not be found again.
@@ -49,11 +49,11 @@ class CodeMaker {
   const std::string& no_linker() const { return no_linker_; }
 
  private:
-  jit::ObjectCache* cache();
+  cache::ObjectCache* cache();
   jit::Linker* linker();
   jit::Compiler* compiler();
-  jit::Digest key(std::string_view kind, std::string_view text) const;
-  void store(const jit::Digest& key, std::string_view label, std::string_view content);
+  cache::Digest key(std::string_view kind, std::string_view text) const;
+  void store(const cache::Digest& key, std::string_view label, std::string_view content);
   void complain(bool& complained, const std::string& what) const;
 
   std::shared_ptr<spdlog::logger> log_;
@@ -61,7 +61,7 @@ class CodeMaker {
   jit::LinkerOptions linker_options_;
   Cache cache_place_;
   std::string target_;  ///< what determines code beside the source
-  std::optional<jit::ObjectCache> cache_;
+  std::optional<cache::ObjectCache> cache_;
   std::optional<jit::Linker> linker_;
   std::optional<jit::Compiler> compiler_;
   std::string no_compiler_, no_linker_;

@@ -3,7 +3,7 @@
 #include <type_traits>
 
 #include "analysis/solid_key.hpp"
-#include "jit/sha256.hpp"
+#include "cache/sha256.hpp"
 
 namespace navjit {
 namespace {
@@ -59,7 +59,7 @@ std::string geometry_fingerprint(const Geometry& geometry) {
       for (const double r : d.transformation.rotation) add(bytes, r);
     }
   }
-  return jit::hex(jit::sha256({bytes}));
+  return cache::hex(cache::sha256({bytes}));
 }
 
 }  // namespace navjit

@@ -13,9 +13,9 @@
 #include <stdexcept>
 
 #include "analysis/plan.hpp"
+#include "cache/trust.hpp"
 #include "files/output_file.hpp"
 #include "jit/compiler.hpp"
-#include "jit/trust.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/plugin.hpp"
 #include "runtime/plugin_text.hpp"
@@ -49,23 +49,23 @@ std::string run(const std::vector<std::string>& command) {
 }
 
 /// The bytes of a library, with what a plugin ends with.
-jit::Expected<std::string> sealed(const std::string& path) {
-  const jit::File file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file) return jit::Failure{system_problem(path)};
-  const auto bytes = jit::read_all(file, max_library_bytes);
-  if (!bytes) return jit::Failure{path + ": " + bytes.failure().message};
+Expected<std::string> sealed(const std::string& path) {
+  const cache::File file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file) return Failure{system_problem(path)};
+  const auto bytes = cache::read_all(file, max_library_bytes);
+  if (!bytes) return Failure{path + ": " + bytes.failure().message};
   std::string library(bytes->data(), bytes->size());
-  if (check_plugin_seal(library).empty()) return jit::Failure{path + " is sealed already"};
+  if (check_plugin_seal(library).empty()) return Failure{path + " is sealed already"};
   if (library.substr(0, 4) !=
       "\x7f"
       "ELF") {
-    return jit::Failure{path + " is no shared library"};
+    return Failure{path + " is no shared library"};
   }
   return library + plugin_seal(library);
 }
 
 /// Empty on success.
-std::string write(const jit::Expected<std::string>& plugin, OutputFile& file) {
+std::string write(const Expected<std::string>& plugin, OutputFile& file) {
   if (!plugin) return plugin.failure().message;
   file.write(*plugin);
   file.finish();
@@ -79,32 +79,32 @@ std::vector<VolumeId> hot_scenes(const StepProfile& profile, const Geometry& geo
   if (profile.geometry != geometry_fingerprint(geometry)) {
     throw std::runtime_error("the profile is of another detector, or another version of this one");
   }
-  std::map<VolumeId, double> heats;
+  std::map<VolumeId, double> counts;
   double total = 0;
   for (const StepProfile::Volume& v : profile.volumes) {
     if (v.volume >= geometry.size() || !facts.reachable[v.volume] ||
         geometry.world().volumes[v.volume].name != v.name) {
       throw std::runtime_error("the profile has volumes that are not in the detector");
     }
-    const double heat = static_cast<double>(v.steps) + static_cast<double>(v.relocations);
-    heats[facts.first_equal[v.volume]] += heat;
-    total += heat;
+    const double executions = static_cast<double>(v.steps) + static_cast<double>(v.relocations);
+    counts[facts.first_equal[v.volume]] += executions;
+    total += executions;
   }
   std::vector<std::pair<double, VolumeId>> hot;
-  for (const auto& [volume, heat] : heats) {
-    if (heat >= choice.least_share * total && heat > 0 &&
+  for (const auto& [volume, executions] : counts) {
+    if (executions >= choice.least_share * total && executions > 0 &&
         worth_compiling(geometry, plan_scene(geometry, facts, volume))) {
-      hot.emplace_back(-heat, volume);
+      hot.emplace_back(-executions, volume);
     }
   }
   std::sort(hot.begin(), hot.end());
   if (hot.size() > choice.most_scenes) hot.resize(choice.most_scenes);
   std::vector<VolumeId> scenes;
-  for (const auto& [heat, volume] : hot) scenes.push_back(volume);
+  for (const auto& [executions, volume] : hot) scenes.push_back(volume);
   return scenes;
 }
 
-jit::Expected<std::string> plugin_bytes(const std::string& source, int optimisation) {
+Expected<std::string> plugin_bytes(const std::string& source, int optimisation) {
   jit::CompileOptions options;
   options.optimisation = optimisation;
   options.features = features_to_avoid(jit::host_features());
@@ -118,7 +118,7 @@ jit::Expected<std::string> plugin_bytes(const std::string& source, int optimisat
   const std::string problem =
       run({linker != nullptr ? linker : "ld", "-shared", "-Bsymbolic", "-z", "now", "-z", "relro",
            "-z", "noexecstack", "-o", library.path(), object_file.path()});
-  if (!problem.empty()) return jit::Failure{problem};
+  if (!problem.empty()) return Failure{problem};
   return sealed(library.path());
 }
 

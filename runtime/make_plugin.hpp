@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/facts.hpp"
-#include "jit/expected.hpp"
+#include "common/expected.hpp"
 #include "navjit/step_profile.hpp"
 
 namespace navjit {
@@ -27,7 +27,7 @@ std::vector<VolumeId> hot_scenes(const StepProfile& profile, const Geometry& geo
 /// Compiles a plugin's source for this machine's processor and links it with the system's linker:
 /// `ld`, or what NAVJIT_LD names. The plugin's bytes, or why there are none. Temporary files are in
 /// a PrivateFolder, which may throw.
-jit::Expected<std::string> plugin_bytes(const std::string& source, int optimisation);
+Expected<std::string> plugin_bytes(const std::string& source, int optimisation);
 
 /// Permissions of plugins: also where the user's files are made to be written by a group, which
 /// would have them refused.

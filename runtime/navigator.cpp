@@ -35,13 +35,13 @@ Navigator::Navigator(std::shared_ptr<detail::Shared> shared)
       own_(std::make_shared<Own>(shared_->geometry.size())),
       context_(&shared_->table.context()),
       shadow_(shared_->options.jit == JitMode::shadow) {
-  own_->presence = shared_->table.add_thread();
+  own_->read_side = shared_->table.add_thread();
   shared_->add(std::shared_ptr<Profile>(own_, &own_->profile));
 }
 
 Navigator::~Navigator() {
-  if (!own_ || !own_->presence) return;  // moved from
-  shared_->table.remove_thread(own_->presence);
+  if (!own_ || !own_->read_side) return;  // moved from
+  shared_->table.remove_thread(own_->read_side);
   own_->profile.retire();
 }
 
@@ -57,13 +57,12 @@ State Navigator::locate(const Vec3& point, const Vec3& direction) {
 double Navigator::safety(const State& from, const Vec3& point) {
   require_finite(point, "the point");
   restore_unless_at(from);
-  const Stack& stack = own_->stack;
-  own_->presence->enter();
-  const kernels::Navigators& navigators =
-      *kernels::navigators_of(context_, stack.levels[stack.depth].volume);
-  const double safety =
-      navigators.safety(&stack, context_, navigators.data, point.x, point.y, point.z);
-  own_->presence->leave();
+  const NavigationStack& stack = own_->stack;
+  own_->read_side->enter();
+  const kernels::DispatchEntry& entry =
+      *kernels::dispatch_entry_of(context_, stack.levels[stack.depth].volume);
+  const double safety = entry.safety(&stack, context_, entry.data, point.x, point.y, point.z);
+  own_->read_side->leave();
   return safety;
 }
 
@@ -122,7 +121,7 @@ Vec3 Navigator::boundary_normal(const State& from, const State& next, const Vec3
   const int depth = own_->stack.depth;
   if (next.inside()) {
     restore_unless_at(next);
-    const Stack& stack = own_->stack;
+    const NavigationStack& stack = own_->stack;
     if (stack.depth > depth && stack.levels[depth].touchable == from.touchable()) {
       // A daughter was entered, and maybe more that are flush with it.
       const StackLevel& entered = stack.levels[depth + 1];
@@ -160,7 +159,7 @@ void Navigator::restore(const State& from) {
 
 Step Navigator::recorded_step(const Vec3& point, const Vec3& direction, double limit) {
   Own& own = *own_;
-  Stack& stack = own.stack;
+  NavigationStack& stack = own.stack;
   const kernels::StackLevel& level = stack.levels[stack.depth];
   const VolumeId volume = level.volume;
   if (!shadow_ || own.shadowed++ % Profile::period == 0) {
@@ -169,33 +168,32 @@ Step Navigator::recorded_step(const Vec3& point, const Vec3& direction, double l
          stack.depth > 0 ? stack.levels[stack.depth - 1].volume : Sample::no_volume});
   }
   if (shadow_) own.profile.come_again();
-  own.presence->enter();
-  const kernels::Navigators& navigators = *kernels::navigators_of(context_, volume);
+  own.read_side->enter();
+  const kernels::DispatchEntry& entry = *kernels::dispatch_entry_of(context_, volume);
   double length;
   if (shadow_) {
-    length = shadow(navigators, point, direction, limit);
+    length = shadow(entry, point, direction, limit);
   } else {
-    length = navigators.step(&stack, context_, navigators.data, point.x, point.y, point.z, limit);
-    if (length < 0) length = decline(point, direction, limit);
+    length = entry.step(&stack, context_, entry.data, point.x, point.y, point.z, limit);
+    if (length < 0) length = bail_out(point, direction, limit);
   }
-  own.presence->leave();
+  own.read_side->leave();
   return {length, stack.boundary != 0, state_of(stack)};
 }
 
-double Navigator::decline(const Vec3& point, const Vec3& direction, double limit) {
-  ++own_->counts.declined;
-  own_->profile.count_declined(own_->stack.levels[own_->stack.depth].volume);
+double Navigator::bail_out(const Vec3& point, const Vec3& direction, double limit) {
+  ++own_->counts.bail_outs;
+  own_->profile.count_bail_out(own_->stack.levels[own_->stack.depth].volume);
   return generic::step(shared_->geometry, own_->stack, point, direction, limit);
 }
 
-double Navigator::shadow(const kernels::Navigators& navigators, const Vec3& point,
+double Navigator::shadow(const kernels::DispatchEntry& entry, const Vec3& point,
                          const Vec3& direction, double limit) {
-  Stack expected{};
+  NavigationStack expected{};
   copy(own_->stack, expected);
   const double right = generic::step(shared_->geometry, expected, point, direction, limit);
-  double length =
-      navigators.step(&own_->stack, context_, navigators.data, point.x, point.y, point.z, limit);
-  if (length < 0) length = decline(point, direction, limit);
+  double length = entry.step(&own_->stack, context_, entry.data, point.x, point.y, point.z, limit);
+  if (length < 0) length = bail_out(point, direction, limit);
   if (std::memcmp(&length, &right, sizeof length) != 0 || !identical(own_->stack, expected)) {
     ++own_->counts.differences;
     copy(expected, own_->stack);

@@ -10,12 +10,12 @@ bool parse_variant(std::string_view text, Variant& variant) {
     variant = Variant::all;
   } else if (text == "lanes") {
     variant = Variant::lanes;
-  } else if (text == "shells") {
-    variant = Variant::shells;
+  } else if (text == "nest") {
+    variant = Variant::nest;
   } else if (text == "rings") {
     variant = Variant::rings;
-  } else if (text == "buckets") {
-    variant = Variant::buckets;
+  } else if (text == "grid") {
+    variant = Variant::grid;
   } else if (text == "boxes") {
     variant = Variant::boxes;
   } else if (text == "tree") {
@@ -41,7 +41,7 @@ std::map<VolumeId, Variant> parse_overrides(const World& world, std::string_view
     const std::size_t equals = entry.rfind('=');
     Variant variant;
     if (equals == std::string_view::npos || !parse_variant(entry.substr(equals + 1), variant)) {
-      complain(entry, "NAME=off, all, lanes, shells, rings, buckets, boxes or tree is needed");
+      complain(entry, "NAME=off, all, lanes, nest, rings, grid, boxes or tree is needed");
       continue;
     }
     const std::string_view name = entry.substr(0, equals);

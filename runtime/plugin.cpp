@@ -6,9 +6,9 @@
 #include <set>
 #include <string_view>
 
+#include "cache/sha256.hpp"
+#include "cache/trust.hpp"
 #include "geometry/navigation/generic.hpp"
-#include "jit/sha256.hpp"
-#include "jit/trust.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/plugin_features.hpp"
 #include "runtime/plugin_text.hpp"
@@ -63,7 +63,7 @@ std::string unsuitable(void* library, const Geometry& geometry) {
 std::string plugin_seal(std::string_view library) {
   std::string seal(seal_magic);
   for (int i = 0; i < 8; ++i) seal += static_cast<char>(library.size() >> (8 * i) & 0xff);
-  const jit::Digest digest = jit::sha256({library, seal});
+  const cache::Digest digest = cache::sha256({library, seal});
   seal.append(reinterpret_cast<const char*>(digest.data()), digest.size());
   return seal;
 }
@@ -94,13 +94,13 @@ Plugin::~Plugin() {
   if (library_ != nullptr) dlclose(library_);
 }
 
-jit::Expected<std::shared_ptr<const Plugin>> Plugin::load_checked(const std::string& path,
-                                                                  const Geometry& geometry) {
-  const auto fail = [&](const std::string& why) { return jit::Failure{path + ": " + why}; };
-  jit::Expected<jit::File> file = jit::open_trusted_file(path);
+Expected<std::shared_ptr<const Plugin>> Plugin::load_checked(const std::string& path,
+                                                             const Geometry& geometry) {
+  const auto fail = [&](const std::string& why) { return Failure{path + ": " + why}; };
+  Expected<cache::File> file = cache::open_trusted_file(path);
   if (!file) return file.failure();
   {
-    const jit::Expected<std::vector<char>> bytes = jit::read_all(*file, max_plugin_bytes);
+    const Expected<std::vector<char>> bytes = cache::read_all(*file, max_plugin_bytes);
     if (!bytes) return fail(bytes.failure().message);
     const std::string problem = check_plugin_seal({bytes->data(), bytes->size()});
     if (!problem.empty()) return fail(problem);
@@ -118,31 +118,31 @@ jit::Expected<std::shared_ptr<const Plugin>> Plugin::load_checked(const std::str
   const auto* count = symbol<unsigned>(library, "navjit_plugin_count");
   const auto* volumes = symbol<unsigned>(library, "navjit_plugin_volumes");
   const auto* steps = symbol<kernels::StepFunction>(library, "navjit_plugin_steps");
-  const auto* settles = symbol<kernels::SettleFunction>(library, "navjit_plugin_settles");
+  const auto* relocates = symbol<kernels::RelocateFunction>(library, "navjit_plugin_relocates");
   const auto* safeties = symbol<kernels::SafetyFunction>(library, "navjit_plugin_safeties");
-  if (count == nullptr || volumes == nullptr || steps == nullptr || settles == nullptr ||
+  if (count == nullptr || volumes == nullptr || steps == nullptr || relocates == nullptr ||
       safeties == nullptr || *count > geometry.size()) {
     return fail("it is no complete plugin");
   }
   std::set<VolumeId> seen;
   for (unsigned i = 0; i < *count; ++i) {
     if (volumes[i] >= geometry.size() || !seen.insert(volumes[i]).second || steps[i] == nullptr ||
-        settles[i] == nullptr) {
+        relocates[i] == nullptr) {
       return fail("it is no complete plugin");
     }
     const kernels::SafetyFunction safety =
-        safeties[i] != nullptr ? safeties[i] : generic::navigators.safety;
-    plugin->entries_.push_back({volumes[i], {steps[i], settles[i], safety}});
+        safeties[i] != nullptr ? safeties[i] : generic::dispatch_entry.safety;
+    plugin->entries_.push_back({volumes[i], {steps[i], relocates[i], safety}});
   }
   return std::shared_ptr<const Plugin>(std::move(plugin));
 }
 
-jit::Expected<std::shared_ptr<const Plugin>> Plugin::load(const std::string& path,
-                                                          const Geometry& geometry) {
+Expected<std::shared_ptr<const Plugin>> Plugin::load(const std::string& path,
+                                                     const Geometry& geometry) {
   try {
     return load_checked(path, geometry);
   } catch (const std::exception& error) {  // no memory, no SHA-256
-    return jit::Failure{path + ": " + error.what()};
+    return Failure{path + ": " + error.what()};
   }
 }
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "cache/trust.hpp"
+#include "common/expected.hpp"
 #include "geometry/navigation/geometry.hpp"
-#include "jit/expected.hpp"
-#include "jit/trust.hpp"
 
 namespace navjit {
 
@@ -16,15 +16,15 @@ class Plugin {
  public:
   struct Entry {
     VolumeId volume;
-    kernels::Navigators navigators;
+    kernels::DispatchEntry navigators;
   };
 
   /// Fails, saying what to do, if the file is not the user's or root's alone to write
-  /// (jit/trust.hpp), is damaged (its seal), or was made for another detector, by another
+  /// (cache/trust.hpp), is damaged (its seal), or was made for another detector, by another
   /// generator, for another binary interface, or a processor that can do more than this one.
   /// Nothing in it was proven yet.
-  static jit::Expected<std::shared_ptr<const Plugin>> load(const std::string& path,
-                                                           const Geometry& geometry);
+  static Expected<std::shared_ptr<const Plugin>> load(const std::string& path,
+                                                      const Geometry& geometry);
   Plugin(const Plugin&) = delete;
   Plugin& operator=(const Plugin&) = delete;
   ~Plugin();
@@ -32,11 +32,11 @@ class Plugin {
   const std::vector<Entry>& entries() const { return entries_; }
 
  private:
-  static jit::Expected<std::shared_ptr<const Plugin>> load_checked(const std::string& path,
-                                                                   const Geometry& geometry);
-  Plugin(jit::File file, void* library) : file_(std::move(file)), library_(library) {}
+  static Expected<std::shared_ptr<const Plugin>> load_checked(const std::string& path,
+                                                              const Geometry& geometry);
+  Plugin(cache::File file, void* library) : file_(std::move(file)), library_(library) {}
 
-  jit::File file_;  ///< stays open: the system's loader knows the library by this descriptor
+  cache::File file_;  ///< stays open: the system's loader knows the library by this descriptor
   void* library_;
   std::vector<Entry> entries_;
 };

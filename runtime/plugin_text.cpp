@@ -19,11 +19,11 @@ std::string constant(const std::string& type, const std::string& name, const std
 std::string plugin_source(const Geometry& geometry, const WorldFacts& facts,
                           std::span<const VolumeId> volumes) {
   const codegen::Module module = codegen::generate(geometry, facts, volumes);
-  std::string numbers, steps, settles, safeties;
+  std::string numbers, steps, relocates, safeties;
   for (const codegen::Entry& entry : module.entries) {
     numbers += std::to_string(entry.volume) + ", ";
     steps += entry.step + ", ";
-    settles += entry.settle + ", ";
+    relocates += entry.relocate + ", ";
     safeties += (entry.safety.empty() ? "nullptr" : entry.safety) + ", ";
   }
   // The preprocessor says what the compiler was allowed to use, whoever calls it.
@@ -47,7 +47,7 @@ std::string plugin_source(const Geometry& geometry, const WorldFacts& facts,
   array("const unsigned", "volumes", "{" + numbers + "}");
   text += "using namespace navjit::kernels;\n";
   array("const navjit::kernels::StepFunction", "steps", "{" + steps + "}");
-  array("const navjit::kernels::SettleFunction", "settles", "{" + settles + "}");
+  array("const navjit::kernels::RelocateFunction", "relocates", "{" + relocates + "}");
   array("const navjit::kernels::SafetyFunction", "safeties", "{" + safeties + "}");
   return text + "}\n";
 }

@@ -20,7 +20,7 @@ const char* generator_fingerprint();
 /// the detector is in it but as letters, digits and underscores. Exports, beside the functions:
 ///   unsigned navjit_plugin_format, navjit_plugin_abi, navjit_plugin_count;
 ///   char navjit_plugin_geometry[], navjit_plugin_generator[], navjit_plugin_features[];
-///   unsigned navjit_plugin_volumes[]; and of functions navjit_plugin_steps[], _settles[].
+///   unsigned navjit_plugin_volumes[]; and of functions navjit_plugin_steps[], _relocates[].
 std::string plugin_source(const Geometry& geometry, const WorldFacts& facts,
                           std::span<const VolumeId> volumes);
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "jit/trust.hpp"
+#include "cache/trust.hpp"
 #include "navjit/cache.hpp"
 
 namespace navjit {
@@ -20,7 +20,7 @@ std::string make_in(const std::string& parent, std::string& why) {
     why = parent + ": " + std::strerror(errno);
     return {};
   }
-  const auto trusted = jit::open_trusted_directory(path, false);
+  const auto trusted = cache::open_trusted_directory(path, false);
   if (trusted) return path;
   why = trusted.failure().message;
   std::error_code ignored;
@@ -39,7 +39,7 @@ PrivateFolder::PrivateFolder() {
     return;
   }
   const std::string user = Cache::user_default().directory;
-  if (!user.empty() && jit::open_trusted_directory(user, true)) {
+  if (!user.empty() && cache::open_trusted_directory(user, true)) {
     std::string ignored;
     path_ = make_in(user, ignored);
   }

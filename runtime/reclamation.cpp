@@ -11,30 +11,30 @@ bool membarrier(int command) { return syscall(SYS_membarrier, command, 0, 0) == 
 
 }  // namespace
 
-Graveyard::Graveyard() : can_free_(membarrier(MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED)) {}
+RetireList::RetireList() : can_free_(membarrier(MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED)) {}
 
-void Graveyard::retire(std::shared_ptr<const void> garbage,
-                       const std::vector<std::shared_ptr<Presence>>& threads) {
+void RetireList::retire(std::shared_ptr<const void> garbage,
+                        const std::vector<std::shared_ptr<ReadSide>>& threads) {
   // After the barrier every thread either sees the new pointer or has its entry mark seen here.
   can_free_ = can_free_ && membarrier(MEMBARRIER_CMD_PRIVATE_EXPEDITED);
-  Grave grave{std::move(garbage), {}};
+  Retired retired{std::move(garbage), {}};
   for (const auto& thread : threads) {
-    const std::uint64_t passage = thread->passages.load(std::memory_order_acquire);
-    if (passage % 2 == 1) grave.waits.push_back({thread, passage});
+    const std::uint64_t section = thread->sections.load(std::memory_order_acquire);
+    if (section % 2 == 1) retired.waits.push_back({thread, section});
   }
-  graves_.push_back(std::move(grave));
-  sweep();
+  retired_.push_back(std::move(retired));
+  reclaim();
 }
 
-std::size_t Graveyard::sweep() {
-  if (!can_free_) return graves_.size();
-  std::erase_if(graves_, [](Grave& grave) {
-    std::erase_if(grave.waits, [](const Wait& wait) {
-      return wait.thread->passages.load(std::memory_order_acquire) != wait.passage;
+std::size_t RetireList::reclaim() {
+  if (!can_free_) return retired_.size();
+  std::erase_if(retired_, [](Retired& retired) {
+    std::erase_if(retired.waits, [](const Wait& wait) {
+      return wait.thread->sections.load(std::memory_order_acquire) != wait.section;
     });
-    return grave.waits.empty();
+    return retired.waits.empty();
   });
-  return graves_.size();
+  return retired_.size();
 }
 
 }  // namespace navjit

@@ -7,33 +7,33 @@
 #include <memory>
 #include <vector>
 
-#include "navjit/detail/presence.hpp"
+#include "navjit/detail/read_side.hpp"
 
 namespace navjit {
 
 /// Things to be destroyed once every thread has left what it was in when they were retired. Not
 /// thread-safe: the owner calls all of it.
-class Graveyard {
+class RetireList {
  public:
-  Graveyard();
+  RetireList();
 
   /// Call after the last pointer to `garbage` was replaced. `threads` may be in it.
   void retire(std::shared_ptr<const void> garbage,
-              const std::vector<std::shared_ptr<Presence>>& threads);
+              const std::vector<std::shared_ptr<ReadSide>>& threads);
   /// Destroys what no thread can be in any more; returns how many things still wait.
-  std::size_t sweep();
+  std::size_t reclaim();
 
  private:
   struct Wait {
-    std::shared_ptr<Presence> thread;
-    std::uint64_t passage;  ///< the odd count seen: it has to change
+    std::shared_ptr<ReadSide> thread;
+    std::uint64_t section;  ///< the odd count seen: it has to change
   };
-  struct Grave {
+  struct Retired {
     std::shared_ptr<const void> garbage;
     std::vector<Wait> waits;
   };
   bool can_free_;  ///< false where the system has no membarrier: all waits for the destructor
-  std::vector<Grave> graves_;
+  std::vector<Retired> retired_;
 };
 
 }  // namespace navjit

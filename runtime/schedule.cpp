@@ -43,8 +43,8 @@ double expected_gain_ns(const ScenePlan& plan) {
 
 bool is_due(const Candidate& c, const SpecialiserOptions& options, double part) {
   const double least = static_cast<double>(options.min_steps);
-  return c.heat >= part * least &&
-         c.heat * c.gain_ns >= part * options.compile_weight * c.compile_ms * 1e6;
+  return c.executions >= part * least &&
+         c.executions * c.gain_ns >= part * options.compile_weight * c.compile_ms * 1e6;
 }
 
 std::vector<VolumeId> next_module(std::span<const Candidate> candidates,

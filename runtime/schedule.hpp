@@ -23,8 +23,8 @@ double expected_gain_ns(const ScenePlan& plan);
 /// A scene that might be compiled.
 struct Candidate {
   VolumeId volume = 0;
-  double heat = 0;    ///< steps and relocations in it so far
-  double recent = 0;  ///< the same of late: what is gone by fades
+  double executions = 0;  ///< steps and relocations in it so far
+  double recent = 0;      ///< the same of late: what is gone by fades
   double compile_ms = 0, gain_ns = 0;
 };
 

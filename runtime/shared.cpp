@@ -15,9 +15,9 @@ std::uint64_t Counts::steps(VolumeId volume) const {
   return sum;
 }
 
-std::uint64_t Counts::declined(VolumeId volume) const {
-  std::uint64_t sum = past_declined[volume];
-  for (const auto& profile : profiles) sum += profile->declined(volume);
+std::uint64_t Counts::bail_outs(VolumeId volume) const {
+  std::uint64_t sum = past_bail_outs[volume];
+  for (const auto& profile : profiles) sum += profile->bail_outs(volume);
   return sum;
 }
 
@@ -28,7 +28,7 @@ Shared::Shared(std::shared_ptr<const World> world, RuntimeOptions runtime_option
       geometry(std::move(world), options.geometry),
       table(geometry) {
   counts_.past_steps.resize(geometry.size());
-  counts_.past_declined.resize(geometry.size());
+  counts_.past_bail_outs.resize(geometry.size());
 }
 
 void Shared::add(std::shared_ptr<Profile> profile) {
@@ -38,7 +38,7 @@ void Shared::add(std::shared_ptr<Profile> profile) {
       if (!old->retired()) return false;
       for (VolumeId v = 0; v < geometry.size(); ++v) {
         counts_.past_steps[v] += old->steps(v);
-        counts_.past_declined[v] += old->declined(v);
+        counts_.past_bail_outs[v] += old->bail_outs(v);
       }
       return true;
     });

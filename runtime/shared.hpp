@@ -6,19 +6,19 @@
 
 #include "navjit/navigator.hpp"
 #include "navjit/options.hpp"
+#include "runtime/dispatch_table.hpp"
 #include "runtime/faults.hpp"
 #include "runtime/log.hpp"
-#include "runtime/table.hpp"
 
 namespace navjit::detail {
 
 /// What all navigators counted, by volume.
 struct Counts {
   std::vector<std::shared_ptr<Profile>> profiles;
-  std::vector<std::uint64_t> past_steps, past_declined;  ///< of profiles that are no more
+  std::vector<std::uint64_t> past_steps, past_bail_outs;  ///< of profiles that are no more
 
   std::uint64_t steps(VolumeId volume) const;
-  std::uint64_t declined(VolumeId volume) const;
+  std::uint64_t bail_outs(VolumeId volume) const;
 };
 
 struct Shared {
@@ -32,7 +32,7 @@ struct Shared {
   Faults faults;
   std::shared_ptr<spdlog::logger> log;
   Geometry geometry;
-  NavigatorTable table;
+  DispatchTable table;
 
  private:
   mutable std::mutex mutex_;  ///< guards what follows

@@ -29,16 +29,17 @@ double now() {
 /// A module's code, and the records that point into it.
 struct Installed {
   jit::Code code;
-  std::vector<kernels::Navigators> records;
+  std::vector<kernels::DispatchEntry> records;
 };
 
 /// The functions of an entry; null where the code has them not. A safety need not be there.
-kernels::Navigators find_entry(const jit::Code& code, const codegen::Entry& entry) {
+kernels::DispatchEntry find_entry(const jit::Code& code, const codegen::Entry& entry) {
   const auto step = code.function<std::remove_pointer_t<kernels::StepFunction>>(entry.step);
-  const auto settle = code.function<std::remove_pointer_t<kernels::SettleFunction>>(entry.settle);
+  const auto relocate =
+      code.function<std::remove_pointer_t<kernels::RelocateFunction>>(entry.relocate);
   const auto safety = code.function<std::remove_pointer_t<kernels::SafetyFunction>>(entry.safety);
-  return {step ? *step : nullptr, settle ? *settle : nullptr,
-          entry.safety.empty() ? generic::navigators.safety
+  return {step ? *step : nullptr, relocate ? *relocate : nullptr,
+          entry.safety.empty() ? generic::dispatch_entry.safety
           : safety             ? *safety
                                : nullptr};
 }
@@ -54,7 +55,7 @@ std::string label_of(const World& world, const std::vector<VolumeId>& batch) {
 
 /// Of the recorded rays, those that run along planes of the scene's axes.
 std::size_t along_axes(const Geometry& geometry, const std::vector<Sample>& samples) {
-  const auto stack = std::make_unique<Stack>();
+  const auto stack = std::make_unique<NavigationStack>();
   stack->depth = -1;
   return static_cast<std::size_t>(
       std::count_if(samples.begin(), samples.end(), [&](const Sample& s) {
@@ -73,7 +74,7 @@ bool Specialiser::takes_rays_along_faces(const std::vector<VolumeId>& batch) {
     along += along_axes(shared_->geometry, samples_[volume]);
     all += samples_[volume].size();
   }
-  return along * declined_share > all;
+  return along * bail_out_share > all;
 }
 
 codegen::Module Specialiser::generate(const std::vector<VolumeId>& batch, bool along_faces) {
@@ -111,24 +112,24 @@ bool Specialiser::make_module(const std::vector<VolumeId>& batch) {
   return true;
 }
 
-jit::Expected<CodeMaker::Made> Specialiser::compile(const std::string& source) {
+Expected<CodeMaker::Made> Specialiser::compile(const std::string& source) {
   {
     const std::lock_guard lock(mutex_);
-    if (stopping()) return jit::stopped();
+    if (stopping()) return stopped();
     compiling_ = true;
     wake_.notify_all();
   }
-  jit::Expected<CodeMaker::Made> made = jit::stopped();
+  Expected<CodeMaker::Made> made = stopped();
   try {
     if (shared_->faults.compiling) shared_->faults.compiling();
     made = maker_->compile(source, stop_.get_token());
   } catch (const std::bad_alloc&) {
-    made = jit::out_of_memory();
+    made = out_of_memory();
   }
   const std::lock_guard lock(mutex_);
   compiling_ = false;
   // Nobody waits for it then, and what is this thread's may be in use.
-  if (stopping()) return jit::stopped();
+  if (stopping()) return stopped();
   return made;
 }
 
@@ -142,7 +143,7 @@ double Specialiser::expected_ms(const std::vector<VolumeId>& batch) const {
   return sum;
 }
 
-void Specialiser::no_module(const std::vector<VolumeId>& batch, const jit::Failure& failure) {
+void Specialiser::no_module(const std::vector<VolumeId>& batch, const Failure& failure) {
   const std::string& why = failure.message;
   if (failure.exhausted || !maker_->no_compiler().empty() || !maker_->no_linker().empty()) {
     shared_->log->warn("nothing more is specialised in this run: {}", one_line(why));
@@ -178,8 +179,8 @@ bool Specialiser::install(const codegen::Module& module, jit::Code code, bool ca
     report.compile_ms = compile_ms / static_cast<double>(module.entries.size());
     report.origin = cached ? CodeOrigin::cache : CodeOrigin::compiler;
     std::string problem = "the generated function is missing";
-    const kernels::Navigators record = find_entry(installed->code, entry);
-    if (record.step == nullptr || record.settle == nullptr || record.safety == nullptr ||
+    const kernels::DispatchEntry record = find_entry(installed->code, entry);
+    if (record.step == nullptr || record.relocate == nullptr || record.safety == nullptr ||
         !install_scene(entry.volume, installed->records.emplace_back(record), installed,
                        shared_->options.specialiser.keep_only_faster, report, problem)) {
       if (cached) return false;
@@ -202,7 +203,7 @@ bool Specialiser::install(const codegen::Module& module, jit::Code code, bool ca
   return all_good;
 }
 
-bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& record,
+bool Specialiser::install_scene(VolumeId volume, const kernels::DispatchEntry& record,
                                 const std::shared_ptr<const void>& owner, bool only_if_faster,
                                 SceneReport& report, std::string& problem) {
   const Geometry& geometry = shared_->geometry;
@@ -219,7 +220,7 @@ bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& reco
 
   const std::span<const Sample> timed =
       recorded > 0 ? std::span(samples).first(recorded) : std::span<const Sample>(samples);
-  const double generic_ns = time_per_step(geometry, context, generic::navigators, timed);
+  const double generic_ns = time_per_step(geometry, context, generic::dispatch_entry, timed);
   const double specialised_ns = time_per_step(geometry, context, record, timed);
   const bool forced =
       facts_.forced_candidates.contains(facts_.first_equal[volume]) || !only_if_faster;
@@ -234,7 +235,7 @@ bool Specialiser::install_scene(VolumeId volume, const kernels::Navigators& reco
       generic_ns, specialised_ns, samples.size(), recorded, (now() - begun) * 1e3);
   if (!pays) {
     const VolumeId first = facts_.first_equal[volume];
-    try_again_at_[first] = try_again_after * heat_[first];
+    try_again_at_[first] = try_again_after * execution_counts_[first];
   }
   report.status = pays ? SceneStatus::specialised : SceneStatus::unprofitable;
   report.note = pays ? "" : "measured no faster than what is there";
@@ -277,10 +278,10 @@ void Specialiser::install_plugin(const std::string& path) {
 void Specialiser::install_remembered() {
   if (!maker_->has_cache()) return;
   const Geometry& geometry = shared_->geometry;
-  hot_list_name_ = "hot scenes of " + geometry_fingerprint(geometry);
-  const std::optional<std::string> text = maker_->recall(hot_list_name_);
-  const std::optional<HotList> list =
-      text ? read_hot_list(*text, geometry.size()) : std::optional<HotList>();
+  module_list_name_ = "hot scenes of " + geometry_fingerprint(geometry);
+  const std::optional<std::string> text = maker_->recall(module_list_name_);
+  const std::optional<ModuleList> list =
+      text ? read_module_list(*text, geometry.size()) : std::optional<ModuleList>();
   if (!list) return;
   for (const std::vector<VolumeId>& batch : *list) {
     {
@@ -298,7 +299,7 @@ void Specialiser::install_remembered() {
       auto found = maker_->find(module.source);
       if (!found) continue;
       if (install(module, std::move(found->code), true, start)) {
-        hot_list_.push_back(batch);
+        module_list_.push_back(batch);
       } else if (!stopping()) {
         maker_->reject(module.source);
       }
@@ -309,14 +310,15 @@ void Specialiser::install_remembered() {
 
 void Specialiser::remember(const std::vector<VolumeId>& batch) {
   if (!maker_->has_cache() || shared_->options.jit == JitMode::wait) return;
-  hot_list_.push_back(batch);
+  module_list_.push_back(batch);
   // Other runs of the same detector may have found other scenes meanwhile.
-  const std::optional<std::string> text = maker_->recall(hot_list_name_);
-  const std::optional<HotList> others =
-      text ? read_hot_list(*text, shared_->geometry.size()) : std::optional<HotList>();
-  const HotList merged = others ? merge(hot_list_, *others) : hot_list_;
+  const std::optional<std::string> text = maker_->recall(module_list_name_);
+  const std::optional<ModuleList> others =
+      text ? read_module_list(*text, shared_->geometry.size()) : std::optional<ModuleList>();
+  const ModuleList merged = others ? merge(module_list_, *others) : module_list_;
   if (others && *others == merged) return;
-  maker_->remember(hot_list_name_, "which scenes are hot in a detector", write_hot_list(merged));
+  maker_->remember(module_list_name_, "which scenes are hot in a detector",
+                   write_module_list(merged));
 }
 
 }  // namespace navjit

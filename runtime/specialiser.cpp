@@ -80,7 +80,7 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
       sampler_(shared_->geometry),
       steps_(shared_->geometry.size(), 0),
       steps_below_(shared_->geometry.size(), 0),
-      heat_(shared_->geometry.size(), 0),
+      execution_counts_(shared_->geometry.size(), 0),
       recent_(shared_->geometry.size(), 0),
       started_at_(now()) {
   facts_.with_safety = shared_->options.specialiser.safety;
@@ -109,13 +109,13 @@ void Specialiser::apply_overrides() {
         scenes_.erase(equal);
         bound_.erase(equal);
       }
-      facts_.forced_candidates[first] = variant == Variant::all       ? Candidates::all
-                                        : variant == Variant::lanes   ? Candidates::lanes
-                                        : variant == Variant::shells  ? Candidates::shells
-                                        : variant == Variant::rings   ? Candidates::rings
-                                        : variant == Variant::buckets ? Candidates::buckets
-                                        : variant == Variant::tree    ? Candidates::tree
-                                                                      : Candidates::boxes;
+      facts_.forced_candidates[first] = variant == Variant::all     ? Candidates::all
+                                        : variant == Variant::lanes ? Candidates::lanes
+                                        : variant == Variant::nest  ? Candidates::nest
+                                        : variant == Variant::rings ? Candidates::rings
+                                        : variant == Variant::grid  ? Candidates::grid
+                                        : variant == Variant::tree  ? Candidates::tree
+                                                                    : Candidates::boxes;
     }
   }
   if (!complaints.empty()) shared_->log->warn("{}: {}", overrides_variable, complaints);
@@ -185,7 +185,7 @@ void Specialiser::look_until_stopped() {
     if (!batch.empty()) specialise(batch);
     if (stopping()) return;
     reconsider();
-    const std::size_t waiting = shared_->table.sweep();
+    const std::size_t waiting = shared_->table.reclaim();
     lock.lock();
     totals_.waiting_to_be_freed = waiting;
     ++looks_;
@@ -227,20 +227,20 @@ void Specialiser::gather() {
   }
 }
 
-void Specialiser::update_heat() {
+void Specialiser::update_execution_counts() {
   // Volumes of equal structure are hot together. Relocation in a mother costs about as much as a
   // step.
-  std::vector<double> heat(steps_.size(), 0);
+  std::vector<double> executions(steps_.size(), 0);
   for (std::size_t v = 0; v < steps_.size(); ++v) {
-    heat[facts_.first_equal[v]] += static_cast<double>(steps_[v] + steps_below_[v]);
+    executions[facts_.first_equal[v]] += static_cast<double>(steps_[v] + steps_below_[v]);
   }
   const double t = seconds();
-  const double fades = std::exp2((heat_at_ - t) / shared_->options.specialiser.half_life_s);
-  heat_at_ = t;
-  for (std::size_t v = 0; v < heat.size(); ++v) {
-    recent_[v] = fades * recent_[v] + heat[v] - heat_[v];
+  const double fades = std::exp2((counted_at_ - t) / shared_->options.specialiser.half_life_s);
+  counted_at_ = t;
+  for (std::size_t v = 0; v < executions.size(); ++v) {
+    recent_[v] = fades * recent_[v] + executions[v] - execution_counts_[v];
   }
-  heat_ = std::move(heat);
+  execution_counts_ = std::move(executions);
 }
 
 std::vector<VolumeId> Specialiser::choose() {
@@ -248,11 +248,12 @@ std::vector<VolumeId> Specialiser::choose() {
   SpecialiserOptions options = shared_->options.specialiser;
   // Until the first module is there nothing is won: it is to be there soon.
   if (totals_.modules == 0) options.module_ms /= 2;
-  update_heat();
+  update_execution_counts();
   std::vector<Candidate> candidates;
-  for (std::size_t v = 0; v < heat_.size(); ++v) {
+  for (std::size_t v = 0; v < execution_counts_.size(); ++v) {
     const auto volume = static_cast<VolumeId>(v);
-    if (heat_[v] * 10 < static_cast<double>(options.min_steps) || !may_be_tried(volume)) continue;
+    if (execution_counts_[v] * 10 < static_cast<double>(options.min_steps) || !may_be_tried(volume))
+      continue;
     Candidate& candidate = candidates_[volume];
     if (candidate.compile_ms == 0) {
       const ScenePlan plan = plan_scene(shared_->geometry, facts_, volume);
@@ -266,7 +267,7 @@ std::vector<VolumeId> Specialiser::choose() {
     if (const double bound = bound_ns(volume); std::isfinite(bound)) {
       candidate.gain_ns = gain_over_data * bound;
     }
-    candidate.heat = heat_[v];
+    candidate.executions = execution_counts_[v];
     candidate.recent = recent_[v];
     candidates.push_back(candidate);
   }
@@ -287,7 +288,7 @@ bool Specialiser::may_be_tried(VolumeId volume) {
   if (known->second.status != SceneStatus::unprofitable) return false;
   // What was slower on the states of its time may be faster on those of another phase.
   const auto again = try_again_at_.find(volume);
-  return again != try_again_at_.end() && heat_[volume] >= again->second;
+  return again != try_again_at_.end() && execution_counts_[volume] >= again->second;
 }
 
 void Specialiser::note(VolumeId volume, SceneStatus status, const std::string& why) {
@@ -388,8 +389,8 @@ void Specialiser::time_generic(double most_seconds) {
     }
     const std::vector<Sample>& samples = samples_[volume];
     if (samples.empty()) continue;
-    const double ns =
-        time_per_step(shared_->geometry, shared_->table.context(), generic::navigators, samples);
+    const double ns = time_per_step(shared_->geometry, shared_->table.context(),
+                                    generic::dispatch_entry, samples);
     const std::lock_guard lock(mutex_);
     scenes_[volume].generic_ns_per_step = ns;
     if (now() > until) return;

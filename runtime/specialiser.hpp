@@ -15,7 +15,7 @@
 #include "navjit/report.hpp"
 #include "navjit/step_profile.hpp"
 #include "runtime/code_maker.hpp"
-#include "runtime/hot_list.hpp"
+#include "runtime/module_list.hpp"
 #include "runtime/schedule.hpp"
 #include "runtime/shared.hpp"
 #include "runtime/states.hpp"
@@ -25,7 +25,7 @@ namespace navjit {
 /// Where more than one in so many steps is left out by a navigator, one that takes them all is
 /// made. Leaving them out made LHCb's code some 7% faster and costs such a step about twice its
 /// time; the share itself is a guess.
-constexpr std::uint64_t declined_share = 8;
+constexpr std::uint64_t bail_out_share = 8;
 
 /// Owned by its Runtime, and by its thread as long as that runs: a compilation that is under way
 /// when the Runtime goes is left to itself.
@@ -60,7 +60,7 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
   bool stopping() const { return stop_.stop_requested(); }
   void apply_overrides();
   void gather();
-  void update_heat();
+  void update_execution_counts();
   std::vector<VolumeId> choose();
   /// Not tried yet, or long enough ago that trying again may pay.
   bool may_be_tried(VolumeId volume);
@@ -88,23 +88,23 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
   /// it ends there, and notes no failure.
   bool install(const codegen::Module& module, jit::Code code, bool cached, double start);
   /// Verifies, times and installs one scene; `found` says what was wrong with it.
-  bool install_scene(VolumeId volume, const kernels::Navigators& record,
+  bool install_scene(VolumeId volume, const kernels::DispatchEntry& record,
                      const std::shared_ptr<const void>& owner, bool only_if_faster,
                      SceneReport& report, std::string& problem);
-  jit::Expected<CodeMaker::Made> compile(const std::string& source);
+  Expected<CodeMaker::Made> compile(const std::string& source);
   /// What the cost model says of a module, ms; 0 if it was not asked about all of its scenes.
   double expected_ms(const std::vector<VolumeId>& batch) const;
-  void no_module(const std::vector<VolumeId>& batch, const jit::Failure& failure);
+  void no_module(const std::vector<VolumeId>& batch, const Failure& failure);
   /// Installs what earlier runs found hot, as far as the cache has the code.
   void install_remembered();
   void remember(const std::vector<VolumeId>& batch);
-  // In withdraw.cpp:
-  /// Looks at what is installed: states declined, and answers on states recorded since.
+  // In deoptimise.cpp:
+  /// Looks at what is installed: bail-outs, and answers on states recorded since.
   void reconsider();
   /// For a scene whose navigator leaves out too many of the steps.
-  void make_again(VolumeId volume, std::uint64_t declined, std::uint64_t steps);
+  void make_again(VolumeId volume, std::uint64_t bail_outs, std::uint64_t steps);
   /// Back to the generic navigator.
-  void withdraw(VolumeId volume, SceneStatus status, const std::string& why);
+  void deoptimise(VolumeId volume, SceneStatus status, const std::string& why);
   /// Of a volume and all of equal structure.
   void note(VolumeId volume, SceneStatus status, const std::string& why);
   /// Of one volume; also in the log.
@@ -119,21 +119,22 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
   std::unique_ptr<CodeMaker> maker_;      ///< null: nothing is ever specialised
   bool hopeless_ = false;                 ///< nothing can be compiled in this process
   std::set<VolumeId> left_out_too_much_;  ///< of equal volumes the first
-  HotList hot_list_;                      ///< modules of this run
-  std::string hot_list_name_;
+  ModuleList module_list_;                ///< modules of this run
+  std::string module_list_name_;
   std::vector<std::uint64_t> steps_;  ///< by volume, at the last look
   /// By volume: steps made in its daughters, as sampled. Many of those end with a relocation in it.
   std::vector<std::uint64_t> steps_below_;
-  std::vector<double> heat_;    ///< by volume, of all of equal structure in the first of them
+  std::vector<double>
+      execution_counts_;        ///< by volume, of all of equal structure in the first of them
   std::vector<double> recent_;  ///< the same, fading
-  double heat_at_ = 0;          ///< when it was updated, s
+  double counted_at_ = 0;       ///< when it was updated, s
   std::map<VolumeId, Candidate> candidates_;
-  /// By volume that was measured to be slower: the heat at which it is tried again.
+  /// By volume that was measured to be slower: the executions at which it is tried again.
   std::map<VolumeId, double> try_again_at_;
   std::map<VolumeId, std::vector<Sample>> samples_;
   std::map<VolumeId, std::vector<Sample>> fresh_;  ///< a few recorded since the last look
   struct Seen {
-    std::uint64_t steps = 0, declined = 0;
+    std::uint64_t steps = 0, bail_outs = 0;
   };
   std::map<VolumeId, Seen> seen_;  ///< of installed scenes, at the last look
   double reconsidered_at_ = 0;

@@ -53,7 +53,7 @@ std::vector<Sample> StateSampler::states(VolumeId volume, std::size_t count,
   const Scene& scene = geometry_.scene(volume);
   const World& world = geometry_.world();
   const Extent& extent = world.volumes[volume].solid.extent;
-  Stack stack{};
+  NavigationStack stack{};
   stack.depth = -1;
   for (std::size_t attempt = 0; attempt < 20 * count && samples.size() < count; ++attempt) {
     Sample sample{0, volume, {}, unit_vector(random), INFINITY};

@@ -9,8 +9,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "cache/trust.hpp"
 #include "files/output_file.hpp"
-#include "jit/trust.hpp"
 
 namespace navjit {
 namespace {
@@ -49,9 +49,9 @@ const std::string& text(const std::string& path, const Json& object, const char*
 }
 
 std::vector<char> bytes_of(const std::string& path) {
-  const jit::File file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  const cache::File file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file) fail(path, std::strerror(errno));
-  auto bytes = jit::read_all(file, max_bytes);
+  auto bytes = cache::read_all(file, max_bytes);
   if (!bytes) fail(path, bytes.failure().message);
   return *std::move(bytes);
 }

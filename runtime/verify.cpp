@@ -27,11 +27,11 @@ std::string describe(const Sample& s, const char* what, double right, double wro
 
 /// The two stacks of a comparison; large, so made once.
 struct Pair {
-  Stack generic, specialised;
+  NavigationStack generic, specialised;
 };
 
 std::string verify_step(const Geometry& geometry, const kernels::Context& context,
-                        const kernels::Navigators& specialised, const Sample& s, Pair& stacks) {
+                        const kernels::DispatchEntry& specialised, const Sample& s, Pair& stacks) {
   generic::restore(geometry, stacks.generic, s.touchable);
   copy(stacks.generic, stacks.specialised);
   kernels::set_ray(stacks.specialised, s.direction.x, s.direction.y, s.direction.z);
@@ -40,7 +40,7 @@ std::string verify_step(const Geometry& geometry, const kernels::Context& contex
   if (wrong < 0) {
     return identical(stacks.generic, stacks.specialised)
                ? ""
-               : describe(s, "a declined state was changed", 0, wrong);
+               : describe(s, "a state was changed in spite of a bail-out", 0, wrong);
   }
   const double right = generic::step(geometry, stacks.generic, s.point, s.direction, s.limit);
   if (std::memcmp(&right, &wrong, sizeof right) != 0) {
@@ -50,7 +50,7 @@ std::string verify_step(const Geometry& geometry, const kernels::Context& contex
     return describe(s, "boundary flag", stacks.generic.boundary, stacks.specialised.boundary);
   }
   if (!identical(stacks.generic, stacks.specialised)) {
-    const auto top = [](const Stack& stack) {
+    const auto top = [](const NavigationStack& stack) {
       return stack.depth < 0 ? -1.0 : static_cast<double>(stack.levels[stack.depth].touchable);
     };
     return describe(s, "next touchable", top(stacks.generic), top(stacks.specialised));
@@ -58,22 +58,23 @@ std::string verify_step(const Geometry& geometry, const kernels::Context& contex
   return "";
 }
 
-std::string verify_settle(const Geometry& geometry, const kernels::Context& context,
-                          const kernels::Navigators& specialised, const Sample& s, int blocked,
-                          Pair& stacks) {
+std::string verify_relocate(const Geometry& geometry, const kernels::Context& context,
+                            const kernels::DispatchEntry& specialised, const Sample& s, int blocked,
+                            Pair& stacks) {
   generic::restore(geometry, stacks.generic, s.touchable);
   copy(stacks.generic, stacks.specialised);
   kernels::set_ray(stacks.specialised, s.direction.x, s.direction.y, s.direction.z);
-  generic::settle(geometry, stacks.generic, s.point, s.direction, blocked);
-  specialised.settle(&stacks.specialised, &context, specialised.data, s.point.x, s.point.y,
-                     s.point.z, blocked);
+  generic::relocate(geometry, stacks.generic, s.point, s.direction, blocked);
+  specialised.relocate(&stacks.specialised, &context, specialised.data, s.point.x, s.point.y,
+                       s.point.z, blocked);
   return identical(stacks.generic, stacks.specialised)
              ? ""
              : describe(s, "relocation", stacks.generic.depth, stacks.specialised.depth);
 }
 
 std::string verify_safety(const Geometry& geometry, const kernels::Context& context,
-                          const kernels::Navigators& specialised, const Sample& s, Stack& stack) {
+                          const kernels::DispatchEntry& specialised, const Sample& s,
+                          NavigationStack& stack) {
   generic::restore(geometry, stack, s.touchable);
   const double right = generic::safety(geometry, stack, s.point);
   const double wrong =
@@ -84,7 +85,7 @@ std::string verify_safety(const Geometry& geometry, const kernels::Context& cont
 }  // namespace
 
 std::string verify(const Geometry& geometry, const kernels::Context& context,
-                   const kernels::Navigators& specialised, VolumeId volume,
+                   const kernels::DispatchEntry& specialised, VolumeId volume,
                    std::span<const Sample> samples) {
   const auto stacks = std::make_unique<Pair>();
   stacks->generic.depth = stacks->specialised.depth = -1;
@@ -94,14 +95,14 @@ std::string verify(const Geometry& geometry, const kernels::Context& context,
     if (s.volume != volume) continue;
     std::string problem = verify_step(geometry, context, specialised, s, *stacks);
     if (problem.empty()) {
-      problem = verify_settle(geometry, context, specialised, s, -1, *stacks);
+      problem = verify_relocate(geometry, context, specialised, s, -1, *stacks);
     }
     if (problem.empty()) {
       problem = verify_safety(geometry, context, specialised, s, stacks->generic);
     }
     if (problem.empty() && daughters > 0) {
-      problem = verify_settle(geometry, context, specialised, s, static_cast<int>(n++ % daughters),
-                              *stacks);
+      problem = verify_relocate(geometry, context, specialised, s,
+                                static_cast<int>(n++ % daughters), *stacks);
     }
     if (!problem.empty()) return problem;
   }
@@ -109,17 +110,17 @@ std::string verify(const Geometry& geometry, const kernels::Context& context,
 }
 
 double time_per_step(const Geometry& geometry, const kernels::Context& context,
-                     const kernels::Navigators& navigators, std::span<const Sample> samples) {
+                     const kernels::DispatchEntry& entry, std::span<const Sample> samples) {
   if (samples.empty()) return 0;
   // Enough different states that processors do not learn them by heart, few enough that the levels
   // they use stay near.
   const std::size_t count = std::min<std::size_t>(samples.size(), 256);
-  std::vector<Stack> stacks(count);
+  std::vector<NavigationStack> stacks(count);
   for (std::size_t i = 0; i < count; ++i) {
     stacks[i].depth = -1;
     generic::restore(geometry, stacks[i], samples[i].touchable);
   }
-  const auto work = std::make_unique<Stack>();
+  const auto work = std::make_unique<NavigationStack>();
   const auto pass = [&](bool step) {
     const double start = thread_seconds();
     for (std::size_t i = 0; i < count; ++i) {
@@ -127,8 +128,7 @@ double time_per_step(const Geometry& geometry, const kernels::Context& context,
       copy(stacks[i], *work);
       kernels::set_ray(*work, s.direction.x, s.direction.y, s.direction.z);
       if (step) {
-        navigators.step(work.get(), &context, navigators.data, s.point.x, s.point.y, s.point.z,
-                        s.limit);
+        entry.step(work.get(), &context, entry.data, s.point.x, s.point.y, s.point.z, s.limit);
       }
     }
     return 1e9 * (thread_seconds() - start) / static_cast<double>(count);

@@ -8,7 +8,7 @@
 
 #include "common/text.hpp"
 
-#include "apps/run/surroundings.hpp"
+#include "apps/run/machine.hpp"
 #include "apps/warmup/series.hpp"
 #include "runtime/version.hpp"
 
@@ -144,9 +144,9 @@ void print_table(const RunReport& report) {
     }
     std::printf(
         "%zu modules (%zu from the cache), %.0f ms of compilation, %zu kB of code, %llu states "
-        "declined\n",
+        "bail_outs\n",
         report.runtime.modules, report.runtime.cached_modules, report.runtime.compile_ms,
-        report.runtime.code_bytes / 1024, static_cast<unsigned long long>(t.declined));
+        report.runtime.code_bytes / 1024, static_cast<unsigned long long>(t.bail_outs));
   }
   if (report.budget) print_budget(report);
 }
@@ -186,7 +186,7 @@ std::string json_text(const RunReport& report) {
       {"level_taken", "exact"},
       {"threads", t.threads},
       {"jit", jit_name(report.jit)},
-      {"declined", t.declined},
+      {"bail_outs", t.bail_outs},
       {"differences", t.differences},
       {"compared",
        {{"rays", compared.rays},
@@ -195,7 +195,7 @@ std::string json_text(const RunReport& report) {
       {"modules", report.runtime.modules},
       {"cached_modules", report.runtime.cached_modules},
       {"plugin_scenes", report.runtime.plugin_scenes},
-      {"withdrawn", report.runtime.withdrawn},
+      {"deoptimised", report.runtime.deoptimised},
       {"compile_ms", report.runtime.compile_ms},
       {"code_bytes", report.runtime.code_bytes},
   };

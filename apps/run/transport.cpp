@@ -160,7 +160,7 @@ Transport transport_rays(Runtime& runtime, common::RayStream& rays, unsigned thr
     const std::lock_guard lock(summing);
     result.cpu_seconds += thread_seconds() - begun;
     result.differences += navigator.counts().differences;
-    result.declined += navigator.counts().declined;
+    result.bail_outs += navigator.counts().bail_outs;
   };
 
   const Clock::time_point start = Clock::now();

@@ -12,7 +12,7 @@ namespace navjit::apps {
 /// What the rays came to. Sums of lengths do not depend on the number of threads.
 struct Transport {
   std::uint64_t rays = 0, steps = 0, stuck = 0;  ///< made: fewer rays than asked for if stopped
-  std::uint64_t declined = 0, differences = 0;   ///< NavigatorCounts
+  std::uint64_t bail_outs = 0, differences = 0;  ///< NavigatorCounts
   double length_mm = 0;
   unsigned threads = 0;
   double seconds = 0;             ///< wall time

@@ -125,7 +125,7 @@ RunRecord run_once(const RunSetup& setup) {
   }
   record.modules = report.modules;
   record.cached_modules = report.cached_modules;
-  record.withdrawn = report.withdrawn;
+  record.deoptimised = report.deoptimised;
   record.code_bytes = report.code_bytes;
   if (!setup.save_profile.empty()) {
     runtime.final_report();

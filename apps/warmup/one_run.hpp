@@ -39,7 +39,7 @@ struct RunRecord {
   std::uint64_t rays = 0, steps = 0, stuck = 0;
   double navigating_s = 0;  ///< processor time of the navigating threads
   double other_s = 0;       ///< and of all others: profile, compiler, verification
-  std::size_t modules = 0, cached_modules = 0, withdrawn = 0, code_bytes = 0;
+  std::size_t modules = 0, cached_modules = 0, deoptimised = 0, code_bytes = 0;
   std::array<Chunk, chunks_kept> chunks{};
 };
 

@@ -30,7 +30,7 @@ std::string to_text(const RunRecord& record) {
             {"other_s", record.other_s},
             {"modules", record.modules},
             {"cached_modules", record.cached_modules},
-            {"withdrawn", record.withdrawn},
+            {"deoptimised", record.deoptimised},
             {"code_bytes", record.code_bytes}};
   for (const char* list : {"series", "swaps", "chunks"}) json[list] = Json::array();
   for (const Point& p : record.series)
@@ -50,7 +50,7 @@ RunRecord from_text(const std::string& text) try {
   record.other_s = amount(json.at("other_s"));
   json.at("modules").get_to(record.modules);
   json.at("cached_modules").get_to(record.cached_modules);
-  json.at("withdrawn").get_to(record.withdrawn);
+  json.at("deoptimised").get_to(record.deoptimised);
   json.at("code_bytes").get_to(record.code_bytes);
   for (const Json& p : json.at("series")) {
     const Point next{amount(p.at(0)), amount(p.at(1)), amount(p.at(2))};

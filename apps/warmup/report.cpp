@@ -106,7 +106,7 @@ Json to_json(const ExperimentReport& report) {
                {"cost_s", r.other_s},
                {"modules", r.modules},
                {"cached_modules", r.cached_modules},
-               {"withdrawn", r.withdrawn},
+               {"deoptimised", r.deoptimised},
                {"code_bytes", r.code_bytes},
                {"scenes", r.swaps.size()},
                {"series", Json::array()},

@@ -2,8 +2,8 @@
 
 namespace navjit::codegen {
 
-const kernels::Navigators* bind_any_frame(const Geometry& geometry, const ScenePlan& plan,
-                                          Arena& arena) {
+const kernels::DispatchEntry* bind_any_frame(const Geometry& geometry, const ScenePlan& plan,
+                                             Arena& arena) {
   return detail::bind_mother<kernels::AnyFrame>(geometry, plan, arena);
 }
 

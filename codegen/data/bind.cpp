@@ -18,10 +18,10 @@ bool all_of_kind(const Scene& scene, SolidKind kind) {
                      [&](const Daughter& d) { return d.solid.kind == kind; });
 }
 
-kernels::SafetyFunction detail::generic_safety() { return generic::navigators.safety; }
+kernels::SafetyFunction detail::generic_safety() { return generic::dispatch_entry.safety; }
 
-const kernels::Navigators* bind_to_data(const Geometry& geometry, const ScenePlan& plan,
-                                        Arena& arena) {
+const kernels::DispatchEntry* bind_to_data(const Geometry& geometry, const ScenePlan& plan,
+                                           Arena& arena) {
   if (plan.frame.never_rotated) return bind_unrotated(geometry, plan, arena);
   if (plan.frame.only_rotation) return bind_turned(geometry, plan, arena);
   return bind_any_frame(geometry, plan, arena);
@@ -35,12 +35,12 @@ std::string structure_of(const Geometry& geometry, const ScenePlan& plan) {
   text += scene.solid.kind == SolidKind::box    ? "box"
           : scene.solid.kind == SolidKind::tube ? "tube"
                                                 : "solid";
-  static constexpr const char* searches[] = {
-      "",           ", all of",     ", all of",       ", plates of", ", shells of",
-      ", rings of", ", buckets of", ", boxes around", ", tree of"};
+  static constexpr const char* searches[] = {"",           ", all of",       ", all of",
+                                             ", slabs of", ", nest of",      ", rings of",
+                                             ", grid of",  ", boxes around", ", tree of"};
   text += searches[static_cast<int>(plan.candidates)];
   if (scene.daughters.empty()) return text;
-  const bool round = plan.candidates == Candidates::shells || plan.candidates == Candidates::rings;
+  const bool round = plan.candidates == Candidates::nest || plan.candidates == Candidates::rings;
   return text + (!round && all_boxes(scene)                      ? " boxes"
                  : !round && all_of_kind(scene, SolidKind::tube) ? " tubes"
                                                                  : " solids");

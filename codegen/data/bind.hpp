@@ -12,10 +12,10 @@ namespace navjit::codegen {
 
 /// Every scene has one: where no instance fits its solids, one that takes any solid does.
 /// Record and numbers are in the arena, and use the Geometry: both have to live longer.
-const kernels::Navigators* bind_to_data(const Geometry& geometry, const ScenePlan& plan,
-                                        Arena& arena);
+const kernels::DispatchEntry* bind_to_data(const Geometry& geometry, const ScenePlan& plan,
+                                           Arena& arena);
 
-/// The types of the instance that a plan is bound to, in words: "unrotated box, plates of boxes".
+/// The types of the instance that a plan is bound to, in words: "unrotated box, slabs of boxes".
 /// Scenes with the same words share their code.
 std::string structure_of(const Geometry& geometry, const ScenePlan& plan);
 

@@ -8,12 +8,12 @@
 namespace navjit::codegen {
 
 /// Binds the plan to the instance for its mother, daughters and search in this kind of frame.
-const kernels::Navigators* bind_unrotated(const Geometry& geometry, const ScenePlan& plan,
+const kernels::DispatchEntry* bind_unrotated(const Geometry& geometry, const ScenePlan& plan,
+                                             Arena& arena);
+const kernels::DispatchEntry* bind_turned(const Geometry& geometry, const ScenePlan& plan,
                                           Arena& arena);
-const kernels::Navigators* bind_turned(const Geometry& geometry, const ScenePlan& plan,
-                                       Arena& arena);
-const kernels::Navigators* bind_any_frame(const Geometry& geometry, const ScenePlan& plan,
-                                          Arena& arena);
+const kernels::DispatchEntry* bind_any_frame(const Geometry& geometry, const ScenePlan& plan,
+                                             Arena& arena);
 
 /// Whether all daughters are boxes without rotation.
 bool all_boxes(const Scene& scene);
@@ -22,29 +22,29 @@ bool all_of_kind(const Scene& scene, SolidKind kind);
 namespace detail {
 
 template <class S>
-[[gnu::flatten]] double step_of(Stack* stack, const kernels::Context* context, const void* data,
-                                double x, double y, double z, double limit) {
+[[gnu::flatten]] double step_of(NavigationStack* stack, const kernels::Context* context,
+                                const void* data, double x, double y, double z, double limit) {
   return kernels::step_in(*static_cast<const S*>(data), stack, context, x, y, z, limit);
 }
 template <class S>
-[[gnu::flatten]] void settle_of(Stack* stack, const kernels::Context* context, const void* data,
-                                double x, double y, double z, int blocked) {
-  kernels::settle_in(*static_cast<const S*>(data), stack, context, x, y, z, blocked);
+[[gnu::flatten]] void relocate_of(NavigationStack* stack, const kernels::Context* context,
+                                  const void* data, double x, double y, double z, int blocked) {
+  kernels::relocate_in(*static_cast<const S*>(data), stack, context, x, y, z, blocked);
 }
 template <class S>
-[[gnu::flatten]] double safety_of(const Stack* stack, const kernels::Context*, const void* data,
-                                  double x, double y, double z) {
+[[gnu::flatten]] double safety_of(const NavigationStack* stack, const kernels::Context*,
+                                  const void* data, double x, double y, double z) {
   return kernels::safety_in(*static_cast<const S*>(data), stack, x, y, z);
 }
 
 kernels::SafetyFunction generic_safety();
 
 template <class Frame, class Mother, class Daughters, class Search>
-const kernels::Navigators* bind(const Geometry& geometry, const ScenePlan& plan, Arena& arena) {
+const kernels::DispatchEntry* bind(const Geometry& geometry, const ScenePlan& plan, Arena& arena) {
   using S = kernels::Scene<Frame, Mother, Daughters, Search>;
   /// The record and the numbers that it is for, one after the other.
   struct Record {
-    kernels::Navigators navigators;
+    kernels::DispatchEntry entry;
     S scene;
   };
   const Source source{geometry, plan, geometry.scene(plan.volume), arena};
@@ -55,9 +55,9 @@ const kernels::Navigators* bind(const Geometry& geometry, const ScenePlan& plan,
   make(source, scene.mother);
   make(source, scene.daughters);
   make(source, scene.search);
-  const Surroundings& s = source.scene.surroundings;
+  const NeighbourLists& s = source.scene.neighbour_lists;
   if (!s.of.empty()) {
-    scene.near = make_near(source);
+    scene.lists = make_neighbour_lists(source);
     scene.neighbours = arena.copy(s.neighbours);
   }
   if (plan.safety == SafetyFrom::boxes) {
@@ -65,28 +65,28 @@ const kernels::Navigators* bind(const Geometry& geometry, const ScenePlan& plan,
     scene.box_blocks = static_cast<unsigned>((plan.tree_boxes.size() + 7) / 8);
   }
   const auto safety = plan.safety == SafetyFrom::generic ? generic_safety() : &safety_of<S>;
-  record.navigators = {&step_of<S>, &settle_of<S>, safety, &scene};
-  return &record.navigators;
+  record.entry = {&step_of<S>, &relocate_of<S>, safety, &scene};
+  return &record.entry;
 }
 
 template <class Frame, class Mother, class Daughters>
-const kernels::Navigators* bind_search(const Geometry& geometry, const ScenePlan& plan,
-                                       Arena& arena) {
+const kernels::DispatchEntry* bind_search(const Geometry& geometry, const ScenePlan& plan,
+                                          Arena& arena) {
   switch (plan.candidates) {
     case Candidates::none:
     case Candidates::all:
     case Candidates::lanes:
       break;
-    case Candidates::plates:
-      return bind<Frame, Mother, Daughters, kernels::SearchPlates<Index>>(geometry, plan, arena);
-    case Candidates::buckets:
-      return bind<Frame, Mother, Daughters, kernels::SearchBuckets<Index>>(geometry, plan, arena);
+    case Candidates::slabs:
+      return bind<Frame, Mother, Daughters, kernels::SearchSlabs<Index>>(geometry, plan, arena);
+    case Candidates::grid:
+      return bind<Frame, Mother, Daughters, kernels::SearchGrid<Index>>(geometry, plan, arena);
     case Candidates::boxes:
       return bind<Frame, Mother, Daughters, kernels::SearchBoxes<Index>>(geometry, plan, arena);
     case Candidates::tree:
       return bind<Frame, Mother, Daughters, SearchTree>(geometry, plan, arena);
-    case Candidates::shells:
-      return bind<Frame, Mother, AnyDaughters, kernels::SearchShells<Index>>(geometry, plan, arena);
+    case Candidates::nest:
+      return bind<Frame, Mother, AnyDaughters, kernels::SearchNest<Index>>(geometry, plan, arena);
     case Candidates::rings:
       return bind<Frame, Mother, AnyDaughters, kernels::SearchRings<Index>>(geometry, plan, arena);
   }
@@ -94,8 +94,8 @@ const kernels::Navigators* bind_search(const Geometry& geometry, const ScenePlan
 }
 
 template <class Frame, class Mother>
-const kernels::Navigators* bind_daughters(const Geometry& geometry, const ScenePlan& plan,
-                                          Arena& arena) {
+const kernels::DispatchEntry* bind_daughters(const Geometry& geometry, const ScenePlan& plan,
+                                             Arena& arena) {
   const Scene& scene = geometry.scene(plan.volume);
   if (scene.daughters.empty()) {
     return bind<Frame, Mother, kernels::NoDaughters, kernels::NoSearch>(geometry, plan, arena);
@@ -108,8 +108,8 @@ const kernels::Navigators* bind_daughters(const Geometry& geometry, const SceneP
 }
 
 template <class Frame>
-const kernels::Navigators* bind_mother(const Geometry& geometry, const ScenePlan& plan,
-                                       Arena& arena) {
+const kernels::DispatchEntry* bind_mother(const Geometry& geometry, const ScenePlan& plan,
+                                          Arena& arena) {
   switch (geometry.scene(plan.volume).solid.kind) {
     case SolidKind::box:
       return bind_daughters<Frame, kernels::Box<double>>(geometry, plan, arena);

@@ -60,13 +60,13 @@ BoxBlock block_of(const std::function<const Extent*(std::size_t)>& box) {
   return block;
 }
 
-template <class Grid>
-void fill_grid(const Buckets& buckets, Grid& grid) {
+template <class KernelGrid>
+void fill_grid(const Grid& grid, KernelGrid& kernel) {
   for (std::size_t a = 0; a < 3; ++a) {
-    grid.count[a] = buckets.count[a];
-    grid.origin[a] = buckets.origin[a];
-    grid.width[a] = buckets.width[a];
-    grid.per_mm[a] = 1 / buckets.width[a];
+    kernel.count[a] = grid.count[a];
+    kernel.origin[a] = grid.origin[a];
+    kernel.width[a] = grid.width[a];
+    kernel.per_mm[a] = 1 / grid.width[a];
   }
 }
 
@@ -183,52 +183,52 @@ void make(const Source& source, TubeDaughters& daughters) { make_solids(source, 
 void make(const Source&, NoSearch&) {}
 void make(const Source&, SearchAll&) {}
 
-void make(const Source& source, SearchPlates<Index>& search) {
-  const Plates& s = source.plan.plates;
+void make(const Source& source, SearchSlabs<Index>& search) {
+  const Slabs& s = source.plan.slabs;
   std::vector<std::uint32_t> position(s.members.size());
   for (std::uint32_t i = 0; i < s.members.size(); ++i) position[s.members[i]] = i;
   Arena& arena = source.arena;
-  search.plates = {static_cast<int>(s.members.size()),
-                   arena.copy(s.low),
-                   arena.copy(s.high),
-                   arena.copy(s.members),
-                   arena.copy(position),
-                   s.skin,
-                   s.origin,
-                   1 / s.width,
-                   static_cast<int>(s.ascending.size()),
-                   arena.copy(s.ascending),
-                   arena.copy(s.descending)};
+  search.slabs = {static_cast<int>(s.members.size()),
+                  arena.copy(s.low),
+                  arena.copy(s.high),
+                  arena.copy(s.members),
+                  arena.copy(position),
+                  s.skin,
+                  s.origin,
+                  1 / s.width,
+                  static_cast<int>(s.ascending.size()),
+                  arena.copy(s.ascending),
+                  arena.copy(s.descending)};
   search.axis = s.axis;
 }
 
-void make(const Source& source, SearchBuckets<Index>& search) {
-  const Buckets& b = source.plan.buckets;
+void make(const Source& source, SearchGrid<Index>& search) {
+  const Grid& b = source.plan.grid;
   fill_grid(b, search.grid);
   search.grid.first = source.arena.copy(b.first);
   search.grid.members = source.arena.copy(b.members);
 }
 
 void make(const Source& source, SearchBoxes<Index>& search) {
-  const Buckets& b = source.plan.buckets;
+  const Grid& b = source.plan.grid;
   fill_grid(b, search.grid);
   std::vector<std::uint32_t> first{0};
-  for (std::size_t bucket = 0; bucket < b.size(); ++bucket) {
-    const std::uint32_t members = b.first[bucket + 1] - b.first[bucket];
+  for (std::size_t cell = 0; cell < b.size(); ++cell) {
+    const std::uint32_t members = b.first[cell + 1] - b.first[cell];
     first.push_back(first.back() + (members + box_lanes - 1) / box_lanes);
   }
   auto* blocks = source.arena.array<BoxBlock>(first.back());
   auto* daughters = source.arena.array<Index[box_lanes]>(first.back());
-  for (std::size_t bucket = 0; bucket < b.size(); ++bucket) {
-    const std::uint32_t* members = b.members.data() + b.first[bucket];
-    const std::uint32_t count = b.first[bucket + 1] - b.first[bucket];
-    for (std::uint32_t n = 0; n < first[bucket + 1] - first[bucket]; ++n) {
+  for (std::size_t cell = 0; cell < b.size(); ++cell) {
+    const std::uint32_t* members = b.members.data() + b.first[cell];
+    const std::uint32_t count = b.first[cell + 1] - b.first[cell];
+    for (std::uint32_t n = 0; n < first[cell + 1] - first[cell]; ++n) {
       const auto daughter = [&](std::size_t lane) { return n * box_lanes + lane; };
-      blocks[first[bucket] + n] = block_of([&](std::size_t lane) {
+      blocks[first[cell] + n] = block_of([&](std::size_t lane) {
         return daughter(lane) < count ? &source.plan.boxes[members[daughter(lane)]] : nullptr;
       });
       for (std::size_t lane = 0; lane < box_lanes && daughter(lane) < count; ++lane) {
-        daughters[first[bucket] + n][lane] = members[daughter(lane)];
+        daughters[first[cell] + n][lane] = members[daughter(lane)];
       }
     }
   }
@@ -239,8 +239,8 @@ void make(const Source& source, SearchBoxes<Index>& search) {
 
 void make(const Source& source, SearchTree& search) { search.tree = source.scene.boxes.get(); }
 
-void make(const Source& source, SearchShells<Index>& search) {
-  const Shells& s = source.plan.shells;
+void make(const Source& source, SearchNest<Index>& search) {
+  const Nest& s = source.plan.nest;
   search.shells = {static_cast<int>(s.members.size()),
                    source.arena.copy(s.near2),
                    source.arena.copy(s.far2),
@@ -287,19 +287,19 @@ void make(const Source& source, SearchRings<Index>& search) {
   search.axis = r.axis;
 }
 
-const NearDaughter* make_near(const Source& source) {
-  const Surroundings& s = source.scene.surroundings;
-  auto* near = source.arena.array<NearDaughter>(s.of.size());
+const CompactNeighbourList* make_neighbour_lists(const Source& source) {
+  const NeighbourLists& s = source.scene.neighbour_lists;
+  auto* lists = source.arena.array<CompactNeighbourList>(s.of.size());
   for (std::size_t k = 0; k < s.of.size(); ++k) {
-    const Surroundings::Of& of = s.of[k];
+    const NeighbourLists::Of& of = s.of[k];
     const Extent& b = of.box;
-    near[k] = {{bvh::float_above(b.min.x), bvh::float_above(b.min.y), bvh::float_above(b.min.z)},
-               {bvh::float_below(b.max.x), bvh::float_below(b.max.y), bvh::float_below(b.max.z)},
-               of.first,
-               of.listed() ? of.count : NearDaughter::unlisted,
-               of.mother_contains};
+    lists[k] = {{bvh::float_above(b.min.x), bvh::float_above(b.min.y), bvh::float_above(b.min.z)},
+                {bvh::float_below(b.max.x), bvh::float_below(b.max.y), bvh::float_below(b.max.z)},
+                of.first,
+                of.listed() ? of.count : CompactNeighbourList::unlisted,
+                of.mother_contains};
   }
-  return near;
+  return lists;
 }
 
 const BoxBlock* make_boxes(const Source& source, const std::vector<Extent>& boxes) {

@@ -61,15 +61,15 @@ void make(const Source& source, AnyDaughters& daughters);
 void make(const Source& source, TubeDaughters& daughters);
 void make(const Source& source, kernels::NoSearch& search);
 void make(const Source& source, kernels::SearchAll& search);
-void make(const Source& source, kernels::SearchPlates<Index>& search);
-void make(const Source& source, kernels::SearchBuckets<Index>& search);
+void make(const Source& source, kernels::SearchSlabs<Index>& search);
+void make(const Source& source, kernels::SearchGrid<Index>& search);
 void make(const Source& source, kernels::SearchBoxes<Index>& search);
 void make(const Source& source, SearchTree& search);
-void make(const Source& source, kernels::SearchShells<Index>& search);
+void make(const Source& source, kernels::SearchNest<Index>& search);
 void make(const Source& source, kernels::SearchRings<Index>& search);
 
-/// What is around each daughter; null if the scene does not use it.
-const kernels::NearDaughter* make_near(const Source& source);
+/// The daughters' neighbour lists; null if the scene does not use it.
+const kernels::CompactNeighbourList* make_neighbour_lists(const Source& source);
 /// Boxes of all daughters in file order, eight to a block.
 const kernels::BoxBlock* make_boxes(const Source& source, const std::vector<Extent>& boxes);
 

@@ -1,6 +1,6 @@
 #include "geometry/detector/touchables.hpp"
 
-#include "geometry/navigation/stack.hpp"
+#include "geometry/navigation/navigation_stack.hpp"
 #include "navjit/errors.hpp"
 
 namespace navjit {
@@ -34,7 +34,7 @@ TouchableLevels levels_of(const World& world, const State& state) {
 }
 
 Transformation frame_of(const World& world, const TouchableLevels& levels) {
-  Stack stack;
+  NavigationStack stack;
   enter_world(stack, world.top);
   for (std::size_t i = 1; i < levels.size(); ++i) {
     const Placement& placement = world.volumes[levels[i - 1].volume].daughters[levels[i].daughter];

@@ -12,14 +12,14 @@ struct BoxBlock {
   Floats low[3], high[3];
 };
 
-/// Like a BucketGrid, with blocks of boxes instead of daughters.
+/// Like a CellGrid, with blocks of boxes instead of daughters.
 template <class Index>
 struct BlockGrid {
   int count[3];
   double origin[3], width[3], per_mm[3];  ///< per_mm = 1 / width
-  const unsigned* first;                  ///< by bucket: start in blocks
+  const unsigned* first;                  ///< by cell: start in blocks
   const BoxBlock* blocks;
-  const Index (*daughters)[box_lanes];  ///< ascending within a bucket
+  const Index (*daughters)[box_lanes];  ///< ascending within a cell
 };
 
 /// One bit for each lane that is not zero.
@@ -168,7 +168,7 @@ inline void visit_blocks(const BoxBlock* blocks, const Index (*daughters)[box_la
 /// returns false.
 template <class Index, class Visit>
 inline void visit_blocks_at(const BlockGrid<Index>& g, const Vec3<double>& p, Visit visit) {
-  const unsigned b = bucket_at(g, p);
+  const unsigned b = cell_at(g, p);
   for (unsigned m = g.first[b + 1]; m-- > g.first[b];) {
     for (unsigned lanes = lanes_around(g.blocks[m], p); lanes != 0;) {
       const unsigned lane = 31U - static_cast<unsigned>(__builtin_clz(lanes));

@@ -40,7 +40,7 @@ struct BoxDaughters {
                         Vec3<double>{p.x - d.x, p.y - d.y, p.z - d.z});
   }
   template <class Frame>
-  [[gnu::always_inline]] void push(Stack* stack, unsigned k) const {
+  [[gnu::always_inline]] void push(NavigationStack* stack, unsigned k) const {
     const BoxDaughter& d = at[k];
     if (!Frame::rotated && stack->levels[stack->depth].rotation != nullptr) {
       __builtin_unreachable();
@@ -106,7 +106,7 @@ struct SolidDaughters {
     return safety_to_in(at[k].solid, local(at[k], p));
   }
   template <class Frame>
-  [[gnu::always_inline]] void push(Stack* stack, unsigned k) const {
+  [[gnu::always_inline]] void push(NavigationStack* stack, unsigned k) const {
     const SolidDaughter<Solid>& d = at[k];
     if (!Frame::rotated && stack->levels[stack->depth].rotation != nullptr) {
       __builtin_unreachable();

@@ -9,10 +9,10 @@ struct UnrotatedFrame {
   Vec3<double> point(const StackLevel& level, double x, double y, double z) const {
     return {x - level.translation[0], y - level.translation[1], z - level.translation[2]};
   }
-  const Direction<double>& ray(Stack* stack, const StackLevel&) const {
+  const Direction<double>& ray(NavigationStack* stack, const StackLevel&) const {
     return stack->ray.direction;
   }
-  const Direction<double>& heading(const Stack* stack, const StackLevel&) const {
+  const Direction<double>& heading(const NavigationStack* stack, const StackLevel&) const {
     return stack->ray.direction;
   }
 };
@@ -27,13 +27,13 @@ struct TurnedFrame {
     if (level.rotation == nullptr) __builtin_unreachable();
     return to_local(level, x, y, z);
   }
-  const Direction<double>& ray(Stack* stack, const StackLevel& level) const {
+  const Direction<double>& ray(NavigationStack* stack, const StackLevel& level) const {
     if (level.rotation == nullptr) __builtin_unreachable();
     const double* v = stack->ray.given;
     return turned_ray(stack, rotation, [&] { return to_local_direction(level, v[0], v[1], v[2]); })
         .direction;
   }
-  Direction<double> heading(const Stack* stack, const StackLevel& level) const {
+  Direction<double> heading(const NavigationStack* stack, const StackLevel& level) const {
     if (level.rotation == nullptr) __builtin_unreachable();
     if (stack->turned.rotation == rotation) return stack->turned.direction;
     const double* v = stack->ray.given;
@@ -48,12 +48,12 @@ struct AnyFrame {
   Vec3<double> point(const StackLevel& level, double x, double y, double z) const {
     return to_local(level, x, y, z);
   }
-  Direction<double> ray(Stack* stack, const StackLevel& level) const {
+  Direction<double> ray(NavigationStack* stack, const StackLevel& level) const {
     if (level.rotation == nullptr) return stack->ray.direction;
     const double* v = stack->ray.given;
     return to_local_direction(level, v[0], v[1], v[2]);
   }
-  Direction<double> heading(const Stack* stack, const StackLevel& level) const {
+  Direction<double> heading(const NavigationStack* stack, const StackLevel& level) const {
     if (level.rotation == nullptr) return stack->ray.direction;
     const double* v = stack->ray.given;
     return to_local_heading(level, v[0], v[1], v[2]);

@@ -1,4 +1,4 @@
-// What navigators do with the navigation stack (navjit/detail/touchable_stack.h). Freestanding.
+// What navigators do with the navigation stack (navjit/detail/navigation_stack.h). Freestanding.
 namespace navjit::kernels {
 
 // Canonical composition and application; docs/numerics.md has the rules. The branches vanish where
@@ -29,7 +29,7 @@ inline Direction<double> to_local_heading(const StackLevel& level, double u, dou
 }
 
 /// To be called before steps along (u, v, w).
-inline void set_ray(Stack& stack, double u, double v, double w) {
+inline void set_ray(NavigationStack& stack, double u, double v, double w) {
   RayConstants& ray = stack.ray;
   if (same_bits(ray.given[0], u) && same_bits(ray.given[1], v) && same_bits(ray.given[2], w)) {
     return;
@@ -45,7 +45,7 @@ inline void set_ray(Stack& stack, double u, double v, double w) {
 /// turn(), the stack's ray in a frame of the rotation of that number, without doing it again where
 /// the last step was in such a frame, too.
 template <class Turn>
-inline const TurnedRay& turned_ray(Stack* stack, unsigned rotation, Turn turn) {
+inline const TurnedRay& turned_ray(NavigationStack* stack, unsigned rotation, Turn turn) {
   TurnedRay& turned = stack->turned;
   if (__builtin_expect(turned.rotation != rotation, 0)) {
     turned.rotation = rotation;
@@ -56,7 +56,7 @@ inline const TurnedRay& turned_ray(Stack* stack, unsigned rotation, Turn turn) {
 }
 
 /// Pushes a daughter placed by translation alone.
-inline void push_translated(Stack* stack, unsigned volume, unsigned daughter,
+inline void push_translated(NavigationStack* stack, unsigned volume, unsigned daughter,
                             unsigned long long offset, double tx, double ty, double tz) {
   const StackLevel& mother = stack->levels[stack->depth];
   StackLevel& level = stack->levels[++stack->depth];
@@ -77,7 +77,7 @@ inline void push_translated(Stack* stack, unsigned volume, unsigned daughter,
 }
 
 /// Pushes a daughter placed with a rotation.
-inline void push_rotated(Stack* stack, unsigned volume, unsigned daughter,
+inline void push_rotated(NavigationStack* stack, unsigned volume, unsigned daughter,
                          unsigned long long offset, double tx, double ty, double tz,
                          const double* rotation) {
   push_translated(stack, volume, daughter, offset, tx, ty, tz);

@@ -1,4 +1,4 @@
-// Outward unit normals of quadrics, saddles, twisted solids, and rings stacked along z.
+// Outward unit normals of quadrics, saddles, twisted solids, and sections along z.
 namespace navjit::kernels {
 
 /// The direction of a form's gradient: half of its slopes along the axes are what `form_at` gives.
@@ -78,8 +78,9 @@ Vec3<Real> face_normal(const Polyhedra<Real>& s, const ConicalFace<Real>& f, con
 
 /// Is the solid below this plane across z, or above? Below is where a section that ends in it has
 /// more of the point in its ring than any that starts in it.
-template <class Stack, class Real>
-bool is_below(const Stack& s, const Ledge<Real>& ledge, const Vec3<Real>& p, Real rho, Real tol) {
+template <class Sections, class Real>
+bool is_below(const Sections& s, const Ledge<Real>& ledge, const Vec3<Real>& p, Real rho,
+              Real tol) {
   Real below = infinity<Real>(), above = infinity<Real>();
   for (int i = 0; i < s.count; ++i) {
     const Section<Real>& section = s.sections[i];
@@ -93,8 +94,8 @@ bool is_below(const Stack& s, const Ledge<Real>& ledge, const Vec3<Real>& p, Rea
 
 /// The nearest of all pieces of the surface. Not the one that the point is most beyond: the solid
 /// is not where all of them hold.
-template <class Stack, class Real>
-Vec3<Real> stack_normal(const Stack& s, const Vec3<Real>& p, Real tol) {
+template <class Sections, class Real>
+Vec3<Real> sections_normal(const Sections& s, const Vec3<Real>& p, Real tol) {
   const Real rho = square_root(p.x * p.x + p.y * p.y);
   NearestFace<Real> best = no_face(tol);
   for (int i = 0; i < s.ledge_count; ++i) {
@@ -124,11 +125,11 @@ Vec3<Real> stack_normal(const Stack& s, const Vec3<Real>& p, Real tol) {
 
 template <class Real>
 Vec3<Real> normal(const Polycone<Real>& s, const Vec3<Real>& p, Real tol) {
-  return stack_normal(s, p, tol);
+  return sections_normal(s, p, tol);
 }
 template <class Real>
 Vec3<Real> normal(const Polyhedra<Real>& s, const Vec3<Real>& p, Real tol) {
-  return stack_normal(s, p, tol);
+  return sections_normal(s, p, tol);
 }
 
 }  // namespace navjit::kernels

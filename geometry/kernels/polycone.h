@@ -30,29 +30,29 @@ Real face_distance(const Polycone<Real>&, const ConicalFace<Real>& f, const Vec3
 
 template <class Real>
 Side inside(const Polycone<Real>& s, const Vec3<Real>& p, Real tol) {
-  return stack_inside(s, p, tol);
+  return sections_inside(s, p, tol);
 }
 template <class Real>
 bool contains(const Polycone<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  return stack_contains(s, p, v, tol);
+  return sections_contains(s, p, v, tol);
 }
 template <class Real>
 Real distance_to_in(const Polycone<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
                     Real tol) {
-  return stack_distance_to_in(s, p, v, tol);
+  return sections_distance_to_in(s, p, v, tol);
 }
 template <class Real>
 Real distance_to_out(const Polycone<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
                      Real tol) {
-  return stack_distance_to_out(s, p, v, tol);
+  return sections_distance_to_out(s, p, v, tol);
 }
 template <class Real>
 Real safety_to_in(const Polycone<Real>& s, const Vec3<Real>& p) {
-  return stack_safety_to_in(s, p);
+  return sections_safety_to_in(s, p);
 }
 template <class Real>
 Real safety_to_out(const Polycone<Real>& s, const Vec3<Real>& p) {
-  return stack_safety_to_out(s, p);
+  return sections_safety_to_out(s, p);
 }
 
 }  // namespace navjit::kernels

@@ -63,29 +63,29 @@ Real face_distance(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const V
 
 template <class Real>
 Side inside(const Polyhedra<Real>& s, const Vec3<Real>& p, Real tol) {
-  return stack_inside(s, p, tol);
+  return sections_inside(s, p, tol);
 }
 template <class Real>
 bool contains(const Polyhedra<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  return stack_contains(s, p, v, tol);
+  return sections_contains(s, p, v, tol);
 }
 template <class Real>
 Real distance_to_in(const Polyhedra<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
                     Real tol) {
-  return stack_distance_to_in(s, p, v, tol);
+  return sections_distance_to_in(s, p, v, tol);
 }
 template <class Real>
 Real distance_to_out(const Polyhedra<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
                      Real tol) {
-  return stack_distance_to_out(s, p, v, tol);
+  return sections_distance_to_out(s, p, v, tol);
 }
 template <class Real>
 Real safety_to_in(const Polyhedra<Real>& s, const Vec3<Real>& p) {
-  return stack_safety_to_in(s, p);
+  return sections_safety_to_in(s, p);
 }
 template <class Real>
 Real safety_to_out(const Polyhedra<Real>& s, const Vec3<Real>& p) {
-  return stack_safety_to_out(s, p);
+  return sections_safety_to_out(s, p);
 }
 
 }  // namespace navjit::kernels

@@ -5,8 +5,8 @@
 namespace navjit::kernels {
 
 /// Of a daughter: a box within which tracks leave it, and the neighbours, the only ones that can
-/// contain such a point (navjit::Surroundings). Half a cache line.
-struct NearDaughter {
+/// contain such a point (navjit::NeighbourLists). Half a cache line.
+struct CompactNeighbourList {
   float low[3], high[3];  ///< rounded inwards
   unsigned first;
   unsigned short count;
@@ -15,7 +15,7 @@ struct NearDaughter {
   static constexpr unsigned short unlisted = 0xffff;
 };
 
-inline bool is_there(const NearDaughter& a, const Vec3<double>& p) {
+inline bool is_there(const CompactNeighbourList& a, const Vec3<double>& p) {
   return (p.x >= a.low[0]) & (p.x <= a.high[0]) & (p.y >= a.low[1]) & (p.y <= a.high[1]) &
          (p.z >= a.low[2]) & (p.z <= a.high[2]);
 }
@@ -28,8 +28,8 @@ struct Scene {
   Mother mother;
   Daughters daughters;
   Search search;
-  const NearDaughter* near;    ///< by daughter; null: not used
-  const unsigned* neighbours;  ///< of daughters, as `near` counts them
+  const CompactNeighbourList* lists;  ///< by daughter; null: not used
+  const unsigned* neighbours;         ///< of daughters, as `lists` counts them
   /// Of daughters, for safety, in file order; null: every one is asked.
   const BoxBlock* boxes;
   unsigned box_blocks;
@@ -37,25 +37,27 @@ struct Scene {
 
 /// Into the daughter just pushed, and further down.
 template <class S>
-[[gnu::always_inline]] inline void descend_into(const S& s, Stack* stack, const Context* context,
-                                                unsigned k, double x, double y, double z) {
+[[gnu::always_inline]] inline void descend_into(const S& s, NavigationStack* stack,
+                                                const Context* context, unsigned k, double x,
+                                                double y, double z) {
   const auto& d = s.daughters.at[k];
   if (d.leaf) return;
-  settle_in_table(stack, context, d.volume, x, y, z, -1);
+  relocate_in_table(stack, context, d.volume, x, y, z, -1);
 }
 
 /// The innermost level has been left: relocates in its mother.
-[[gnu::always_inline]] inline void leave_level(Stack* stack, const Context* context, double x,
-                                               double y, double z) {
+[[gnu::always_inline]] inline void leave_level(NavigationStack* stack, const Context* context,
+                                               double x, double y, double z) {
   const unsigned left = stack->levels[stack->depth].daughter;
   if (--stack->depth < 0) return;
-  settle_in_table(stack, context, stack->levels[stack->depth].volume, x, y, z,
-                  static_cast<int>(left));
+  relocate_in_table(stack, context, stack->levels[stack->depth].volume, x, y, z,
+                    static_cast<int>(left));
 }
 
 template <class S>
-[[gnu::always_inline]] inline double step_in(const S& s, Stack* stack, const Context* context,
-                                             double x, double y, double z, double limit) {
+[[gnu::always_inline]] inline double step_in(const S& s, NavigationStack* stack,
+                                             const Context* context, double x, double y, double z,
+                                             double limit) {
   using Daughters = decltype(s.daughters);
   const StackLevel& level = stack->levels[stack->depth];
   const Vec3<double> p = s.frame.point(level, x, y, z);
@@ -88,8 +90,9 @@ template <class S>
 }
 
 template <class S>
-[[gnu::always_inline]] inline void settle_in(const S& s, Stack* stack, const Context* context,
-                                             double x, double y, double z, int blocked) {
+[[gnu::always_inline]] inline void relocate_in(const S& s, NavigationStack* stack,
+                                               const Context* context, double x, double y, double z,
+                                               int blocked) {
   using Daughters = decltype(s.daughters);
   if constexpr (Daughters::any) {
     const StackLevel& level = stack->levels[stack->depth];
@@ -99,14 +102,14 @@ template <class S>
     if (blocked < 0) {
       found = s.search.find(s.daughters, p, v, -1, s.tolerance);
     } else {
-      const NearDaughter* around = s.near == nullptr ? nullptr : s.near + blocked;
-      const bool there = around != nullptr && is_there(*around, p);
-      if (!(there && around->mother_contains) && !contains(s.mother, p, v, s.tolerance)) {
+      const CompactNeighbourList* list = s.lists == nullptr ? nullptr : s.lists + blocked;
+      const bool there = list != nullptr && is_there(*list, p);
+      if (!(there && list->mother_contains) && !contains(s.mother, p, v, s.tolerance)) {
         leave_level(stack, context, x, y, z);
         return;
       }
-      if (there && around->count != NearDaughter::unlisted) {
-        for (unsigned m = around->first; m != around->first + around->count; ++m) {
+      if (there && list->count != CompactNeighbourList::unlisted) {
+        for (unsigned m = list->first; m != list->first + list->count; ++m) {
           if (s.daughters.holds(s.neighbours[m], p, v, s.tolerance)) {
             found = static_cast<int>(s.neighbours[m]);
             break;
@@ -124,8 +127,8 @@ template <class S>
 }
 
 template <class S>
-[[gnu::always_inline]] inline double safety_in(const S& s, const Stack* stack, double x, double y,
-                                               double z) {
+[[gnu::always_inline]] inline double safety_in(const S& s, const NavigationStack* stack, double x,
+                                               double y, double z) {
   using Daughters = decltype(s.daughters);
   const Vec3<double> p = s.frame.point(stack->levels[stack->depth], x, y, z);
   double safety = safety_to_out(s.mother, p);

@@ -1,4 +1,4 @@
-// The searches among a scene's daughters, each a filter (plates, shells, rings, buckets, boxes) in
+// The searches among a scene's daughters, each a filter (slabs, nest, rings, grid, boxes) in
 // front of the daughters' own kernels:
 //   find(d, p, v, blocked, tol)     the last daughter in file order, other than `blocked`, that
 //                                   holds the point; -1 for none
@@ -81,15 +81,15 @@ inline double along_axis(const Vec3<double>& p, int axis) {
 
 /// Daughters that follow one another along an axis.
 template <class Index>
-struct SearchPlates {
-  PlateStack<Index> plates;
+struct SearchSlabs {
+  SlabRow<Index> slabs;
   int axis;
 
   template <class Daughters>
   [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
                                   const Direction<double>& v, int blocked, double tol) const {
     LastThatHolds<Daughters> last{d, p, v, blocked, tol};
-    visit_plates_at(plates, along_axis(p, axis), [&](unsigned k) { last(k); });
+    visit_slabs_at(slabs, along_axis(p, axis), [&](unsigned k) { last(k); });
     return last.found;
   }
   template <class Daughters>
@@ -99,22 +99,22 @@ struct SearchPlates {
     const double along = along_axis({v.x, v.y, v.z}, axis),
                  inverse = along_axis({v.inverse_x, v.inverse_y, v.inverse_z}, axis);
     NearestAhead<Daughters> nearest{d, p, v, best, limit, tol};
-    walk_plates(plates, along_axis(p, axis), along, inverse, smaller(limit, best), left,
-                [&](unsigned k) { return nearest(k); });
+    walk_slabs(slabs, along_axis(p, axis), along, inverse, smaller(limit, best), left,
+               [&](unsigned k) { return nearest(k); });
     return nearest.hit;
   }
 };
 
-/// A regular partition of the scene with few daughters in each bucket.
+/// A regular partition of the scene with few daughters in each cell.
 template <class Index>
-struct SearchBuckets {
-  BucketGrid<Index> grid;
+struct SearchGrid {
+  CellGrid<Index> grid;
 
   template <class Daughters>
   [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
                                   const Direction<double>& v, int blocked, double tol) const {
     int found = -1;
-    visit_bucket_at(grid, p, [&](unsigned k) {
+    visit_cell_at(grid, p, [&](unsigned k) {
       if (static_cast<int>(k) == blocked || !d.holds(k, p, v, tol)) return true;
       found = static_cast<int>(k);
       return false;
@@ -126,7 +126,7 @@ struct SearchBuckets {
                                      const Direction<double>& v, double& best, double limit,
                                      unsigned, double tol) const {
     NearestAhead<Daughters> nearest{d, p, v, best, limit, tol};
-    walk_buckets(
+    walk_cells(
         grid, p, v, [&](unsigned k) { nearest(k); }, [&] { return smaller(limit, best); });
     return nearest.hit;
   }
@@ -185,7 +185,7 @@ struct Beside {
 
 /// Layers about an axis or, with axis 3, about the centre.
 template <class Index>
-struct SearchShells {
+struct SearchNest {
   ShellNest<Index> shells;
   Beside<Index> beside;
   int axis;

@@ -27,8 +27,8 @@ struct Visit {
   throw GeometryError("volumes contain one another: " + path + world.volumes[again].name);
 }
 
-/// Volumes reachable from the top, each after all its daughters. A loop over an explicit stack,
-/// since a hostile chain of volumes may be longer than the program's own.
+/// Volumes reachable from the top, each after all its daughters. A loop, and no recursion, since a
+/// hostile chain of volumes may be longer than the call stack.
 std::vector<VolumeId> daughters_first(const World& world) {
   enum class State : char { unseen, open, done };
   std::vector<State> states(world.volumes.size(), State::unseen);

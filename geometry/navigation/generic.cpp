@@ -11,7 +11,7 @@ using kernels::AnySolid;
 
 constexpr unsigned no_daughter = ~0U;
 
-void push(Stack& stack, const Daughter& daughter, unsigned index) {
+void push(NavigationStack& stack, const Daughter& daughter, unsigned index) {
   navjit::push(stack, daughter.transformation, daughter.volume, index, daughter.offset);
 }
 
@@ -61,7 +61,7 @@ double distance_local(const Daughter& d, const Vec3& p, const Direction& v, doub
 /// the way through its mother's frame may differ in the last bit, and so in which side of a face a
 /// ray along it is on. Writes to the level above the innermost.
 struct InOwnFrame {
-  Stack& stack;
+  NavigationStack& stack;
   const Scene& scene;
   const Vec3& point;
   const Vec3& direction;
@@ -78,12 +78,12 @@ struct InOwnFrame {
 
 /// The daughter, other than `blocked`, with the local point. Where daughters overlap the last in
 /// file order wins, as in Geant4. Where `confirm(k)` fails there is none. `around`: the blocked
-/// daughter's surroundings, if the point is there.
+/// daughter's neighbours, if the point is there.
 template <class Confirm>
 unsigned find_daughter(const Scene& scene, const Vec3& p, const Direction& v, int blocked,
-                       double tolerance, const Surroundings::Of* around, const Confirm& confirm) {
+                       double tolerance, const NeighbourLists::Of* around, const Confirm& confirm) {
   if (around != nullptr && around->listed()) {
-    for (const std::uint32_t k : scene.surroundings.neighbours_of(*around)) {
+    for (const std::uint32_t k : scene.neighbour_lists.neighbours_of(*around)) {
       if (contains_local(scene.daughters[k], p, v, tolerance) && confirm(k)) return k;
     }
     return no_daughter;
@@ -167,7 +167,8 @@ Hit nearest_daughter(const Scene& scene, const Vec3& p, const Direction& v, doub
 
 }  // namespace
 
-void locate(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction) {
+void locate(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
+            const Vec3& direction) {
   enter_world(stack, geometry.world().top);
   stack.boundary = 0;
   const Vec3 p{point.x + 0.0, point.y + 0.0, point.z + 0.0};
@@ -176,10 +177,11 @@ void locate(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec
     stack.depth = -1;
     return;
   }
-  settle(geometry, stack, p, direction, -1);
+  relocate(geometry, stack, p, direction, -1);
 }
 
-void locate_from(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction) {
+void locate_from(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
+                 const Vec3& direction) {
   if (stack.depth < 0) {
     locate(geometry, stack, point, direction);
     return;
@@ -195,7 +197,7 @@ void locate_from(const Geometry& geometry, Stack& stack, const Vec3& point, cons
     }
     if (--stack.depth < 0) return;
   }
-  settle(geometry, stack, p, direction, -1);
+  relocate(geometry, stack, p, direction, -1);
 }
 
 namespace {
@@ -203,8 +205,8 @@ namespace {
 /// `confirmed`: after a step of length zero. What has just been left at the same place must not be
 /// entered again for a bit of rounding: daughters have to contain the point in their own frames
 /// too.
-void relocate(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction,
-              int blocked, bool confirmed) {
+void relocate_after(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
+                    const Vec3& direction, int blocked, bool confirmed) {
   const double tolerance = geometry.tolerance();
   const StackLevel* level = &stack.levels[stack.depth];
   const Scene* scene = &geometry.scene(level->volume);
@@ -219,11 +221,11 @@ void relocate(const Geometry& geometry, Stack& stack, const Vec3& point, const V
     level = &next;
     scene = &geometry.scene(next.volume);
   };
-  const Surroundings::Of* around = nullptr;
+  const NeighbourLists::Of* around = nullptr;
   if (blocked >= 0) {
     // Out of a daughter: the mother may end at the same place.
     for (;;) {
-      around = scene->surroundings.at(static_cast<unsigned>(blocked), p);
+      around = scene->neighbour_lists.at(static_cast<unsigned>(blocked), p);
       if (around != nullptr && around->mother_contains) break;
       if (contains_here(scene->solid, p, v, tolerance)) break;
       blocked = static_cast<int>(level->daughter);
@@ -249,13 +251,13 @@ void relocate(const Geometry& geometry, Stack& stack, const Vec3& point, const V
 
 }  // namespace
 
-void settle(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction,
-            int blocked) {
-  relocate(geometry, stack, point, direction, blocked, false);
+void relocate(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
+              const Vec3& direction, int blocked) {
+  relocate_after(geometry, stack, point, direction, blocked, false);
 }
 
-double step(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec3& direction,
-            double limit) {
+double step(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
+            const Vec3& direction, double limit) {
   kernels::set_ray(stack, direction.x, direction.y, direction.z);
   const StackLevel& level = stack.levels[stack.depth];
   const Scene& scene = geometry.scene(level.volume);
@@ -275,17 +277,17 @@ double step(const Geometry& geometry, Stack& stack, const Vec3& point, const Vec
                  point.z + hit.distance * direction.z};
   if (hit.daughter != no_daughter) {
     push(stack, scene.daughters[hit.daughter], hit.daughter);
-    relocate(geometry, stack, end, direction, -1, hit.distance == 0);
+    relocate_after(geometry, stack, end, direction, -1, hit.distance == 0);
   } else {
     const int left = static_cast<int>(level.daughter);
     if (--stack.depth >= 0) {
-      relocate(geometry, stack, end, direction, left, hit.distance == 0);
+      relocate_after(geometry, stack, end, direction, left, hit.distance == 0);
     }
   }
   return hit.distance;
 }
 
-double safety(const Geometry& geometry, const Stack& stack, const Vec3& point) {
+double safety(const Geometry& geometry, const NavigationStack& stack, const Vec3& point) {
   const StackLevel& level = stack.levels[stack.depth];
   const Scene& scene = geometry.scene(level.volume);
   const Vec3 p = kernels::to_local(level, point.x, point.y, point.z);
@@ -312,7 +314,7 @@ double safety(const Geometry& geometry, const Stack& stack, const Vec3& point) {
   return std::max(0.0, safety - geometry.tolerance());
 }
 
-void restore(const Geometry& geometry, Stack& stack, TouchableId touchable) {
+void restore(const Geometry& geometry, NavigationStack& stack, TouchableId touchable) {
   const World& world = geometry.world();
   // Keep the levels whose range of touchables holds the one asked for.
   while (stack.depth >= 0) {
@@ -335,29 +337,29 @@ void restore(const Geometry& geometry, Stack& stack, TouchableId touchable) {
 
 namespace {
 
-Vec3 direction_of(const Stack& stack) {
+Vec3 direction_of(const NavigationStack& stack) {
   return {stack.ray.given[0], stack.ray.given[1], stack.ray.given[2]};
 }
 
-double step_record(Stack* stack, const kernels::Context* context, const void*, double x, double y,
-                   double z, double limit) {
+double step_record(NavigationStack* stack, const kernels::Context* context, const void*, double x,
+                   double y, double z, double limit) {
   return step(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z},
               direction_of(*stack), limit);
 }
 
-void settle_record(Stack* stack, const kernels::Context* context, const void*, double x, double y,
-                   double z, int blocked) {
-  settle(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z}, direction_of(*stack),
-         blocked);
+void relocate_record(NavigationStack* stack, const kernels::Context* context, const void*, double x,
+                     double y, double z, int blocked) {
+  relocate(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z},
+           direction_of(*stack), blocked);
 }
 
-double safety_record(const Stack* stack, const kernels::Context* context, const void*, double x,
-                     double y, double z) {
+double safety_record(const NavigationStack* stack, const kernels::Context* context, const void*,
+                     double x, double y, double z) {
   return safety(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z});
 }
 
 }  // namespace
 
-const kernels::Navigators navigators{step_record, settle_record, safety_record, nullptr};
+const kernels::DispatchEntry dispatch_entry{step_record, relocate_record, safety_record, nullptr};
 
 }  // namespace navjit::generic

@@ -9,28 +9,30 @@ namespace navjit::generic {
 /// Brings the stack to the deepest touchable with the global point; depth -1 if outside the world.
 /// On a face the direction decides; without one (all zero) the first volume in file order that has
 /// the face. Where volumes overlap, the last in file order holds the point.
-void locate(const Geometry&, Stack&, const Vec3& point, const Vec3& direction);
+void locate(const Geometry&, NavigationStack&, const Vec3& point, const Vec3& direction);
 
 /// The same, searched for from the stack's touchable outwards and then inwards: where several hold
 /// the point (on faces, in overlaps) it is one of those nearest to it in the tree.
-void locate_from(const Geometry&, Stack&, const Vec3& point, const Vec3& direction);
+void locate_from(const Geometry&, NavigationStack&, const Vec3& point, const Vec3& direction);
 
 /// One step from a global point (mm) along a unit direction, at most `limit` mm. Returns the length
 /// and leaves the stack at the next touchable; `stack.boundary` says whether a boundary ended the
 /// step. The stack must not be outside the world.
-double step(const Geometry&, Stack&, const Vec3& point, const Vec3& direction, double limit);
+double step(const Geometry&, NavigationStack&, const Vec3& point, const Vec3& direction,
+            double limit);
 
-/// Relocation after a crossing; see kernels::SettleFunction.
-void settle(const Geometry&, Stack&, const Vec3& point, const Vec3& direction, int blocked);
+/// Relocation after a crossing; see kernels::RelocateFunction.
+void relocate(const Geometry&, NavigationStack&, const Vec3& point, const Vec3& direction,
+              int blocked);
 
 /// A lower bound (mm, >= 0) of the distance from a global point to the nearest boundary of the
 /// innermost volume or of its daughters.
-double safety(const Geometry&, const Stack&, const Vec3& point);
+double safety(const Geometry&, const NavigationStack&, const Vec3& point);
 
 /// Rebuilds the stack for a touchable; reuses the levels that it shares with the present one.
-void restore(const Geometry&, Stack&, TouchableId touchable);
+void restore(const Geometry&, NavigationStack&, TouchableId touchable);
 
 /// The records of the generic navigator for a Context whose `geometry` is a Geometry.
-extern const kernels::Navigators navigators;
+extern const kernels::DispatchEntry dispatch_entry;
 
 }  // namespace navjit::generic

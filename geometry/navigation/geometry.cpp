@@ -92,8 +92,8 @@ Geometry::Geometry(std::shared_ptr<const World> world, const GeometryOptions& op
       scene.search = Search::all;
     }
     if (options.force == GeometryOptions::Force::automatic) {
-      scene.surroundings =
-          find_surroundings(volume.solid, boxes, scene.boxes.get(), world_->tolerance);
+      scene.neighbour_lists =
+          find_neighbours(volume.solid, boxes, scene.boxes.get(), world_->tolerance);
     }
   }
 }

@@ -9,8 +9,8 @@
 
 #include "geometry/bvh/structure.hpp"
 #include "geometry/model/world.hpp"
-#include "geometry/navigation/stack.hpp"
-#include "geometry/navigation/surroundings.hpp"
+#include "geometry/navigation/navigation_stack.hpp"
+#include "geometry/navigation/neighbours.hpp"
 #include "navjit/search.hpp"
 
 namespace navjit {
@@ -36,7 +36,7 @@ struct Scene {
   std::span<const Daughter> daughters;
   Search search = Search::none;
   std::unique_ptr<const bvh::BoxTree> boxes;  ///< for linear_boxes and bvh
-  Surroundings surroundings;                  ///< empty where they are not used
+  NeighbourLists neighbour_lists;             ///< empty where they are not used
 
   Scene();
   Scene(Scene&&) noexcept;

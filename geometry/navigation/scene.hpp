@@ -1,13 +1,13 @@
 // The scene template and what it is made of (kernels/scene.h), for compiled-ahead code.
 #pragma once
 
-#include "geometry/navigation/stack.hpp"
+#include "geometry/navigation/navigation_stack.hpp"
 
 // clang-format off
-#include "geometry/kernels/buckets.h"
+#include "geometry/kernels/grid.h"
 #include "geometry/kernels/boxes.h"
-#include "geometry/kernels/plates.h"
-#include "geometry/kernels/shells.h"
+#include "geometry/kernels/slabs.h"
+#include "geometry/kernels/nest.h"
 #include "geometry/kernels/rings.h"
 #include "geometry/kernels/frames.h"
 #include "geometry/kernels/daughters.h"

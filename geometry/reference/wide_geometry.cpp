@@ -171,7 +171,7 @@ void WideGeometry::move(std::vector<Level>& levels, Quad t) const {
   }
 }
 
-void WideGeometry::settle(std::vector<Level>& levels, int blocked) const {
+void WideGeometry::relocate(std::vector<Level>& levels, int blocked) const {
   const Quad tol = world_->tolerance;
   while (blocked >= 0) {
     const Level& level = levels.back();
@@ -203,7 +203,7 @@ bool WideGeometry::locate(const WidePoint& point, const WideDirection& direction
   if (!contains(scenes_[world_->top].solid, point, direction, Quad(world_->tolerance))) {
     return false;
   }
-  settle(levels, -1);
+  relocate(levels, -1);
   for (std::size_t i = 1; i < levels.size(); ++i) chain.push_back(levels[i].daughter);
   return true;
 }
@@ -215,7 +215,7 @@ std::vector<WideStep> WideGeometry::trace(const Vec3& point, const Vec3& directi
   std::vector<Level> levels{{world_->top, 0, widen(point), widen_direction(direction)}};
   stuck = false;
   if (!contains(scenes_[world_->top].solid, levels[0].p, levels[0].v, tol)) return steps;
-  settle(levels, -1);
+  relocate(levels, -1);
   for (int standing = 0; !levels.empty();) {
     const VolumeId volume = levels.back().volume;
     VolumeId surface;
@@ -253,11 +253,11 @@ Quad WideGeometry::next(std::vector<Level>& levels, VolumeId& surface) const {
   move(levels, t);
   if (into >= 0) {
     push(levels, static_cast<std::uint32_t>(into));
-    settle(levels, -1);
+    relocate(levels, -1);
   } else {
     const int left = static_cast<int>(levels.back().daughter);
     levels.pop_back();
-    if (!levels.empty()) settle(levels, left);
+    if (!levels.empty()) relocate(levels, left);
   }
   return t;
 }

@@ -122,7 +122,7 @@ class WideGeometry {
   static WideDirection to_local(const Placed& t, const WideDirection& v);
   void push(std::vector<Level>& levels, std::uint32_t daughter) const;
   void move(std::vector<Level>& levels, Quad t) const;
-  void settle(std::vector<Level>& levels, int blocked) const;
+  void relocate(std::vector<Level>& levels, int blocked) const;
   Quad next(std::vector<Level>& levels, VolumeId& surface) const;
   std::vector<Level> levels_of(const Chain& chain, const WidePoint& point,
                                const WideDirection& direction) const;

@@ -120,8 +120,8 @@ double volume(const kernels::Sphere<double>& s) {
   return angle_of(s.wedge) / 3 * heights * shell;
 }
 
-template <class Stack>
-double stack_volume(const Stack& s, double area_factor) {
+template <class Sections>
+double sections_volume(const Sections& s, double area_factor) {
   double integral = 0;
   for (int i = 0; i < s.count; ++i) {
     const auto& section = s.sections[i];
@@ -131,9 +131,11 @@ double stack_volume(const Stack& s, double area_factor) {
   }
   return area_factor * integral;
 }
-double volume(const kernels::Polycone<double>& s) { return stack_volume(s, angle_of(s.wedge) / 2); }
+double volume(const kernels::Polycone<double>& s) {
+  return sections_volume(s, angle_of(s.wedge) / 2);
+}
 double volume(const kernels::Polyhedra<double>& s) {
-  return stack_volume(s, s.side_count * std::tan(angle_of(s.wedge) / (2 * s.side_count)));
+  return sections_volume(s, s.side_count * std::tan(angle_of(s.wedge) / (2 * s.side_count)));
 }
 
 /// Integral of the distance from the axis over a disc around radius `ring`, without what would be

@@ -15,7 +15,7 @@
 #include "geometry/kernels/cone.h"
 #include "geometry/kernels/orb.h"
 #include "geometry/kernels/sphere.h"
-#include "geometry/kernels/stack.h"
+#include "geometry/kernels/sections.h"
 #include "geometry/kernels/polycone.h"
 #include "geometry/kernels/polyhedra.h"
 #include "geometry/kernels/pairs.h"

@@ -8,7 +8,7 @@ namespace {
 Solid polycone(std::string name, detail::Sections&& sections, std::span<const ZPlane> planes,
                double start_phi, double delta_phi) {
   const kernels::Wedge<double> wedge = detail::make_wedge(start_phi, delta_phi, name);
-  using Holder = detail::StackHolder<kernels::Polycone<double>>;
+  using Holder = detail::SectionsHolder<kernels::Polycone<double>>;
   const auto holder = std::make_shared<const Holder>(std::move(sections), wedge);
   const auto extent_of = [&](const ZPlane& plane) {
     return detail::sector_extent(plane.rmin, plane.rmax, start_phi, delta_phi, plane.z, plane.z);

@@ -6,12 +6,12 @@
 namespace navjit {
 namespace {
 
-struct Holder : detail::StackHolder<kernels::Polyhedra<double>> {
+struct Holder : detail::SectionsHolder<kernels::Polyhedra<double>> {
   std::vector<kernels::SideNormal<double>> sides;
 
   Holder(detail::Sections&& made, const kernels::Wedge<double>& wedge,
          std::vector<kernels::SideNormal<double>>&& normals, double edge_factor)
-      : StackHolder(std::move(made), wedge), sides(std::move(normals)) {
+      : SectionsHolder(std::move(made), wedge), sides(std::move(normals)) {
     shape.sides = sides.data();
     shape.side_count = static_cast<int>(sides.size());
     // Outside the segment the sides' planes may reach further than its edges do, but only there.

@@ -19,13 +19,13 @@ Sections make_sections(std::span<const ZPlane> planes, const std::string& name);
 /// The same for a closed contour.
 Sections make_sections(std::span<const ContourPoint> contour, const std::string& name);
 
-/// A stack's shape with the arrays that it points to.
+/// A shape made of sections with the arrays that it points to.
 template <class Shape>
-struct StackHolder {
+struct SectionsHolder {
   Sections sections;
   Shape shape;
 
-  StackHolder(Sections&& made, const kernels::Wedge<double>& wedge)
+  SectionsHolder(Sections&& made, const kernels::Wedge<double>& wedge)
       : sections(std::move(made)), shape{} {
     shape.sections = sections.sections.data();
     shape.count = static_cast<int>(sections.sections.size());
@@ -36,8 +36,8 @@ struct StackHolder {
     shape.rmax = sections.rmax;
     shape.wedge = wedge;
   }
-  StackHolder(const StackHolder&) = delete;
-  StackHolder& operator=(const StackHolder&) = delete;
+  SectionsHolder(const SectionsHolder&) = delete;
+  SectionsHolder& operator=(const SectionsHolder&) = delete;
 };
 
 }  // namespace navjit::detail

@@ -4,12 +4,15 @@
 #include <limits>
 #include <memory>
 
-#include "navjit/detail/presence.hpp"
 #include "navjit/detail/profile.hpp"
-#include "navjit/detail/touchable_stack.h"
+#include "navjit/detail/read_side.hpp"
 #include "navjit/errors.hpp"
 #include "navjit/state.hpp"
 #include "navjit/transformation.hpp"
+
+// clang-format off: after the vectors
+#include "navjit/detail/navigation_stack.h"
+// clang-format on
 
 namespace navjit {
 
@@ -19,7 +22,7 @@ struct Shared;  ///< what a Runtime and its navigators share
 
 /// Counts of one navigator, beside the profile.
 struct NavigatorCounts {
-  std::uint64_t declined = 0;     ///< states that a specialised navigator did not take
+  std::uint64_t bail_outs = 0;    ///< states that a specialised navigator did not take
   std::uint64_t differences = 0;  ///< shadow mode: answers that were not the generic one's
   std::uint64_t restored = 0;     ///< states that were not the last one returned
 };
@@ -102,9 +105,9 @@ class Navigator {
  private:
   friend class Runtime;
   struct Own {
-    kernels::Stack stack{};
+    kernels::NavigationStack stack{};
     Profile profile;
-    std::shared_ptr<Presence> presence;
+    std::shared_ptr<ReadSide> read_side;
     NavigatorCounts counts;
     std::uint64_t shadowed = 0;  ///< steps made in shadow mode
     explicit Own(std::size_t volumes);
@@ -121,16 +124,16 @@ class Navigator {
   void restore_unless_at(const State& state) {
     if (!is_at(own_->stack, state)) restore(state);
   }
-  static bool is_at(const kernels::Stack& s, const State& state) {
+  static bool is_at(const kernels::NavigationStack& s, const State& state) {
     return s.depth >= 0 && s.levels[s.depth].touchable == state.touchable() &&
            s.levels[s.depth].volume == state.volume();
   }
   /// The step, recorded for the specialiser; with shadow mode on, all steps are made here.
   Step recorded_step(const Vec3& point, const Vec3& direction, double limit);
-  double shadow(const kernels::Navigators& navigators, const Vec3& point, const Vec3& direction,
+  double shadow(const kernels::DispatchEntry& entry, const Vec3& point, const Vec3& direction,
                 double limit);
-  double decline(const Vec3& point, const Vec3& direction, double limit);
-  static State state_of(const kernels::Stack& s) {
+  double bail_out(const Vec3& point, const Vec3& direction, double limit);
+  static State state_of(const kernels::NavigationStack& s) {
     return s.depth < 0 ? State{} : State{s.levels[s.depth].touchable, s.levels[s.depth].volume};
   }
 
@@ -148,7 +151,7 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
   if (!((sum == 0) & (limit >= 0))) [[unlikely]]
     require_numbers(point, limit);
   Own& own = *own_;
-  kernels::Stack& stack = own.stack;
+  kernels::NavigationStack& stack = own.stack;
   const double* ray = stack.ray.given;
   if (!(kernels::same_bits(ray[0], direction.x) && kernels::same_bits(ray[1], direction.y) &&
         kernels::same_bits(ray[2], direction.z))) [[unlikely]]
@@ -158,13 +161,12 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
   own.profile.count(volume);
   if (own.profile.due()) [[unlikely]]
     return recorded_step(point, direction, limit);
-  own.presence->enter();
-  const kernels::Navigators* navigators = kernels::navigators_of(context_, volume);
-  double length =
-      navigators->step(&stack, context_, navigators->data, point.x, point.y, point.z, limit);
+  own.read_side->enter();
+  const kernels::DispatchEntry* entry = kernels::dispatch_entry_of(context_, volume);
+  double length = entry->step(&stack, context_, entry->data, point.x, point.y, point.z, limit);
   if (length < 0) [[unlikely]]
-    length = decline(point, direction, limit);
-  own.presence->leave();
+    length = bail_out(point, direction, limit);
+  own.read_side->leave();
   return {length, stack.boundary != 0, state_of(stack)};
 }
 

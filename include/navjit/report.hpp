@@ -42,8 +42,7 @@ struct BudgetReport {
 struct SceneReport {
   std::uint32_t volume_id = 0;
   std::string volume;
-  std::string
-      structure;  ///< how it is searched, in words: "stack of 70 along z"; of final_report()
+  std::string structure;  ///< how it is searched, in words: "70 slabs along z"; of final_report()
   std::uint64_t steps = 0;
   double share = 0;  ///< of all steps
   /// Processor time on the recorded states, replayed.
@@ -68,7 +67,7 @@ struct RuntimeReport {
   std::size_t code_bytes = 0;
   std::size_t waiting_to_be_freed = 0;
   std::size_t plugin_scenes = 0;  ///< installed from the plugin
-  std::size_t withdrawn = 0;      ///< scenes that were specialised and are generic again
+  std::size_t deoptimised = 0;    ///< scenes that were specialised and are generic again
 };
 
 }  // namespace navjit

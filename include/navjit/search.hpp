@@ -34,7 +34,7 @@ struct Structure {
 
 struct GeometryOptions {
   /// Forces one search for all scenes with daughters, for tests and measurements. All but
-  /// `automatic` search on leaving a daughter, too, without surroundings.
+  /// `automatic` search on leaving a daughter, too, without neighbour lists.
   enum class Force : std::uint8_t { automatic, all, linear_boxes, bvh } force = Force::automatic;
   /// The box structure of all scenes that have enough daughters for one, whatever their number;
   /// nothing: bvh::default_method. Changes no answer.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "jit/expected.hpp"
+#include "common/expected.hpp"
 
 namespace llvm {
 class Module;

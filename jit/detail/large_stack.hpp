@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "jit/expected.hpp"
+#include "common/expected.hpp"
 
 namespace navjit::jit::detail {
 

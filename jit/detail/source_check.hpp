@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "jit/expected.hpp"
+#include "common/expected.hpp"
 
 namespace navjit::jit::detail {
 

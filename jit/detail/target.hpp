@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "common/expected.hpp"
 #include "jit/compiler.hpp"
-#include "jit/expected.hpp"
 
 namespace llvm {
 class TargetMachine;

@@ -1,11 +1,11 @@
-// Candidates from buckets and blocks of boxes: never is a daughter left out that is met.
+// Candidates from cells and blocks of boxes: never is a daughter left out that is met.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
-#include "analysis/buckets.hpp"
+#include "analysis/grid.hpp"
 #include "analysis/plan.hpp"
 #include "geometry/navigation/generic.hpp"
 #include "geometry/solids/extent.hpp"
@@ -14,7 +14,7 @@
 #include "tests/support/worlds.hpp"
 
 // clang-format off
-#include "geometry/kernels/buckets.h"
+#include "geometry/kernels/grid.h"
 #include "geometry/kernels/boxes.h"
 // clang-format on
 
@@ -38,20 +38,20 @@ Transformation turned(std::mt19937_64& random, double scene) {
   return make_transformation({somewhere(), somewhere(), somewhere()}, rotation);
 }
 
-/// Buckets as BlockGrid has them.
+/// Grid as BlockGrid has them.
 struct Blocks {
   std::vector<unsigned> first{0};
   std::vector<kernels::BoxBlock> blocks;
   std::vector<std::array<unsigned, kernels::box_lanes>> daughters;
   kernels::BlockGrid<unsigned> grid;
 
-  Blocks(const Buckets& b, const std::vector<Extent>& boxes) {
-    for (std::size_t bucket = 0; bucket < b.size(); ++bucket) {
-      for (auto m = b.first[bucket]; m < b.first[bucket + 1]; m += kernels::box_lanes) {
+  Blocks(const Grid& b, const std::vector<Extent>& boxes) {
+    for (std::size_t cell = 0; cell < b.size(); ++cell) {
+      for (auto m = b.first[cell]; m < b.first[cell + 1]; m += kernels::box_lanes) {
         kernels::BoxBlock block;
         std::array<unsigned, kernels::box_lanes> lanes{};
         for (unsigned i = 0; i < kernels::box_lanes; ++i) {
-          const bool used = m + i < b.first[bucket + 1];
+          const bool used = m + i < b.first[cell + 1];
           const Extent* e = used ? &boxes[b.members[m + i]] : nullptr;
           const double low[3] = {used ? e->min.x : INFINITY, used ? e->min.y : INFINITY,
                                  used ? e->min.z : INFINITY};
@@ -105,10 +105,10 @@ TEST(BoxBlocks, OfferEveryObliqueBoxThatAPointOrARayMeets) {
       return safety_to_in(t.solid.any(), to_local(t.at, 0.5 * (box.min + box.max))) >
              norm(0.5 * (box.max - box.min)) + 2 * margin;
     };
-    const Buckets buckets = make_buckets(scene, placed, margin, BucketUse::blocks, apart);
-    const Buckets bounds_only = make_buckets(scene, placed, margin, BucketUse::blocks);
-    EXPECT_LE(buckets.members.size(), bounds_only.members.size());
-    const Blocks blocks(buckets, boxes);
+    const Grid grid = make_grid(scene, placed, margin, CellUse::blocks, apart);
+    const Grid bounds_only = make_grid(scene, placed, margin, CellUse::blocks);
+    EXPECT_LE(grid.members.size(), bounds_only.members.size());
+    const Blocks blocks(grid, boxes);
     std::size_t offered = 0, met = 0;
     for (int i = 0; i < 4000; ++i) {
       Vec3 p{uniform(random, -half, half), uniform(random, -half, half),
@@ -163,8 +163,8 @@ TEST(Plan, HollowDaughtersAreNotWhereTheirHolesAre) {
   const ScenePlan plan = plan_scene(geometry, analyse_world(geometry), geometry.world().top);
   ASSERT_EQ(plan.candidates, Candidates::boxes);
   std::size_t empty = 0;
-  for (std::size_t b = 0; b < plan.buckets.size(); ++b) {
-    empty += plan.buckets.first[b] == plan.buckets.first[b + 1] ? 1 : 0;
+  for (std::size_t b = 0; b < plan.grid.size(); ++b) {
+    empty += plan.grid.first[b] == plan.grid.first[b + 1] ? 1 : 0;
   }
   EXPECT_GT(empty, 0U);
 }

@@ -19,7 +19,7 @@ std::vector<double> measured(const World& world, int rays) {
   const reference::WideGeometry reference(shared);
   std::mt19937_64 random(3);
   std::vector<double> worst(world.volumes.size(), -1);
-  const auto stack = std::make_unique<Stack>();
+  const auto stack = std::make_unique<NavigationStack>();
   const Extent& e = world.volumes[world.top].solid.extent;
   for (int i = 0; i < rays; ++i) {
     Vec3 p{uniform(random, e.min.x, e.max.x), uniform(random, e.min.y, e.max.y),

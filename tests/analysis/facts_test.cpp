@@ -22,7 +22,7 @@ TEST(WorldFacts, CountTouchablesMothersAndFramesAsTheTreeHasThem) {
   std::vector<std::set<VolumeId>> mothers(geometry.size());
   std::vector<std::set<std::vector<double>>> frames(geometry.size());
   std::vector<bool> rotated(geometry.size(), false);
-  const auto stack = std::make_unique<Stack>();
+  const auto stack = std::make_unique<NavigationStack>();
   stack->depth = -1;
   const TouchableId all = geometry.world().volumes[geometry.world().top].touchables;
   for (TouchableId t = 0; t < all; ++t) {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <memory>
 
-#include "analysis/buckets.hpp"
+#include "analysis/grid.hpp"
 #include "analysis/pattern.hpp"
 #include "geometry/solids/kernels.hpp"
 #include "tests/support/worlds.hpp"
 
 // clang-format off
-#include "geometry/kernels/buckets.h"
+#include "geometry/kernels/grid.h"
 // clang-format on
 
 namespace navjit {
@@ -36,10 +36,10 @@ std::vector<PlacedBox> placed(const std::vector<Extent>& boxes) {
   return result;
 }
 
-struct Grid {
+struct OwnedGrid {
   std::vector<std::uint32_t> members;
-  kernels::BucketGrid<std::uint32_t> grid;
-  explicit Grid(const Buckets& b) : members(b.members) {
+  kernels::CellGrid<std::uint32_t> grid;
+  explicit OwnedGrid(const Grid& b) : members(b.members) {
     for (int a = 0; a < 3; ++a) {
       grid.count[a] = b.count[a];
       grid.origin[a] = b.origin[a];
@@ -49,16 +49,16 @@ struct Grid {
     grid.first = b.first.data();
     grid.members = members.data();
   }
-  Grid(const Grid&) = delete;
+  OwnedGrid(const OwnedGrid&) = delete;
 };
 
-TEST(Buckets, OfferEveryBoxThatAPointOrARayMeets) {
+TEST(Grid, OffersEveryBoxThatAPointOrARayMeets) {
   std::mt19937_64 random(1);
   const Extent scene{{-10, -10, -10}, {10, 10, 10}};
   for (const std::size_t count : {5, 40, 300}) {
     const std::vector<Extent> boxes = random_boxes(random, count);
-    const Buckets buckets = make_buckets(scene, placed(boxes), 1e-8);
-    const Grid grid(buckets);
+    const Grid grid = make_grid(scene, placed(boxes), 1e-8);
+    const OwnedGrid owned(grid);
     std::size_t offered = 0, rays = 0;
     for (int i = 0; i < 3000; ++i) {
       Vec3 p{uniform(random, -10, 10), uniform(random, -10, 10), uniform(random, -10, 10)};
@@ -67,12 +67,12 @@ TEST(Buckets, OfferEveryBoxThatAPointOrARayMeets) {
       if (i % 7 == 0) p = boxes[random() % count].min;  // on faces and edges
       const Direction v = kernels::make_direction(d.x, d.y, d.z);
       std::vector<char> at(count, 0), along(count, 0);
-      kernels::visit_bucket_at(grid.grid, p, [&](unsigned k) {
+      kernels::visit_cell_at(owned.grid, p, [&](unsigned k) {
         at[k] = 1;
         return true;
       });
-      kernels::walk_buckets(
-          grid.grid, p, v, [&](unsigned k) { along[k] = 1; }, [] { return 40.0; });
+      kernels::walk_cells(
+          owned.grid, p, v, [&](unsigned k) { along[k] = 1; }, [] { return 40.0; });
       offered += static_cast<std::size_t>(std::count(along.begin(), along.end(), 1));
       ++rays;
       for (std::size_t k = 0; k < count; ++k) {
@@ -90,16 +90,16 @@ TEST(Buckets, OfferEveryBoxThatAPointOrARayMeets) {
   }
 }
 
-TEST(Buckets, StopAtTheReach) {
-  // A stack of a hundred plates: a short way meets few.
+TEST(Grid, StopsAtTheReach) {
+  // A hundred slabs: a short way meets few.
   std::vector<Extent> plates;
   for (int k = 0; k < 100; ++k) plates.push_back({{-1, -1, k + 0.1}, {1, 1, k + 0.9}});
-  const Buckets buckets = make_buckets({{-1, -1, 0}, {1, 1, 100}}, placed(plates), 1e-8);
-  const Grid grid(buckets);
+  const Grid grid = make_grid({{-1, -1, 0}, {1, 1, 100}}, placed(plates), 1e-8);
+  const OwnedGrid owned(grid);
   std::size_t offered = 0;
-  kernels::walk_buckets(
-      grid.grid, {0, 0, 50.5}, kernels::make_direction(0.0, 0.0, 1.0), [&](unsigned) { ++offered; },
-      [] { return 1.0; });
+  kernels::walk_cells(
+      owned.grid, {0, 0, 50.5}, kernels::make_direction(0.0, 0.0, 1.0),
+      [&](unsigned) { ++offered; }, [] { return 1.0; });
   EXPECT_GE(offered, 1U);
   EXPECT_LE(offered, 6U);
 }
@@ -112,7 +112,7 @@ TEST(Pattern, IsNamed) {
       boxes.push_back({{i * 2.0, j * 3.0, 0}, {i * 2.0 + 1, j * 3.0 + 1, 1}});
   }
   EXPECT_EQ(describe_pattern(boxes), "grid 3 x 4 x 1");
-  EXPECT_EQ(describe_pattern(std::span(boxes).first(4)), "stack of 4 along y");
+  EXPECT_EQ(describe_pattern(std::span(boxes).first(4)), "4 slabs along y");
 }
 
 TEST(Plan, SeesStacksAndGrids) {
@@ -125,16 +125,16 @@ TEST(Plan, SeesStacksAndGrids) {
     throw std::runtime_error(name);
   };
   const ScenePlan stack = plan("stack");
-  EXPECT_EQ(stack.pattern, "stack of 20 along z");
-  EXPECT_EQ(stack.candidates, Candidates::plates);
-  EXPECT_EQ(stack.plates.axis, 2);
-  EXPECT_EQ(plan("plate").candidates, Candidates::buckets);
-  EXPECT_TRUE(stack.surroundings);
+  EXPECT_EQ(stack.pattern, "20 slabs along z");
+  EXPECT_EQ(stack.candidates, Candidates::slabs);
+  EXPECT_EQ(stack.slabs.axis, 2);
+  EXPECT_EQ(plan("plate").candidates, Candidates::grid);
+  EXPECT_TRUE(stack.neighbour_lists);
   EXPECT_EQ(plan("plate").pattern, "grid 4 x 4 x 1");
   EXPECT_EQ(plan("tile").candidates, Candidates::none);
   EXPECT_TRUE(plan("stack").frame.never_rotated);
   EXPECT_FALSE(plan("turned").frame.never_rotated);
-  EXPECT_NE(describe(geometry, stack).find("stack of 20 along z"), std::string::npos);
+  EXPECT_NE(describe(geometry, stack).find("20 slabs along z"), std::string::npos);
 }
 
 }  // namespace

@@ -8,16 +8,16 @@
 #include <numbers>
 
 #include "analysis/axial_extent.hpp"
+#include "analysis/nest.hpp"
 #include "analysis/pattern.hpp"
 #include "analysis/plan.hpp"
 #include "analysis/rings.hpp"
-#include "analysis/shells.hpp"
 #include "geometry/solids/kernels.hpp"
 #include "navjit/vector.hpp"
 #include "tests/support/worlds.hpp"
 
 // clang-format off
-#include "geometry/kernels/shells.h"
+#include "geometry/kernels/nest.h"
 #include "geometry/kernels/rings.h"
 // clang-format on
 
@@ -211,22 +211,22 @@ void expect_complete(const Arrangement& a, std::mt19937_64& random, double half,
   }
 }
 
-void expect_complete_shells(const Arrangement& a, std::mt19937_64& random, double half,
-                            Tally& tally) {
-  const auto shells = find_shells(a.geometry->world(), a.mother(), a.daughters(), margin);
-  ASSERT_TRUE(shells);
-  const kernels::ShellNest<std::uint32_t> nest{static_cast<int>(shells->members.size()),
-                                               shells->near2.data(),
-                                               shells->far2.data(),
-                                               shells->members.data(),
-                                               shells->ends,
-                                               shells->low,
-                                               shells->high};
-  const int axis = shells->axis;
+void expect_complete_nest(const Arrangement& a, std::mt19937_64& random, double half,
+                          Tally& tally) {
+  const auto nest = find_nest(a.geometry->world(), a.mother(), a.daughters(), margin);
+  ASSERT_TRUE(nest);
+  const kernels::ShellNest<std::uint32_t> shells{static_cast<int>(nest->members.size()),
+                                                 nest->near2.data(),
+                                                 nest->far2.data(),
+                                                 nest->members.data(),
+                                                 nest->ends,
+                                                 nest->low,
+                                                 nest->high};
+  const int axis = nest->axis;
   expect_complete(
       a, random, half,
       [&](const Vec3& p, const Direction& v, auto visit, auto reach) {
-        for (const std::uint32_t k : shells->others) visit(k);
+        for (const std::uint32_t k : nest->others) visit(k);
         double from = 0, to = inf;
         kernels::RadialRay ray = kernels::about_centre(p, v);
         if (axis < 3) {
@@ -234,19 +234,20 @@ void expect_complete_shells(const Arrangement& a, std::mt19937_64& random, doubl
           const auto [vx, vy, vz] = seen_from({v.x, v.y, v.z}, axis);
           const auto inverse = seen_from({v.inverse_x, v.inverse_y, v.inverse_z}, axis);
           ray = kernels::about_axis(x, y, vx, vy);
-          if (nest.ends) kernels::clip_to_ends(nest.low, nest.high, z, vz, inverse[2], from, to);
+          if (shells.ends)
+            kernels::clip_to_ends(shells.low, shells.high, z, vz, inverse[2], from, to);
         }
-        kernels::walk_shells(nest, ray, from, to, visit, reach);
+        kernels::walk_shells(shells, ray, from, to, visit, reach);
       },
       [&](const Vec3& p, auto visit) {
-        for (const std::uint32_t k : shells->others) visit(k);
+        for (const std::uint32_t k : nest->others) visit(k);
         const auto [x, y, z] = seen_from(p, axis % 3);
-        kernels::visit_shells_at(nest, axis < 3 ? x * x + y * y : x * x + y * y + z * z, visit);
+        kernels::visit_shells_at(shells, axis < 3 ? x * x + y * y : x * x + y * y + z * z, visit);
       },
       tally);
 }
 
-TEST(Shells, LeadToWhatTheRayMeetsFirst) {
+TEST(Nest, LeadsToWhatTheRayMeetsFirst) {
   std::mt19937_64 random(2);
   Tally tally;
   for (int round = 0; round < 60; ++round) {
@@ -277,7 +278,7 @@ TEST(Shells, LeadToWhatTheRayMeetsFirst) {
     }
     if (round % 3 == 0) a.add(make_box("besides", 0.5, 1, 3), {45, 45, 0});
     a.finished(random);
-    expect_complete_shells(a, random, 50, tally);
+    expect_complete_nest(a, random, 50, tally);
     if (HasFatalFailure()) return;
   }
   EXPECT_GT(tally.met, 4000U);
@@ -391,7 +392,7 @@ TEST(Plan, WalksNestsAndRingsOfSegments) {
   Arrangement nest(make_box("mother", 50, 50, 50));
   for (int i = 0; i < 6; ++i) nest.add(make_tube("s", 5 * i, 5 * i + 5, 20, 0, 7));
   nest.finished(random);
-  EXPECT_EQ(plan(nest).candidates, Candidates::shells);
+  EXPECT_EQ(plan(nest).candidates, Candidates::nest);
   Arrangement ring(make_box("mother", 50, 50, 50)), modules(make_box("mother", 50, 50, 50));
   for (int i = 0; i < 24; ++i) {
     const double phi = pi / 12 * i;

@@ -23,7 +23,7 @@ namespace {
 using namespace navjit;
 
 struct Counts {
-  std::uint64_t rays = 0, steps = 0, stuck = 0, differing = 0, declined = 0;
+  std::uint64_t rays = 0, steps = 0, stuck = 0, differing = 0, bail_outs = 0;
   std::uint64_t specialised = 0;  ///< steps in scenes that have a specialised navigator
 
   Counts& operator+=(const Counts& o) {
@@ -31,7 +31,7 @@ struct Counts {
     steps += o.steps;
     stuck += o.stuck;
     differing += o.differing;
-    declined += o.declined;
+    bail_outs += o.bail_outs;
     specialised += o.specialised;
     return *this;
   }
@@ -110,7 +110,7 @@ Counts run_file(const std::string& file, const Options& options,
               world->tolerance, counts, found);
       steps += counts.steps - before;
     }
-    counts.declined = specialised.counts().declined;
+    counts.bail_outs = specialised.counts().bail_outs;
     const std::lock_guard lock(merging);
     totals += counts;
     differences.insert(differences.end(), found.begin(), found.end());
@@ -132,7 +132,7 @@ void print_row(const std::string& name, const Counts& c, double seconds) {
       "| %s | %llu | %llu | %.1f%% | %llu | %llu | %llu | %.0f |\n", name.c_str(), number(c.rays),
       number(c.steps),
       c.steps == 0 ? 0.0 : 100 * static_cast<double>(c.specialised) / static_cast<double>(c.steps),
-      number(c.declined), number(c.stuck), number(c.differing), seconds);
+      number(c.bail_outs), number(c.stuck), number(c.differing), seconds);
   std::fflush(stdout);
 }
 
@@ -172,7 +172,7 @@ int main(int argc, char** argv) {
   nlohmann::json report{{"files", nlohmann::json::array()}, {"refused", nlohmann::json::array()}};
   Counts totals;
   std::printf(
-      "| file | rays | steps | in specialised scenes | declined | stuck rays | differing | s "
+      "| file | rays | steps | in specialised scenes | bail_outs | stuck rays | differing | s "
       "|\n|---|--:|--:|--:|--:|--:|--:|--:|\n");
   double seconds = 0;
   for (const std::string& file : gdml_files(files)) {
@@ -189,7 +189,7 @@ int main(int argc, char** argv) {
                                  {"rays", counts.rays},
                                  {"steps", counts.steps},
                                  {"in_specialised_scenes", counts.specialised},
-                                 {"declined", counts.declined},
+                                 {"bail_outs", counts.bail_outs},
                                  {"stuck", counts.stuck},
                                  {"differing", counts.differing}});
       totals += counts;

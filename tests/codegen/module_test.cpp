@@ -46,7 +46,7 @@ TEST(Module, HostileNamesStayOutOfTheCode) {
 
 TEST(KernelTexts, HoldEveryKernelOfEveryKind) {
   for (const char* name : kernel_order()) EXPECT_FALSE(kernel_text(name).empty()) << name;
-  for (const char* name : {"vectors", "prelude", "buckets", "touchable_stack", "navigation"}) {
+  for (const char* name : {"vectors", "prelude", "grid", "navigation_stack", "navigation"}) {
     EXPECT_FALSE(kernel_text(name).empty()) << name;
     EXPECT_EQ(kernel_text(name).find("#include"), std::string_view::npos);
   }

@@ -48,7 +48,7 @@ inline bool use_detector(const std::filesystem::path& path) {
   const auto between = [&](double low, double high) {
     return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
   };
-  const auto stack = std::make_unique<Stack>();
+  const auto stack = std::make_unique<NavigationStack>();
   for (int ray = 0; ray < 8; ++ray) {
     Vec3 p{between(box.min.x, box.max.x), between(box.min.y, box.max.y),
            between(box.min.z, box.max.z)};

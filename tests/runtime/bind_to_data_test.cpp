@@ -67,7 +67,7 @@ void expect_same_answers(const std::shared_ptr<const World>& world, std::uint64_
     by_data += scene.binding == Binding::data ? scene.steps : 0;
   }
   EXPECT_EQ(by_data, steps) << "every scene of every detector has an instance";
-  EXPECT_LE(b.counts().declined, of_length_zero) << "these alone are left to the generic one";
+  EXPECT_LE(b.counts().bail_outs, of_length_zero) << "these alone are left to the generic one";
   EXPECT_EQ(bound.report().modules, 0U);
 }
 
@@ -77,8 +77,8 @@ struct Forced {
   ~Forced() { unsetenv(overrides_variable); }
 };
 
-const char* const searches[] = {"",        "*=all",     "*=lanes", "*=shells",
-                                "*=rings", "*=buckets", "*=boxes", "*=tree"};
+const char* const searches[] = {"",        "*=all",  "*=lanes", "*=nest",
+                                "*=rings", "*=grid", "*=boxes", "*=tree"};
 
 TEST(BoundToData, MixedWorldAlikeWithEachSearch) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
@@ -142,7 +142,7 @@ TEST(BoundToData, ScenesOfOneStructureShareTheirCode) {
   for (VolumeId v = 0; v < geometry.size(); ++v) {
     if (!facts.reachable[v]) continue;
     const ScenePlan plan = plan_scene(geometry, facts, v);
-    const kernels::Navigators* bound = codegen::bind_to_data(geometry, plan, arena);
+    const kernels::DispatchEntry* bound = codegen::bind_to_data(geometry, plan, arena);
     ASSERT_NE(bound->data, nullptr);
     code[codegen::structure_of(geometry, plan)].insert(bound->step);
     ++scenes;
@@ -157,7 +157,7 @@ TEST(BoundToData, WrongDataDoesNotVerify) {
   const Geometry geometry(world);
   const WorldFacts facts = analyse_world(geometry);
   const StateSampler sampler(geometry);
-  std::vector<const kernels::Navigators*> table(geometry.size(), &generic::navigators);
+  std::vector<const kernels::DispatchEntry*> table(geometry.size(), &generic::dispatch_entry);
   const kernels::Context context{table.data(), &geometry};
   codegen::Arena arena;
   for (VolumeId v = 0; v < geometry.size(); ++v) {

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <functional>
 
+#include "cache/object_cache.hpp"
 #include "jit/compiler.hpp"
-#include "jit/object_cache.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/folder.hpp"
 #include "tests/support/traces.hpp"
@@ -102,20 +102,20 @@ TEST(RuntimeCache, ANewRunInstallsWhatTheLastFoundHot) {
   EXPECT_EQ(count(second).cached, hot);
 }
 
-TEST(RuntimeCache, AHotListThatIsHostileIsNotFollowed) {
+TEST(RuntimeCache, AModuleListThatIsHostileIsNotFollowed) {
   const TemporaryFolder folder;
   {
     Runtime first(mixed(), with_cache(folder.path(), JitMode::on));
     expect_right(first);
     first.wait_until_idle();
   }
-  auto cache = jit::ObjectCache::open(folder.path());
+  auto cache = cache::ObjectCache::open(folder.path());
   const auto entries = cache->list(true);
   const auto list = std::find_if(entries->begin(), entries->end(), [](const auto& e) {
     return e.label.find("hot in a detector") != std::string::npos;
   });
   ASSERT_NE(list, entries->end());
-  jit::Digest key;
+  cache::Digest key;
   for (std::size_t i = 0; i < key.size(); ++i) {
     key[i] = static_cast<unsigned char>(std::stoi(list->file.substr(2 * i, 2), nullptr, 16));
   }
@@ -171,10 +171,10 @@ TEST(RuntimeCache, DamagedEntriesAreCompiledAgain) {
 
 /// Puts something else under the keys of a full cache, with right checksums.
 void poison(const TemporaryFolder& folder, const std::string& content) {
-  auto cache = jit::ObjectCache::open(folder.path());
+  auto cache = cache::ObjectCache::open(folder.path());
   for (const fs::path& file : files_in(folder)) {
     const std::string name = file.filename().string();
-    jit::Digest key;
+    cache::Digest key;
     for (std::size_t i = 0; i < key.size(); ++i) {
       key[i] = static_cast<unsigned char>(std::stoi(name.substr(2 * i, 2), nullptr, 16));
     }

@@ -21,13 +21,13 @@ TEST(Overrides, AreParsedAndComplainedAbout) {
   EXPECT_EQ(o.at(1), Variant::off);
   EXPECT_EQ(o.at(2), Variant::all);
   EXPECT_EQ(std::count(complaints.begin(), complaints.end(), '\n'), 3) << complaints;
-  const auto round = parse_overrides(world, "stack=shells,plate=lanes,plate=rings", nullptr);
-  EXPECT_EQ(round.at(1), Variant::shells);
+  const auto round = parse_overrides(world, "stack=nest,plate=lanes,plate=rings", nullptr);
+  EXPECT_EQ(round.at(1), Variant::nest);
   EXPECT_EQ(round.at(2), Variant::rings);
-  const auto every = parse_overrides(world, "*=off,stack=buckets", nullptr);
+  const auto every = parse_overrides(world, "*=off,stack=grid", nullptr);
   EXPECT_EQ(every.size(), world.volumes.size());
   EXPECT_EQ(every.at(0), Variant::off);
-  EXPECT_EQ(every.at(1), Variant::buckets);
+  EXPECT_EQ(every.at(1), Variant::grid);
   EXPECT_TRUE(parse_overrides(world, "", nullptr).empty());
 }
 

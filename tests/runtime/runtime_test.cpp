@@ -9,7 +9,7 @@
 #include <thread>
 #include <unordered_set>
 
-#include "runtime/table.hpp"
+#include "runtime/dispatch_table.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace navjit {
@@ -92,40 +92,40 @@ TEST(Report, CountsStepsPerVolume) {
 /// Counts the records that are alive.
 struct Counted {
   static inline std::atomic<int> alive{0};
-  kernels::Navigators navigators;
-  Counted() : navigators(generic::navigators) { ++alive; }
+  kernels::DispatchEntry navigators;
+  Counted() : navigators(generic::dispatch_entry) { ++alive; }
   Counted(const Counted&) = delete;
   ~Counted() { --alive; }
 };
 
-TEST(NavigatorTable, FreesReplacedRecordsWhileThreadsNavigate) {
+TEST(DispatchTable, FreesReplacedRecordsWhileThreadsNavigate) {
   const Geometry geometry(std::make_shared<const World>(tests::mixed_world()));
   std::atomic<bool> stop{false};
   {
-    NavigatorTable table(geometry);
+    DispatchTable table(geometry);
     std::vector<std::jthread> threads;
     for (int t = 0; t < 4; ++t) {
       threads.emplace_back([&] {
-        const auto presence = table.add_thread();
-        const auto stack = std::make_unique<Stack>();
+        const auto read_side = table.add_thread();
+        const auto stack = std::make_unique<NavigationStack>();
         while (!stop) {
           generic::locate(geometry, *stack, {-99, -40, 1}, {1, 0, 0});
           kernels::set_ray(*stack, 1, 0, 0);
           Vec3 p{-99, -40, 1};
           while (stack->depth >= 0) {
-            presence->enter();
+            read_side->enter();
             const auto volume = stack->levels[stack->depth].volume;
-            const kernels::Navigators* n = kernels::navigators_of(&table.context(), volume);
+            const kernels::DispatchEntry* n = kernels::dispatch_entry_of(&table.context(), volume);
             p.x += n->step(stack.get(), &table.context(), n->data, p.x, p.y, p.z, 1e9);
-            presence->leave();
+            read_side->leave();
           }
         }
-        table.remove_thread(presence);
+        table.remove_thread(read_side);
       });
     }
     for (int i = 0; i < 5000; ++i) {
       auto record = std::make_shared<Counted>();
-      const kernels::Navigators* published = &record->navigators;
+      const kernels::DispatchEntry* published = &record->navigators;
       table.install(static_cast<VolumeId>(i) % static_cast<VolumeId>(geometry.size()), published,
                     std::move(record));
       // A thread that was preempted inside a navigator holds things up, but not for ever.
@@ -133,12 +133,12 @@ TEST(NavigatorTable, FreesReplacedRecordsWhileThreadsNavigate) {
       for (int patience = 0; Counted::alive > limit; ++patience) {
         ASSERT_LT(patience, 100000);
         std::this_thread::sleep_for(std::chrono::microseconds(100));
-        table.sweep();
+        table.reclaim();
       }
     }
     stop = true;
     threads.clear();
-    EXPECT_EQ(table.sweep(), 0U);
+    EXPECT_EQ(table.reclaim(), 0U);
     EXPECT_EQ(Counted::alive, static_cast<int>(geometry.size()));
   }
   EXPECT_EQ(Counted::alive, 0);

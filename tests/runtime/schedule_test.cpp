@@ -12,8 +12,8 @@
 namespace navjit {
 namespace {
 
-Candidate candidate(VolumeId volume, double heat, double compile_ms, double gain_ns = 60) {
-  return {volume, heat, heat, compile_ms, gain_ns};
+Candidate candidate(VolumeId volume, double executions, double compile_ms, double gain_ns = 60) {
+  return {volume, executions, executions, compile_ms, gain_ns};
 }
 
 SpecialiserOptions plain() {
@@ -99,7 +99,7 @@ TEST(Schedule, KeepsItsPromisesForAnyScenes) {
       EXPECT_LE(expected, options.module_ms * (1 + 1e-12));
     }
     // Once its scenes are out of the way, others come: nothing starves.
-    for (const VolumeId v : module) candidates[v].heat = 0;
+    for (const VolumeId v : module) candidates[v].executions = 0;
     const bool more = std::any_of(candidates.begin(), candidates.end(),
                                   [&](const Candidate& c) { return is_due(c, options); });
     EXPECT_EQ(next_module(candidates, options).empty(), !more);

@@ -36,7 +36,7 @@ void expect_same_traces(const std::shared_ptr<const World>& world, std::uint64_t
     EXPECT_NE(scene.status, SceneStatus::failed) << scene.volume << ": " << scene.note;
   }
   EXPECT_GT(tests::share_specialised(specialised), 0.5);
-  EXPECT_LT(b.counts().declined, report.steps / 4);
+  EXPECT_LT(b.counts().bail_outs, report.steps / 4);
 }
 
 TEST(Specialised, TracesTheMixedWorldAlike) {
@@ -105,7 +105,7 @@ World round_world(std::uint64_t seed, bool overlap) {
 }
 
 TEST(Specialised, TracesNestsAndRingsAlike) {
-  for (const char* forced : {"", "*=shells", "*=rings", "*=boxes"}) {
+  for (const char* forced : {"", "*=nest", "*=rings", "*=boxes"}) {
     for (const bool overlap : {false, true}) {
       SCOPED_TRACE(std::string(forced) + (overlap ? ", overlapping" : ""));
       setenv(overrides_variable, forced, 1);

@@ -129,10 +129,10 @@ int run(const Options& options) {
     }
     std::printf(
         "phase %3d: %9llu steps, %5.1f ns/step, %.2f times generic; %3zu scenes (%2.0f%% of all "
-        "steps) of %zu modules, %zu withdrawn, %zu waiting; %.1f MB%s%s\n",
+        "steps) of %zu modules, %zu deoptimised, %zu waiting; %.1f MB%s%s\n",
         phase, static_cast<unsigned long long>(sum.steps),
         sum.with_s / static_cast<double>(sum.steps) * 1e9, ratio, specialised, 100 * share,
-        report.modules, report.withdrawn, report.waiting_to_be_freed, mb,
+        report.modules, report.deoptimised, report.waiting_to_be_freed, mb,
         sum.stuck > 0 ? "; STUCK" : "", sum.differ > 0 ? "; DIFFERENT" : "");
     std::fflush(stdout);
     steps += sum.steps;

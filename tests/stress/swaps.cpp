@@ -1,4 +1,4 @@
-// Navigators installed, replaced and withdrawn without pause while many threads navigate: every
+// Navigators installed, replaced and deoptimised without pause while many threads navigate: every
 // trace has to stay the generic navigator's, and memory has to stay flat. Exit status 1 if not.
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -12,7 +12,7 @@
 #include "geometry/navigation/generic.hpp"
 #include "jit/compiler.hpp"
 #include "jit/linker.hpp"
-#include "runtime/table.hpp"
+#include "runtime/dispatch_table.hpp"
 #include "tests/stress/memory.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -42,21 +42,20 @@ bool same(const Trace& a, const Trace& b) {
 }
 
 /// The whole ray, with whatever navigators the table has at each step.
-void trace(const Geometry& geometry, const NavigatorTable& table, Presence& presence, Stack& stack,
-           const Start& start, Trace& rows) {
+void trace(const Geometry& geometry, const DispatchTable& table, ReadSide& read_side,
+           NavigationStack& stack, const Start& start, Trace& rows) {
   rows.clear();
   const Vec3& d = start.direction;
   Vec3 p = start.point;
   generic::locate(geometry, stack, p, d);
   while (stack.depth >= 0 && rows.size() < 10000) {
     const TouchableId touchable = stack.levels[stack.depth].touchable;
-    presence.enter();
-    const kernels::Navigators* navigators =
-        kernels::navigators_of(&table.context(), stack.levels[stack.depth].volume);
+    read_side.enter();
+    const kernels::DispatchEntry* entry =
+        kernels::dispatch_entry_of(&table.context(), stack.levels[stack.depth].volume);
     kernels::set_ray(stack, d.x, d.y, d.z);
-    double length =
-        navigators->step(&stack, &table.context(), navigators->data, p.x, p.y, p.z, 1e30);
-    presence.leave();
+    double length = entry->step(&stack, &table.context(), entry->data, p.x, p.y, p.z, 1e30);
+    read_side.leave();
     if (length < 0) length = generic::step(geometry, stack, p, d, 1e30);
     rows.push_back({touchable, length});
     p += length * d;
@@ -66,12 +65,12 @@ void trace(const Geometry& geometry, const NavigatorTable& table, Presence& pres
 /// Linked code with its records; the same object linked again and again.
 struct Linked {
   jit::Code code;
-  std::vector<kernels::Navigators> records;
+  std::vector<kernels::DispatchEntry> records;
 };
 
 class Swapper {
  public:
-  Swapper(const Geometry& geometry, NavigatorTable& table)
+  Swapper(const Geometry& geometry, DispatchTable& table)
       : table_(table), linker_(check(jit::Linker::create({}))) {
     const WorldFacts facts = analyse_world(geometry);
     std::vector<VolumeId> hot;
@@ -83,23 +82,23 @@ class Swapper {
   }
 
   std::size_t scenes() const { return module_.entries.size(); }
-  std::uint64_t installed = 0, withdrawn = 0;
+  std::uint64_t installed = 0, deoptimised = 0;
 
   void swap(std::mt19937_64& random) {
     const std::size_t which = random() % scenes();
     if (random() % 4 == 0) {
       table_.reset(module_.entries[which].volume);
-      ++withdrawn;
+      ++deoptimised;
       return;
     }
     auto linked = std::make_shared<Linked>(Linked{check(linker_.link(object_)), {}});
     for (const codegen::Entry& entry : module_.entries) {
       linked->records.push_back(
           {check(linked->code.function<std::remove_pointer_t<kernels::StepFunction>>(entry.step)),
-           check(
-               linked->code.function<std::remove_pointer_t<kernels::SettleFunction>>(entry.settle)),
+           check(linked->code.function<std::remove_pointer_t<kernels::RelocateFunction>>(
+               entry.relocate)),
            entry.safety.empty()
-               ? generic::navigators.safety
+               ? generic::dispatch_entry.safety
                : check(linked->code.function<std::remove_pointer_t<kernels::SafetyFunction>>(
                      entry.safety))});
     }
@@ -114,12 +113,12 @@ class Swapper {
 
  private:
   template <class T>
-  static T check(jit::Expected<T> value) {
+  static T check(Expected<T> value) {
     if (!value) throw std::runtime_error(value.failure().message);
     return *std::move(value);
   }
 
-  NavigatorTable& table_;
+  DispatchTable& table_;
   jit::Linker linker_;
   codegen::Module module_;
   jit::Object object_;
@@ -127,14 +126,14 @@ class Swapper {
 
 int run(const Options& options) {
   const Geometry geometry(std::make_shared<const World>(tests::mixed_world()));
-  NavigatorTable table(geometry);
+  DispatchTable table(geometry);
   Swapper swapper(geometry, table);
   std::mt19937_64 random(1);
   std::vector<Start> starts;
   std::vector<Trace> expected;
   {
-    const auto stack = std::make_unique<Stack>();
-    Presence alone;
+    const auto stack = std::make_unique<NavigationStack>();
+    ReadSide alone;
     for (int i = 0; i < 500; ++i) {
       const auto coordinate = [&] { return tests::uniform(random, -99, 99); };
       starts.push_back(
@@ -147,16 +146,16 @@ int run(const Options& options) {
   std::vector<std::jthread> threads;
   for (unsigned t = 0; t < options.threads; ++t) {
     threads.emplace_back([&, t] {
-      const auto presence = table.add_thread();
-      const auto stack = std::make_unique<Stack>();
+      const auto read_side = table.add_thread();
+      const auto stack = std::make_unique<NavigationStack>();
       stack->depth = -1;
       Trace rows;
       for (std::size_t i = t; !stop; i = (i + 1) % starts.size()) {
-        trace(geometry, table, *presence, *stack, starts[i], rows);
+        trace(geometry, table, *read_side, *stack, starts[i], rows);
         if (!same(rows, expected[i])) ++wrong;
         ++traces;
       }
-      table.remove_thread(presence);
+      table.remove_thread(read_side);
     });
   }
   using Clock = std::chrono::steady_clock;
@@ -167,11 +166,11 @@ int run(const Options& options) {
   while (seconds() < options.seconds || swaps < options.swaps) {
     swapper.swap(random);
     ++swaps;
-    std::size_t waiting = table.sweep();
+    std::size_t waiting = table.reclaim();
     // A thread that was preempted inside a navigator holds things up, but not for ever.
     for (int patience = 0; waiting > 200 && patience < 100000; ++patience) {
       std::this_thread::sleep_for(std::chrono::microseconds(100));
-      waiting = table.sweep();
+      waiting = table.reclaim();
     }
     most_waiting = std::max<std::uint64_t>(most_waiting, waiting);
     if (swaps % 50 != 0) continue;
@@ -181,14 +180,14 @@ int run(const Options& options) {
   }
   stop = true;
   threads.clear();
-  const std::size_t left = table.sweep();
+  const std::size_t left = table.reclaim();
   std::printf(
-      "%u threads, %.1f s: %llu swaps (%llu scenes installed, %llu withdrawn), %llu traces, %llu "
+      "%u threads, %.1f s: %llu swaps (%llu scenes installed, %llu deoptimised), %llu traces, %llu "
       "wrong; at most %llu waited to be freed, %zu at the end; memory at most %.1f MB in the first "
       "tenth, %.1f MB after\n",
       options.threads, seconds(), static_cast<unsigned long long>(swaps),
       static_cast<unsigned long long>(swapper.installed),
-      static_cast<unsigned long long>(swapper.withdrawn),
+      static_cast<unsigned long long>(swapper.deoptimised),
       static_cast<unsigned long long>(traces.load()), static_cast<unsigned long long>(wrong.load()),
       static_cast<unsigned long long>(most_waiting), left, early_mb, most_mb);
   const bool flat = early_mb == 0 || most_mb <= early_mb + options.most_growth_mb;

@@ -27,7 +27,7 @@ class Profile {
   explicit Profile(std::size_t volumes)
       : size_(volumes),
         steps_(std::make_unique<std::atomic<std::uint64_t>[]>(volumes)),
-        declined_(std::make_unique<std::atomic<std::uint64_t>[]>(volumes)) {}
+        bail_outs_(std::make_unique<std::atomic<std::uint64_t>[]>(volumes)) {}
 
   /// By the owner. Not an atomic increment: there is one writer.
   void count(VolumeId volume) {
@@ -35,8 +35,8 @@ class Profile {
     n.store(n.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   }
   /// By the owner, in addition, where a specialised navigator did not take the state.
-  void count_declined(VolumeId volume) {
-    std::atomic<std::uint64_t>& n = declined_[volume];
+  void count_bail_out(VolumeId volume) {
+    std::atomic<std::uint64_t>& n = bail_outs_[volume];
     n.store(n.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   }
   /// By the owner, once a step: true when the step should be recorded.
@@ -60,8 +60,8 @@ class Profile {
   std::uint64_t steps(VolumeId volume) const {
     return steps_[volume].load(std::memory_order_relaxed);
   }
-  std::uint64_t declined(VolumeId volume) const {
-    return declined_[volume].load(std::memory_order_relaxed);
+  std::uint64_t bail_outs(VolumeId volume) const {
+    return bail_outs_[volume].load(std::memory_order_relaxed);
   }
   std::size_t size() const { return size_; }
   /// By the reader: takes the oldest sample; false if there is none.
@@ -78,7 +78,7 @@ class Profile {
 
  private:
   std::size_t size_;
-  std::unique_ptr<std::atomic<std::uint64_t>[]> steps_, declined_;
+  std::unique_ptr<std::atomic<std::uint64_t>[]> steps_, bail_outs_;
   std::uint32_t countdown_ = 1;
   std::array<Sample, 1024> queue_;
   std::atomic<std::uint32_t> head_{0}, tail_{0};

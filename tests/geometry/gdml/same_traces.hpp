@@ -22,7 +22,7 @@ struct NamedStep {
 /// The steps of a ray but for those of no length. The names of volumes end where an underscore
 /// follows.
 inline std::vector<NamedStep> named_trace(const Geometry& geometry, Vec3 point, const Vec3& v) {
-  const auto stack = std::make_unique<Stack>();
+  const auto stack = std::make_unique<NavigationStack>();
   generic::locate(geometry, *stack, point, v);
   std::vector<NamedStep> steps;
   for (int made = 0; stack->depth >= 0; ++made) {

@@ -56,7 +56,7 @@ TEST(BrokenMeshes, NoRayIsStuckOrLost) {
   for (int ray = 0; ray < 4000; ++ray) {
     Vec3 point{uniform(random, -230, 230), uniform(random, -29, 29), uniform(random, -29, 29)};
     Vec3 v = tests::random_direction(random);
-    const auto stack = std::make_unique<Stack>();
+    const auto stack = std::make_unique<NavigationStack>();
     generic::locate(geometry, *stack, point, v);
     int steps = 0, in_place = 0;
     while (stack->depth >= 0) {

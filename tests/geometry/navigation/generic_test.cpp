@@ -26,7 +26,7 @@ struct StepRecord {
 };
 
 std::vector<StepRecord> trace(const Geometry& geometry, Vec3 point, const Vec3& direction) {
-  const auto stack = std::make_unique<Stack>();
+  const auto stack = std::make_unique<NavigationStack>();
   generic::locate(geometry, *stack, point, direction);
   std::vector<StepRecord> steps;
   while (stack->depth >= 0 && steps.size() < 10000) {
@@ -83,7 +83,7 @@ TEST(GenericNavigator, AnswersDoNotDependOnTheBoxStructure) {
       const Geometry other(world, {Force::bvh, structure});
       ASSERT_EQ(other.scene(world->top).boxes->structure().method, structure.method);
       std::mt19937_64 random(8);
-      const auto a = std::make_unique<Stack>(), b = std::make_unique<Stack>();
+      const auto a = std::make_unique<NavigationStack>(), b = std::make_unique<NavigationStack>();
       for (int ray = 0; ray < 150; ++ray) {
         const double h = 10.0 * side;
         const Vec3 p{uniform(random, -h, h), uniform(random, -h, h), uniform(random, -h, h)};
@@ -137,7 +137,7 @@ TEST(GenericNavigator, StepsAddUpToTheWayOutOfTheWorld) {
 TEST(GenericNavigator, TheMiddleOfAStepIsInItsVolume) {
   const Geometry geometry = geometry_of(tests::mixed_world(), Force::automatic);
   std::mt19937_64 random(2);
-  const auto stack = std::make_unique<Stack>();
+  const auto stack = std::make_unique<NavigationStack>();
   for (int ray = 0; ray < 2000; ++ray) {
     Vec3 p{uniform(random, -100, 100), uniform(random, -100, 100), uniform(random, -100, 100)};
     const Vec3 v = random_direction(random);
@@ -155,7 +155,7 @@ TEST(GenericNavigator, TheMiddleOfAStepIsInItsVolume) {
 TEST(GenericNavigator, ALimitCutsTheStepWithoutMoving) {
   const Geometry geometry = geometry_of(tests::mixed_world(), Force::automatic);
   std::mt19937_64 random(3);
-  const auto stack = std::make_unique<Stack>(), cut = std::make_unique<Stack>();
+  const auto stack = std::make_unique<NavigationStack>(), cut = std::make_unique<NavigationStack>();
   for (int i = 0; i < 2000; ++i) {
     const Vec3 p{uniform(random, -99, 99), uniform(random, -99, 99), uniform(random, -99, 99)};
     const Vec3 v = random_direction(random);
@@ -177,7 +177,8 @@ TEST(GenericNavigator, ALimitCutsTheStepWithoutMoving) {
 TEST(GenericNavigator, RestoreGivesTheStackThatLocateGives) {
   const Geometry geometry = geometry_of(tests::mixed_world(), Force::automatic);
   std::mt19937_64 random(4);
-  const auto located = std::make_unique<Stack>(), restored = std::make_unique<Stack>();
+  const auto located = std::make_unique<NavigationStack>(),
+             restored = std::make_unique<NavigationStack>();
   restored->depth = -1;
   for (int i = 0; i < 5000; ++i) {
     const Vec3 p{uniform(random, -99, 99), uniform(random, -99, 99), uniform(random, -99, 99)};
@@ -190,7 +191,8 @@ TEST(GenericNavigator, RestoreGivesTheStackThatLocateGives) {
 TEST(GenericNavigator, SafetyIsBelowEveryDistance) {
   const Geometry geometry = geometry_of(tests::mixed_world(), Force::automatic);
   std::mt19937_64 random(5);
-  const auto stack = std::make_unique<Stack>(), moved = std::make_unique<Stack>();
+  const auto stack = std::make_unique<NavigationStack>(),
+             moved = std::make_unique<NavigationStack>();
   double largest = 0;
   for (int i = 0; i < 3000; ++i) {
     const Vec3 p{uniform(random, -99, 99), uniform(random, -99, 99), uniform(random, -99, 99)};
@@ -216,7 +218,7 @@ TEST(GenericNavigator, OnTiesTheFirstDaughterInFileOrderWins) {
   finish(world);
   for (const Force force : {Force::all, Force::linear_boxes, Force::bvh}) {
     const Geometry geometry = geometry_of(world, force);
-    const auto stack = std::make_unique<Stack>();
+    const auto stack = std::make_unique<NavigationStack>();
     generic::locate(geometry, *stack, {-5, 0, 0}, {1, 0, 0});
     EXPECT_EQ(generic::step(geometry, *stack, {-5, 0, 0}, {1, 0, 0}, unlimited), 4);
     EXPECT_EQ(stack->levels[stack->depth].volume, a);
@@ -234,7 +236,7 @@ TEST(GenericNavigator, LocatesOnSharedFacesAndInOverlapsByFileOrder) {
   place(world, world.top, b, {0.5, 5, 0});
   finish(world);
   const Geometry geometry = geometry_of(world, Force::automatic);
-  const auto stack = std::make_unique<Stack>();
+  const auto stack = std::make_unique<NavigationStack>();
   const auto at = [&](const Vec3& p, const Vec3& v) {
     generic::locate(geometry, *stack, p, v);
     return stack->levels[stack->depth].volume;

@@ -1,0 +1,220 @@
+#include "analysis/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/axis.hpp"
+#include "navjit/vector.hpp"
+
+namespace navjit {
+namespace {
+
+struct Range {
+  int first, last;
+};
+
+Range range_of(const Grid& b, const Extent& box, int axis, double margin) {
+  const auto index = [&](double x) {
+    const double i = std::floor((x - b.origin[axis]) / b.width[axis]);
+    return static_cast<int>(std::clamp(i, 0.0, static_cast<double>(b.count[axis] - 1)));
+  };
+  return {index(low(box, axis) - margin), index(high(box, axis) + margin)};
+}
+
+Grid layout(const Extent& scene, const std::array<int, 3>& count) {
+  Grid b;
+  b.count = count;
+  for (int axis = 0; axis < 3; ++axis) {
+    b.origin[axis] = low(scene, axis);
+    b.width[axis] = (high(scene, axis) - low(scene, axis)) / count[axis];
+  }
+  return b;
+}
+
+/// The expected number of cells that an oblique box reaches into: the volume of its Minkowski sum
+/// with a cell over the cell's, both projected onto the axes that are split. The volume of a
+/// sum of segments is the sum of |det| over the choices of as many as there are dimensions (e.g.
+/// G. M. Ziegler, "Lectures on Polytopes", 7.3).
+double expected_cells(const Grid& b, const PlacedBox& box) {
+  std::vector<int> axes;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (b.count[axis] > 1) axes.push_back(axis);
+  }
+  std::array<std::array<double, 3>, 6> segments{};  // along the split axes, in cells
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    for (std::size_t e = 0; e < 3; ++e) {
+      const Vec3& edge = box.edges[e];
+      const double along[3] = {edge.x, edge.y, edge.z};
+      segments[e][i] = 2 * along[axes[i]] / b.width[axes[i]];
+    }
+    segments[3 + i][i] = 1;
+  }
+  const std::size_t n = 3 + axes.size();
+  double sum = axes.empty() ? 1 : 0;
+  for (std::size_t i = 0; i < n && !axes.empty(); ++i) {
+    const auto& p = segments[i];
+    if (axes.size() == 1) sum += std::abs(p[0]);
+    for (std::size_t j = i + 1; j < n && axes.size() > 1; ++j) {
+      const auto& q = segments[j];
+      const double minor = p[0] * q[1] - p[1] * q[0];
+      if (axes.size() == 2) sum += std::abs(minor);
+      for (std::size_t k = j + 1; k < n && axes.size() > 2; ++k) {
+        const auto& r = segments[k];
+        sum += std::abs(minor * r[2] + (p[1] * q[2] - p[2] * q[1]) * r[0] +
+                        (p[2] * q[0] - p[0] * q[2]) * r[1]);
+      }
+    }
+  }
+  return sum;
+}
+
+/// Sum over boxes of the number of cells each reaches into: about the length of `members`.
+double total_members(const Grid& b, std::span<const PlacedBox> boxes, double margin) {
+  double total = 0;
+  for (const PlacedBox& box : boxes) {
+    double reached = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Range r = range_of(b, box.bounds, axis, margin);
+      reached *= r.last - r.first + 1;
+    }
+    total += box.oblique ? std::min(reached, expected_cells(b, box)) : reached;
+  }
+  return total;
+}
+
+/// Whether one of an oblique box's own faces separates it from a box along the axes, both inflated
+/// by `margin` (S. Gottschalk et al., "OBBTree", 1996; the axes of the other box are what the
+/// bounds are for, those of pairs of edges are left out: rarely do they tell more).
+bool separated(const PlacedBox& box, const Extent& cell, double margin) {
+  const Vec3 between = 0.5 * (cell.min + cell.max) - 0.5 * (box.bounds.min + box.bounds.max);
+  const Vec3 half = 0.5 * (cell.max - cell.min);
+  for (const Vec3& edge : box.edges) {
+    const double length = norm(edge);
+    if (!(length > 0)) continue;
+    const double reach =
+        std::abs(edge.x) * half.x + std::abs(edge.y) * half.y + std::abs(edge.z) * half.z;
+    if (std::abs(dot(between, edge)) > length * length + reach + 2 * margin * length) return true;
+  }
+  return false;
+}
+
+/// What a ray pays: the candidates of a cell, and the walk from cell to cell. The
+/// weights are guesses that served well, not yet fitted to measurements.
+double cost(const Grid& b, double members, CellUse use) {
+  const double cells =
+      static_cast<double>(b.count[0]) * static_cast<double>(b.count[1]) * b.count[2];
+  const double per_cell = members / cells;
+  const int walk = b.count[0] + b.count[1] + b.count[2] - 3;
+  if (use == CellUse::blocks) {
+    // Cycles: rays pass a fifth of the cells along an axis, each takes 25 and 20 for a block.
+    return (1 + 0.2 * walk) * (25 + 20 * (0.5 + per_cell / 8));
+  }
+  return per_cell + 0.02 * walk + 0.3 * ((b.count[0] > 1) + (b.count[1] > 1) + (b.count[2] > 1));
+}
+
+Extent cell_box(const Grid& b, int i, int j, int k) {
+  const double index[3] = {static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
+  double low[3], high[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = b.origin[axis] + index[axis] * b.width[axis];
+    high[axis] = low[axis] + b.width[axis];
+  }
+  return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+}
+
+bool protrudes(const Extent& box, const Extent& scene) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (low(box, axis) < low(scene, axis) || high(box, axis) > high(scene, axis)) return true;
+  }
+  return false;
+}
+
+void fill(Grid& b, const Extent& scene, std::span<const PlacedBox> boxes, double margin,
+          const Apart& apart) {
+  const std::size_t cells = static_cast<std::size_t>(b.count[0]) * b.count[1] * b.count[2];
+  std::vector<std::vector<std::uint32_t>> lists(cells);
+  for (std::uint32_t k = 0; k < boxes.size(); ++k) {
+    const PlacedBox& box = boxes[k];
+    const Range x = range_of(b, box.bounds, 0, margin), y = range_of(b, box.bounds, 1, margin),
+                z = range_of(b, box.bounds, 2, margin);
+    // The outermost cells reach to infinity, which matters to what reaches out of the scene.
+    const bool bounds_only = protrudes(box.bounds, scene);
+    for (int i = x.first; i <= x.last; ++i) {
+      for (int j = y.first; j <= y.last; ++j) {
+        for (int l = z.first; l <= z.last; ++l) {
+          const Extent cell = cell_box(b, i, j, l);
+          if (!bounds_only &&
+              ((box.oblique && separated(box, cell, margin)) || (apart && apart(k, cell)))) {
+            continue;
+          }
+          lists[(static_cast<std::size_t>(i) * b.count[1] + j) * b.count[2] + l].push_back(k);
+        }
+      }
+    }
+  }
+  b.first.assign(1, 0);
+  for (const auto& list : lists) {
+    b.members.insert(b.members.end(), list.begin(), list.end());
+    b.first.push_back(static_cast<std::uint32_t>(b.members.size()));
+  }
+}
+
+}  // namespace
+
+PlacedBox placed_box(const Solid& solid, const Transformation& t) {
+  PlacedBox box{placed_extent(solid, t)};
+  const double* r = t.rotation;
+  for (int i = 0; i < 3 && t.rotated; ++i) {
+    const double half = (high(solid.extent, i) - low(solid.extent, i)) / 2;
+    box.edges[static_cast<std::size_t>(i)] = {half * r[3 * i], half * r[3 * i + 1],
+                                              half * r[3 * i + 2]};
+    int along = 0;
+    for (int j = 0; j < 3; ++j) along += r[3 * i + j] != 0 ? 1 : 0;
+    box.oblique |= along > 1;
+  }
+  return box;
+}
+
+Grid make_grid(const Extent& scene, std::span<const PlacedBox> boxes, double margin, CellUse use,
+               const Apart& apart, const GridLimits& limits) {
+  // Greedy: refine whichever axis lowers the cost most, until none does.
+  std::array<int, 3> count{1, 1, 1};
+  Grid best = layout(scene, count);
+  double best_cost = cost(best, total_members(best, boxes, margin), use);
+  for (;;) {
+    std::array<int, 3> chosen = count;
+    double chosen_cost = best_cost;
+    for (int axis = 0; axis < 3; ++axis) {
+      // Any count up to a limit: grids want just their own pitch, not the next power of two.
+      for (int n = count[axis] + 1; n <= std::min(limits.max_per_axis, 4 * count[axis] + 8); ++n) {
+        std::array<int, 3> trial = count;
+        trial[axis] = n;
+        const double cells =
+            static_cast<double>(trial[0]) * static_cast<double>(trial[1]) * trial[2];
+        if (cells > static_cast<double>(limits.max_cells)) break;
+        const Grid candidate = layout(scene, trial);
+        const double members = total_members(candidate, boxes, margin);
+        if (members > static_cast<double>(limits.max_members)) continue;
+        const double trial_cost = cost(candidate, members, use);
+        if (trial_cost < chosen_cost * (1 - 1e-9)) {
+          chosen = trial;
+          chosen_cost = trial_cost;
+        }
+      }
+    }
+    if (chosen == count) break;
+    count = chosen;
+    best_cost = chosen_cost;
+  }
+  Grid result = layout(scene, count);
+  fill(result, scene, boxes, margin, apart);
+  return result;
+}
+
+double mean_candidates(const Grid& grid) {
+  return grid.size() == 0
+             ? 0
+             : static_cast<double>(grid.members.size()) / static_cast<double>(grid.size());
+}
+
+}  // namespace navjit

@@ -1,0 +1,43 @@
+// Partitions of a scene into grid.
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "analysis/scene_plan.hpp"
+
+namespace navjit {
+
+struct GridLimits {
+  std::size_t max_cells = 4096;
+  std::size_t max_members = 1U << 16;
+  int max_per_axis = 256;
+};
+
+/// A daughter's box as it lies in the scene.
+struct PlacedBox {
+  Extent bounds;  ///< the box along the scene's axes around it, mm
+  bool oblique = false;
+  std::array<Vec3, 3> edges{};  ///< of an oblique box, from its centre to its faces, mm
+};
+
+PlacedBox placed_box(const Solid& solid, const Transformation& transformation);
+
+/// Whether a daughter keeps farther from all of a box in the scene's frame than its margin: true
+/// only if it is sure.
+using Apart = std::function<bool(std::uint32_t daughter, const Extent& box)>;
+
+/// What is done with a cell's daughters: tested one by one, or by boxes in blocks.
+enum class CellUse : std::uint8_t { daughters, blocks };
+
+/// Chooses axes and counts that leave few candidates a cell. Boxes are in the scene's frame and
+/// are inflated by `margin` (mm), which has to exceed any rounding of a position in the scene. A
+/// daughter is in a cell unless its box keeps apart from it, or `apart` says that it does.
+Grid make_grid(const Extent& scene, std::span<const PlacedBox> boxes, double margin,
+               CellUse use = CellUse::daughters, const Apart& apart = {},
+               const GridLimits& limits = {});
+
+/// Mean over the scene's volume of the number of candidates, the measure that choices are made by.
+double mean_candidates(const Grid& grid);
+
+}  // namespace navjit

@@ -1,0 +1,17 @@
+// Slabs: daughters that follow one another along an axis, in any order in the file, with gaps or
+// without, their other dimensions free.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "analysis/scene_plan.hpp"
+
+namespace navjit {
+
+/// The slabs along the axis that separates all daughters; nothing if none does. `boxes` and `scene`
+/// in mm in the mother's frame; `margin` is added around each box.
+std::optional<Slabs> find_slabs(const Extent& scene, std::span<const Extent> boxes,
+                                double tolerance, double margin);
+
+}  // namespace navjit

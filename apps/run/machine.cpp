@@ -1,0 +1,62 @@
+#include "apps/run/machine.hpp"
+
+#include <sched.h>
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <string_view>
+
+namespace navjit::apps {
+namespace {
+
+std::string quoted_for_shell(const std::string& word) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=+%@";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string processor_model() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);) {
+    if (line.rfind("model name", 0) != 0) continue;
+    const auto colon = line.find(": ");
+    return colon == std::string::npos ? "" : line.substr(colon + 2);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string command_line() {
+  std::ifstream in("/proc/self/cmdline", std::ios::binary);
+  std::string text;
+  for (std::string word; std::getline(in, word, '\0');) {
+    text += (text.empty() ? "" : " ") + quoted_for_shell(word);
+  }
+  return text;
+}
+
+Machine this_machine() {
+  Machine machine;
+  machine.processor = processor_model();
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  if (sched_getaffinity(0, sizeof set, &set) == 0) {
+    machine.processors = static_cast<unsigned>(CPU_COUNT(&set));
+  }
+  const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
+  if (pages > 0 && page > 0) {
+    machine.memory_mb =
+        static_cast<unsigned long>(pages) / ((1UL << 20) / static_cast<unsigned long>(page));
+  }
+  if (utsname name; uname(&name) == 0) {
+    machine.system = std::string(name.sysname) + " " + name.release + " " + name.machine;
+  }
+  return machine;
+}
+
+}  // namespace navjit::apps

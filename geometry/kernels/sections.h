@@ -1,0 +1,217 @@
+// Solids made of sections along z: a ring between an outer and an inner face over each section,
+// continued or stepped from one section to the next. What polycones and polyhedra share; they
+// differ in what a face is: each provides, for its faces,
+//   face_span, face_leave, in_face  as cone_span, leave_cone and in_cone do
+//   face_distance                   signed distance bound to it
+// Sections are searched in the order in which the ray meets them. The paths to the planes between
+// sections are the same bits from either side, so nothing is lost at a seam, and a seam is no
+// surface where both sections continue.
+namespace navjit::kernels {
+
+template <class Real>
+struct Section {
+  Real z_low, z_high;              ///< mm
+  ConicalFace<Real> outer, inner;  ///< z from z_low
+  int bored;                       ///< 0: no inner face
+};
+
+/// A part of a plane across z where the solid ends: the end caps, and the steps between sections.
+template <class Real>
+struct Ledge {
+  Real z, rmin, rmax;  ///< mm
+};
+
+/// The range of a ray over a section, seen from its start; empty unless from < to.
+template <class Real>
+struct SectionRange {
+  Real from, to;
+};
+/// Within the tolerance of a plane the direction decides, the same way for the sections on both of
+/// its sides; along the plane, a ray is in both.
+template <class Real>
+SectionRange<Real> section_range(const Section<Real>& section, const Vec3<Real>& p,
+                                 const Direction<Real>& v, Real tol) {
+  if (is_along(v.z)) {
+    const bool in = (section.z_low - p.z <= tol) & (p.z - section.z_high <= tol);
+    return {Real(0), in ? infinity<Real>() : Real(0)};
+  }
+  const Real to_low = section.z_low - p.z, to_high = section.z_high - p.z;
+  const Real before = v.z < 0 ? -to_high : to_low, depth = v.z < 0 ? -to_low : to_high;
+  const Real rate = absolute(v.inverse_z);
+  return {before > tol ? before * rate : Real(0), depth > tol ? depth * rate : Real(0)};
+}
+
+template <class Real>
+constexpr Vec3<Real> from_section(const Section<Real>& section, const Vec3<Real>& p) {
+  return {p.x, p.y, p.z - section.z_low};
+}
+
+/// Signed distance bound to the ring of one section, taken as infinite in z.
+template <class Sections, class Real>
+Real ring_distance(const Sections& s, const Section<Real>& section, const Vec3<Real>& q, Real rho) {
+  Real beyond = face_distance(s, section.outer, q, rho);
+  if (section.bored != 0) beyond = larger(-face_distance(s, section.inner, q, rho), beyond);
+  return beyond;
+}
+
+/// Where a point is: the sections on both sides of a plane have their say near it.
+template <class Sections, class Real>
+Side sections_inside(const Sections& s, const Vec3<Real>& p, Real tol) {
+  const Real rho = square_root(p.x * p.x + p.y * p.y);
+  Side below = Side::outside, above = Side::outside;
+  for (int i = 0; i < s.count; ++i) {
+    const Section<Real>& section = s.sections[i];
+    const Real over_low = p.z - section.z_low, under_high = section.z_high - p.z;
+    if (over_low < -tol || under_high < -tol) continue;
+    const Side side =
+        worse(Side::inside, ring_distance(s, section, from_section(section, p), rho), tol);
+    if (over_low > tol && side > below) below = side;
+    if (under_high > tol && side > above) above = side;
+  }
+  Side side = below == above ? below : Side::surface;
+  if (s.wedge.kind != 0) side = worse(side, wedge_distance(s.wedge, p.x, p.y), tol);
+  return side;
+}
+
+template <class Sections, class Real>
+bool sections_contains(const Sections& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  if (!in_wedge(s.wedge, p, v, tol)) return false;
+  const Direction<Real> whole = make_direction(v.x, v.y, v.z);
+  for (int i = 0; i < s.count; ++i) {
+    const Section<Real>& section = s.sections[i];
+    const SectionRange<Real> range = section_range(section, p, whole, tol);
+    if (range.from > 0 || !(range.to > 0)) continue;
+    const Vec3<Real> q = from_section(section, p);
+    if (in_face(s, section.outer, q, v, tol) &&
+        !(section.bored != 0 && in_face(s, section.inner, q, v, tol))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+template <class Sections, class Real>
+Real sections_distance_to_in(const Sections& s, const Vec3<Real>& p, const Direction<Real>& v,
+                             Real tol) {
+  // All sections: the ends, and a cylinder around it that leaves the surface well inside.
+  Span<Real> body = whole_ray<Real>();
+  if (is_along(v.z)) {
+    if (s.z_low - p.z > tol || p.z - s.z_high > tol) return infinity<Real>();
+  } else {
+    const Real before = v.z < 0 ? p.z - s.z_high : s.z_low - p.z;
+    const Real depth = v.z < 0 ? p.z - s.z_low : s.z_high - p.z;
+    const Real rate = absolute(v.inverse_z);
+    if (before > tol) body.enter = before * rate;
+    body.leave = depth * rate;
+    body.until = (depth - tol) * rate;
+    if (!is_ahead(body)) return infinity<Real>();
+  }
+  const Span<Real> around = cylinder_span(s.rmax * Real(1.0625), p, v, Real(0));
+  if (!is_ahead(around) || !(around.enter < body.leave) || !(body.enter < around.leave)) {
+    return infinity<Real>();
+  }
+  body.enter = -infinity<Real>();
+  if (s.wedge.kind == 1) clip_to_wedge(s.wedge, p, v, tol, body);
+  const Span<Real> gap = gap_span(s.wedge, p, v, tol);
+
+  Real nearest = infinity<Real>();
+  for (int k = 0; k < s.count; ++k) {
+    const int i = v.z < 0 ? s.count - 1 - k : k;
+    const Section<Real>& section = s.sections[i];
+    const SectionRange<Real> range = section_range(section, p, v, tol);
+    if (!(range.from < range.to) || range.to <= around.enter) continue;
+    if (range.from >= nearest || range.from >= around.leave) break;
+    // The faces are looked at from where the ray enters the section.
+    const Vec3<Real> q = from_section(section, advance(p, v, range.from));
+    const Span<Real> outer = face_span(s, section.outer, q, v, tol);
+    if (!is_ahead(outer)) continue;
+    Span<Real> ring = body;
+    ring.enter = larger(range.from > 0 ? range.from : -infinity<Real>(), ring.enter);
+    ring.enter = larger(outer.enter < 0 ? outer.enter : outer.enter + range.from, ring.enter);
+    ring.until = smaller(range.to, ring.until);
+    ring.until = smaller(outer.until + range.from, ring.until);
+    if (!is_ahead(ring)) continue;
+    Span<Real> bore = no_span<Real>();
+    if (section.bored != 0) {
+      bore = shifted(face_span(s, section.inner, q, v, tol), range.from);
+    }
+    const Real t = first_entry(ring, bore, gap);
+    if (t < 0) return distance_from_within(s, p, tol);
+    nearest = smaller(t, nearest);
+  }
+  return nearest;
+}
+
+template <class Sections, class Real>
+Real sections_distance_to_out(const Sections& s, const Vec3<Real>& p, const Direction<Real>& v,
+                              Real tol) {
+  Real reach = 0;
+  for (int k = 0; k < s.count; ++k) {
+    const int i = v.z < 0 ? s.count - 1 - k : k;
+    const Section<Real>& section = s.sections[i];
+    const SectionRange<Real> range = section_range(section, p, v, tol);
+    if (!(reach < range.to)) continue;
+    if (reach < range.from) break;
+    const Vec3<Real> q = from_section(section, advance(p, v, range.from));
+    // A ring that the path is not in here, or is leaving, takes it no further.
+    const Span<Real> outer = face_span(s, section.outer, q, v, tol);
+    if (!is_ahead(outer) || !starts_in(outer)) continue;
+    Real leave = outer.leave;
+    if (section.bored != 0) {
+      leave = leave_into_hole(face_span(s, section.inner, q, v, tol), leave);
+    }
+    reach = larger(smaller(leave + range.from, range.to), reach);
+  }
+  return leave_wedge(s.wedge, p, v, tol, reach);
+}
+
+template <class Sections, class Real>
+Real sections_safety_to_in(const Sections& s, const Vec3<Real>& p) {
+  const Real rho = square_root(p.x * p.x + p.y * p.y);
+  Real away = infinity<Real>();
+  for (int i = 0; i < s.count; ++i) {
+    const Section<Real>& section = s.sections[i];
+    const Real along = larger(section.z_low - p.z, p.z - section.z_high);
+    if (along >= away) continue;
+    away = smaller(larger(ring_distance(s, section, from_section(section, p), rho), along), away);
+  }
+  if (s.wedge.kind != 0) away = larger(wedge_distance(s.wedge, p.x, p.y), away);
+  return larger(away, Real(0));
+}
+
+template <class Sections, class Real>
+Real sections_safety_to_out(const Sections& s, const Vec3<Real>& p) {
+  const Real rho = square_root(p.x * p.x + p.y * p.y);
+  // The nearest of all pieces of the surface, once the point is known to be in a ring.
+  Real depth = infinity<Real>();
+  bool in = false;
+  for (int i = 0; i < s.count; ++i) {
+    const Section<Real>& section = s.sections[i];
+    const Real along = larger(section.z_low - p.z, p.z - section.z_high);
+    if (along > 0 && along >= depth) continue;
+    const Vec3<Real> q = from_section(section, p);
+    const Real outer = face_distance(s, section.outer, q, rho);
+    Real nearest = absolute(outer);
+    bool in_ring = outer <= 0;
+    if (section.bored != 0) {
+      const Real inner = face_distance(s, section.inner, q, rho);
+      nearest = smaller(absolute(inner), nearest);
+      in_ring &= inner >= 0;
+    }
+    in |= in_ring & (along <= 0);
+    depth = smaller(larger(along, nearest), depth);
+  }
+  if (!in) return Real(0);
+  for (int i = 0; i < s.ledge_count; ++i) {
+    const Ledge<Real>& ledge = s.ledges[i];
+    const Real along = absolute(p.z - ledge.z);
+    if (along >= depth) continue;
+    const Real beyond = face_distance(s, ConicalFace<Real>{ledge.rmax, 0, 1}, p, rho);
+    const Real within = -face_distance(s, ConicalFace<Real>{ledge.rmin, 0, 1}, p, rho);
+    depth = smaller(larger(larger(beyond, within), along), depth);
+  }
+  if (s.wedge.kind != 0) depth = smaller(-wedge_distance(s.wedge, p.x, p.y), depth);
+  return larger(depth, Real(0));
+}
+
+}  // namespace navjit::kernels

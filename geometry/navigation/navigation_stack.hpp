@@ -1,0 +1,42 @@
+// The navigation stack (navjit/detail/navigation_stack.h) for compiled-ahead code.
+#pragma once
+
+#include "geometry/model/world.hpp"
+
+// clang-format off
+#include "navjit/detail/navigation_stack.h"
+#include "geometry/kernels/navigation.h"
+// clang-format on
+
+namespace navjit {
+
+using kernels::NavigationStack;
+using kernels::StackLevel;
+static_assert(kernels::stack_levels == max_depth);
+
+/// Compares what a navigator may read: depth, and every level's volume, touchable and frame, bit
+/// for bit.
+bool identical(const NavigationStack& a, const NavigationStack& b);
+
+/// Puts the stack into the world volume, and nothing else on it.
+void enter_world(NavigationStack& stack, VolumeId top);
+
+/// Pushes a daughter of the innermost level, by its placement.
+inline void push(NavigationStack& stack, const Transformation& t, VolumeId volume,
+                 unsigned daughter, TouchableId offset) {
+  if (t.rotated) {
+    kernels::push_rotated(&stack, volume, daughter, offset, t.translation[0], t.translation[1],
+                          t.translation[2], t.rotation);
+  } else {
+    kernels::push_translated(&stack, volume, daughter, offset, t.translation[0], t.translation[1],
+                             t.translation[2]);
+  }
+}
+
+/// From the world into a level.
+Transformation frame_of(const StackLevel& level);
+
+/// Copies a stack, with the rotations of the copy pointing into the copy.
+void copy(const NavigationStack& from, NavigationStack& to);
+
+}  // namespace navjit

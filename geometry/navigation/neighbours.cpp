@@ -1,0 +1,73 @@
+#include "geometry/navigation/neighbours.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/bvh/box_tree_traversal.hpp"
+#include "geometry/solids/extent.hpp"
+
+namespace navjit {
+namespace {
+
+/// With more neighbours the boxes' hierarchy is the better search.
+constexpr std::size_t most_neighbours = 12;
+
+bool meet(const Extent& a, const Extent& b) {
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
+         a.min.z <= b.max.z && b.min.z <= a.max.z;
+}
+
+/// Is every point of the box deeper in the solid than the margin?
+bool holds(const Solid& mother, const Extent& box, double margin) {
+  if (mother.kind == SolidKind::box) {
+    const Extent deep = inflated(mother.extent, -margin);
+    return box.min.x > deep.min.x && box.max.x < deep.max.x && box.min.y > deep.min.y &&
+           box.max.y < deep.max.y && box.min.z > deep.min.z && box.max.z < deep.max.z;
+  }
+  const Vec3 centre{(box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2,
+                    (box.min.z + box.max.z) / 2};
+  const double radius =
+      std::hypot(box.max.x - centre.x, box.max.y - centre.y, box.max.z - centre.z);
+  return safety_to_out(mother.any(), centre) > radius + margin;
+}
+
+}  // namespace
+
+double search_margin(const Extent& extent, double tolerance) {
+  return 2 * tolerance + 1e-9 * largest_coordinate(extent);
+}
+
+NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxes,
+                               const bvh::BoxTree* tree, double tolerance) {
+  NeighbourLists result;
+  // Daughters may stick out of their mother.
+  double margin = search_margin(mother.extent, tolerance);
+  for (const Extent& box : boxes) margin = std::max(margin, search_margin(box, tolerance));
+  if (!std::isfinite(margin)) return result;
+  result.of.reserve(boxes.size());
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t k = 0; k < boxes.size(); ++k) {
+    const Extent box = inflated(boxes[k], margin);
+    found.clear();
+    const auto test = [&](std::uint32_t other) {
+      if (other != k && meet(box, inflated(boxes[other], margin))) found.push_back(other);
+      return found.size() <= most_neighbours;
+    };
+    if (tree != nullptr) {
+      // The tree's boxes reach out by the tolerance alone.
+      tree->overlapping(inflated(box, margin), test);
+    } else {
+      for (std::uint32_t other = 0; other < boxes.size(); ++other) test(other);
+    }
+    std::sort(found.begin(), found.end(), std::greater<>());
+    const bool listed = found.size() <= most_neighbours;
+    result.of.push_back(
+        {box, static_cast<std::uint32_t>(result.neighbours.size()),
+         listed ? static_cast<std::uint16_t>(found.size()) : NeighbourLists::Of::unlisted,
+         holds(mother, box, margin)});
+    if (listed) result.neighbours.insert(result.neighbours.end(), found.begin(), found.end());
+  }
+  return result;
+}
+
+}  // namespace navjit

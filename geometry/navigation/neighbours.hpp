@@ -1,0 +1,58 @@
+// What a track may meet where it leaves a daughter, known before it does: few others touch it.
+//
+// A daughter's box with a margin holds every point at which a track can leave it. Only daughters
+// whose boxes, with the same margin, meet that box can contain such a point; and where the box lies
+// well inside the mother, the mother contains it. The margin is far above the tolerance and the
+// rounding of a position, so that no answer depends on it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/solids/solid.hpp"
+
+namespace navjit {
+
+namespace bvh {
+class BoxTree;
+}
+
+struct NeighbourLists {
+  /// Of one daughter.
+  struct Of {
+    Extent box;           ///< with the margin, in the mother's frame, mm
+    std::uint32_t first;  ///< into `neighbours`
+    std::uint16_t count;
+    bool mother_contains;  ///< the mother contains every point of the box
+
+    static constexpr std::uint16_t unlisted = 0xffff;
+    /// False if the neighbours are too many to be listed.
+    bool listed() const { return count != unlisted; }
+  };
+  std::vector<Of> of;                     ///< by daughter; empty: unknown
+  std::vector<std::uint32_t> neighbours;  ///< of one daughter: last in file order first
+
+  /// Those of a daughter; null if they are unknown or the point is not in its box.
+  const Of* at(unsigned daughter, const Vec3& p) const {
+    if (daughter >= of.size()) return nullptr;
+    const Of& around = of[daughter];
+    const Extent& b = around.box;
+    const bool there = (p.x >= b.min.x) & (p.x <= b.max.x) & (p.y >= b.min.y) & (p.y <= b.max.y) &
+                       (p.z >= b.min.z) & (p.z <= b.max.z);
+    return there ? &around : nullptr;
+  }
+  std::span<const std::uint32_t> neighbours_of(const Of& around) const {
+    return std::span(neighbours).subspan(around.first, around.count);
+  }
+};
+
+/// `boxes`: around the daughters in their mother's frame; `tree`: the same boxes, or null.
+NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxes,
+                               const bvh::BoxTree* tree, double tolerance);
+
+/// How far boxes and cells of a scene reach beyond its daughters, mm: twice the tolerance and
+/// 1e-9 of the largest coordinate, a million times the rounding of a position.
+double search_margin(const Extent& extent, double tolerance);
+
+}  // namespace navjit

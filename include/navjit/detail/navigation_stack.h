@@ -1,0 +1,104 @@
+// The navigation stack: the touchable that a track is in, with every level above it and each
+// level's frame. Freestanding: the layout is shared by the generic navigator and by generated code,
+// and is part of their binary interface (abi_version).
+// Needs vectors.h before it.
+#ifndef NAVJIT_DETAIL_NAVIGATION_STACK_H
+#define NAVJIT_DETAIL_NAVIGATION_STACK_H
+namespace navjit::kernels {
+
+constexpr unsigned abi_version = 6;
+constexpr int stack_levels = 64;
+
+/// One level: a placed volume and its frame in the world, local = rotation * (global -
+/// translation).
+struct StackLevel {
+  double translation[3];
+  const double* rotation;  ///< null: identity. Points to `own_rotation` of this or an outer level
+  unsigned long long touchable;
+  unsigned volume;
+  unsigned daughter;  ///< index of the placement in the mother; 0 for the world
+  double own_rotation[9];
+  double unused;  ///< rounds the size up to a power of two
+};
+static_assert(sizeof(StackLevel) == 128);
+
+/// The ray that steps are made along: its direction with reciprocals, kept because its steps share
+/// it.
+struct RayConstants {
+  double given[3] = {0, 0, 0};  ///< as the caller gave it
+  Direction<double> direction = make_direction<double>(0, 0, 0);
+  bool oblique = false;  ///< is_oblique(direction)
+};
+
+/// The same in a frame whose rotation all touchables of a volume share; specialised navigators keep
+/// it.
+struct TurnedRay {
+  Direction<double> direction = make_direction<double>(0, 0, 0);
+  unsigned rotation = 0;  ///< FrameFacts::rotation; 0: none since the ray began
+  bool oblique = false;
+};
+
+/// Not copyable by bytes: rotations point into the stack itself.
+struct NavigationStack {
+  int depth;     ///< index of the innermost level; -1 outside the world
+  int boundary;  ///< whether the last step ended on a boundary
+  RayConstants ray;
+  TurnedRay turned;
+  StackLevel levels[stack_levels];
+};
+
+struct Context;
+
+// The direction of steps, and of relocation behind them, is the stack's ray (set_ray): in memory it
+// takes no registers, all of which a call would have to save. `data` is DispatchEntry::data.
+
+/// A step from the global point (x, y, z) at most `limit` long. Gives its length and leaves the
+/// stack at the next touchable. A negative result: this navigator does not take the state; the
+/// stack is unchanged.
+using StepFunction = double (*)(NavigationStack*, const Context*, const void* data, double x,
+                                double y, double z, double limit);
+/// The point has just come into the innermost level: from outside (blocked < 0), then it is known
+/// to be in it; or out of its daughter `blocked`, then it may have to leave this level too. Brings
+/// the stack to the deepest touchable with the point.
+using RelocateFunction = void (*)(NavigationStack*, const Context*, const void* data, double x,
+                                  double y, double z, int blocked);
+
+/// A lower bound (mm, >= 0) of the distance from a global point to the nearest boundary of the
+/// innermost volume or of its daughters.
+using SafetyFunction = double (*)(const NavigationStack*, const Context*, const void* data,
+                                  double x, double y, double z);
+
+/// What navigates one volume: immutable, published by one atomic pointer.
+struct DispatchEntry {
+  StepFunction step;
+  RelocateFunction relocate;
+  SafetyFunction safety;
+  /// The numbers of the scene, where the code is shared by all scenes of its structure; else null.
+  const void* data = nullptr;
+};
+
+/// What navigators need besides the stack; generated code reaches everything through it.
+struct Context {
+  const DispatchEntry* const* table;  ///< by volume; entries change while threads run
+  const void* geometry;               ///< the generic navigator's data
+};
+
+/// The record of a volume, as other threads published it.
+inline const DispatchEntry* dispatch_entry_of(const Context* context, unsigned volume) {
+  return __atomic_load_n(context->table + volume, __ATOMIC_ACQUIRE);
+}
+
+/// Relocation in a volume that the table knows how to navigate: see RelocateFunction.
+inline void relocate_in_table(NavigationStack* stack, const Context* context, unsigned volume,
+                              double x, double y, double z, int blocked) {
+  const DispatchEntry* entry = dispatch_entry_of(context, volume);
+  entry->relocate(stack, context, entry->data, x, y, z, blocked);
+}
+
+/// Equal bits: cheaper than equal values, and all the same for what is only kept to save work.
+inline bool same_bits(double a, double b) {
+  return __builtin_bit_cast(unsigned long long, a) == __builtin_bit_cast(unsigned long long, b);
+}
+
+}  // namespace navjit::kernels
+#endif

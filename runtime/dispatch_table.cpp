@@ -1,0 +1,43 @@
+#include "runtime/dispatch_table.hpp"
+
+#include <algorithm>
+
+#include "geometry/navigation/generic.hpp"
+
+namespace navjit {
+
+DispatchTable::DispatchTable(const Geometry& geometry)
+    : size_(geometry.size()), entries_(std::make_unique<Entry[]>(size_)), owners_(size_) {
+  for (std::size_t v = 0; v < size_; ++v) {
+    entries_[v].store(&generic::dispatch_entry, std::memory_order_relaxed);
+  }
+  // Generated code reads the entries through __atomic_load_n: the same object representation.
+  context_ = {reinterpret_cast<const kernels::DispatchEntry* const*>(entries_.get()), &geometry};
+}
+
+void DispatchTable::install(VolumeId volume, const kernels::DispatchEntry* record,
+                            std::shared_ptr<const void> owner) {
+  const std::lock_guard lock(mutex_);
+  entries_[volume].store(record, std::memory_order_release);
+  std::swap(owners_[volume], owner);
+  if (owner) retired_.retire(std::move(owner), threads_);
+}
+
+void DispatchTable::reset(VolumeId volume) { install(volume, &generic::dispatch_entry, nullptr); }
+
+std::shared_ptr<ReadSide> DispatchTable::add_thread() {
+  const std::lock_guard lock(mutex_);
+  return threads_.emplace_back(std::make_shared<ReadSide>());
+}
+
+void DispatchTable::remove_thread(const std::shared_ptr<ReadSide>& thread) {
+  const std::lock_guard lock(mutex_);
+  std::erase(threads_, thread);
+}
+
+std::size_t DispatchTable::reclaim() {
+  const std::lock_guard lock(mutex_);
+  return retired_.reclaim();
+}
+
+}  // namespace navjit

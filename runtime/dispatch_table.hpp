@@ -1,0 +1,50 @@
+// The navigator table: per volume one atomic pointer to one immutable record.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "geometry/navigation/geometry.hpp"
+#include "runtime/reclamation.hpp"
+
+namespace navjit {
+
+/// Readers take no lock (kernels::dispatch_entry_of); one writer at a time.
+class DispatchTable {
+ public:
+  /// Every volume starts with the generic navigator.
+  explicit DispatchTable(const Geometry& geometry);
+
+  const kernels::Context& context() const { return context_; }
+  const kernels::DispatchEntry* at(VolumeId volume) const {
+    return entries_[volume].load(std::memory_order_acquire);
+  }
+  /// Installs a record for a volume; `owner` keeps record and code alive while they are in use.
+  void install(VolumeId volume, const kernels::DispatchEntry* record,
+               std::shared_ptr<const void> owner);
+  /// Back to the generic navigator.
+  void reset(VolumeId volume);
+
+  /// A thread that will navigate with this table announces itself.
+  std::shared_ptr<ReadSide> add_thread();
+  void remove_thread(const std::shared_ptr<ReadSide>& thread);
+
+  /// Frees replaced code that no thread can be in; returns how many records still wait.
+  std::size_t reclaim();
+
+ private:
+  using Entry = std::atomic<const kernels::DispatchEntry*>;
+  static_assert(Entry::is_always_lock_free && sizeof(Entry) == sizeof(void*));
+
+  std::size_t size_;
+  std::unique_ptr<Entry[]> entries_;
+  kernels::Context context_;
+  std::mutex mutex_;  ///< guards what follows
+  std::vector<std::shared_ptr<const void>> owners_;
+  std::vector<std::shared_ptr<ReadSide>> threads_;
+  RetireList retired_;
+};
+
+}  // namespace navjit

@@ -1,0 +1,26 @@
+// Which scenes earlier runs of a detector found hot, and compiled together: kept in the cache, so
+// that the next run need not wait for its own profile, and asks for the same modules.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/model/world.hpp"
+
+namespace navjit {
+
+/// Batches of volumes, as they were compiled.
+using ModuleList = std::vector<std::vector<VolumeId>>;
+
+std::string write_module_list(const ModuleList& list);
+
+/// Nothing if the text is not a list of modules for `volumes` volumes: every number is checked, and
+/// none may occur twice.
+std::optional<ModuleList> read_module_list(std::string_view text, std::size_t volumes);
+
+/// `mine`, and the batches of `others` that share no volume with it.
+ModuleList merge(const ModuleList& mine, const ModuleList& others);
+
+}  // namespace navjit

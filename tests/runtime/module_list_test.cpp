@@ -1,0 +1,59 @@
+#include "runtime/module_list.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+namespace navjit {
+namespace {
+
+TEST(ModuleList, ReadsWhatItWrites) {
+  std::mt19937_64 random(1);
+  for (int round = 0; round < 200; ++round) {
+    ModuleList list;
+    std::vector<VolumeId> volumes(50);
+    for (VolumeId v = 0; v < volumes.size(); ++v) volumes[v] = v;
+    std::shuffle(volumes.begin(), volumes.end(), random);
+    for (std::size_t at = 0; at < volumes.size();) {
+      const std::size_t n = std::min<std::size_t>(1 + random() % 12, volumes.size() - at);
+      list.emplace_back(volumes.begin() + static_cast<std::ptrdiff_t>(at),
+                        volumes.begin() + static_cast<std::ptrdiff_t>(at + n));
+      at += n;
+    }
+    const std::string text = write_module_list(list);
+    EXPECT_EQ(read_module_list(text, 50), list);
+    EXPECT_FALSE(read_module_list(text, 49)) << "a volume that does not exist";
+    EXPECT_FALSE(read_module_list(text + text, 50));
+    // Whatever is cut off: nothing, or fewer batches.
+    const auto cut = read_module_list(text.substr(0, random() % text.size()), 50);
+    EXPECT_TRUE(!cut || cut->size() < list.size());
+  }
+  EXPECT_EQ(read_module_list(write_module_list({}), 0), ModuleList{});
+}
+
+TEST(ModuleList, MergedBatchesShareNoVolume) {
+  std::mt19937_64 random(2);
+  for (int round = 0; round < 200; ++round) {
+    ModuleList lists[2];
+    for (ModuleList& list : lists) {
+      std::set<VolumeId> seen;
+      for (int b = 0; b < 5; ++b) {
+        std::vector<VolumeId> batch;
+        for (int i = 0; i < 3; ++i) {
+          const auto v = static_cast<VolumeId>(random() % 30);
+          if (seen.insert(v).second) batch.push_back(v);
+        }
+        if (!batch.empty()) list.push_back(batch);
+      }
+    }
+    const ModuleList merged = merge(lists[0], lists[1]);
+    EXPECT_TRUE(read_module_list(write_module_list(merged), 30));
+    ASSERT_GE(merged.size(), lists[0].size());
+    for (std::size_t b = 0; b < lists[0].size(); ++b) EXPECT_EQ(merged[b], lists[0][b]);
+    EXPECT_EQ(merge(merged, lists[1]), merged);
+  }
+}
+
+}  // namespace
+}  // namespace navjit
