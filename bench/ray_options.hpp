@@ -13,6 +13,7 @@ struct RayOptions {
   std::string file;
   std::uint64_t count = 2000, seed = 1;
   bool forward = false;
+  std::string aim;
 };
 
 inline void add_ray_options(CLI::App& app, RayOptions& options) {
@@ -20,12 +21,14 @@ inline void add_ray_options(CLI::App& app, RayOptions& options) {
   app.add_option("--count", options.count, "random rays");
   app.add_option("--seed", options.seed, "of random rays");
   app.add_flag("--forward", options.forward, "random rays from the origin with eta 2..5");
+  app.add_option("--aim", options.aim, "random rays through this volume's boxes, or auto");
 }
 
 inline std::vector<Ray> rays_of(const RayOptions& options, const World& world) {
   if (!options.file.empty()) return common::read_rays(options.file);
   common::RaySource source;
   source.seed = options.seed;
+  source.aim = options.aim;
   if (options.forward) {
     source.origin = Vec3{0, 0, 0};
     source.eta = {2, 5};

@@ -22,11 +22,13 @@ struct BlockGrid {
   const Index (*daughters)[box_lanes];  ///< ascending within a cell
 };
 
-/// One bit for each lane that is not zero.
+/// One bit for each lane that is not zero, where each is all ones or zero.
 inline unsigned lanes_of(Ints set) {
-#ifdef __clang__
+#if defined(__clang__)
   typedef bool Bits __attribute__((ext_vector_type(8)));
   return __builtin_bit_cast(unsigned char, __builtin_convertvector(set, Bits));
+#elif defined(__AVX__)
+  return static_cast<unsigned>(__builtin_ia32_movmskps256(__builtin_bit_cast(Floats, set)));
 #else
   unsigned bits = 0;
   for (int i = 0; i < box_lanes; ++i) bits |= set[i] != 0 ? 1U << i : 0U;
@@ -94,8 +96,10 @@ inline float strictly_below(double x) {
 inline float strictly_above(double x) { return -strictly_below(-x); }
 
 inline Floats root_of_lanes(Floats x) {
-#ifdef __clang__
+#if defined(__clang__)
   return __builtin_elementwise_sqrt(x);
+#elif defined(__AVX__)
+  return __builtin_ia32_sqrtps256(x);
 #else
   for (int i = 0; i < box_lanes; ++i) x[i] = __builtin_sqrtf(x[i]);
   return x;
