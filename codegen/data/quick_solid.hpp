@@ -31,6 +31,10 @@ inline double distance_to_in(const QuickSolid& s, const Vec3<double>& p, const D
                              double tol) {
   return s.is_box() ? distance_to_in(s.box(), p, v, tol) : distance_to_in_any(s.any, p, v, tol);
 }
+inline double distance_to_entry(const QuickSolid& s, const Vec3<double>& p,
+                                const Direction<double>& v, double tol) {
+  return s.is_box() ? distance_to_entry(s.box(), p, v, tol) : distance_to_in_any(s.any, p, v, tol);
+}
 inline double distance_to_out(const QuickSolid& s, const Vec3<double>& p,
                               const Direction<double>& v, double tol) {
   return distance_to_out_any(s.any, p, v, tol);
@@ -57,6 +61,11 @@ template <class Shape>
 double distance_to_in(const KnownSolid<Shape>& s, const Vec3<double>& p, const Direction<double>& v,
                       double tol) {
   return distance_to_in(*s.shape, p, v, tol);
+}
+template <class Shape>
+double distance_to_entry(const KnownSolid<Shape>& s, const Vec3<double>& p,
+                         const Direction<double>& v, double tol) {
+  return distance_to_entry(*s.shape, p, v, tol);
 }
 template <class Shape>
 double safety_to_in(const KnownSolid<Shape>& s, const Vec3<double>& p) {

@@ -106,26 +106,40 @@ inline Floats root_of_lanes(Floats x) {
 #endif
 }
 
+/// Distances of a point from boxes, as the generic navigator has them, bit by bit
+/// (bvh::BoxTree::near).
+struct BoxDistances {
+  Floats below[3], above[3];
+
+  explicit BoxDistances(const Vec3<double>& p)
+      : below{all_lanes(strictly_below(p.x)), all_lanes(strictly_below(p.y)),
+              all_lanes(strictly_below(p.z))},
+        above{all_lanes(strictly_above(p.x)), all_lanes(strictly_above(p.y)),
+              all_lanes(strictly_above(p.z))} {}
+
+  Floats squares(const BoxBlock& block) const {
+    Floats square = all_lanes(0);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Floats outside =
+          larger_lanes(larger_lanes(block.low[axis] - above[axis], below[axis] - block.high[axis]),
+                       all_lanes(0));
+      square += outside * outside;
+    }
+    return smaller_lanes(square, all_lanes(__FLT_MAX__));
+  }
+  static Floats distances(Floats squares) {
+    return root_of_lanes(squares) * all_lanes(1 - 0x1p-21f);
+  }
+};
+
 /// `safety` or the smallest max(bound, away(k)) of what is `count` blocks of daughters in file
-/// order, where that is less. `bound` is the distance to the box as the generic navigator has it,
-/// bit by bit (bvh::BoxTree::near): with it the answer does not depend on who is asked.
+/// order, where that is less. `bound` is the distance to the box: with it the answer does not
+/// depend on who is asked. The block that is nearest is asked first, which spares most others.
 template <class Away>
 inline double safety_among_boxes(const BoxBlock* blocks, unsigned count, const Vec3<double>& p,
                                  double safety, Away away) {
-  const Floats below[3] = {all_lanes(strictly_below(p.x)), all_lanes(strictly_below(p.y)),
-                           all_lanes(strictly_below(p.z))};
-  const Floats above[3] = {all_lanes(strictly_above(p.x)), all_lanes(strictly_above(p.y)),
-                           all_lanes(strictly_above(p.z))};
-  for (unsigned m = 0; m < count; ++m) {
-    Floats square = all_lanes(0);
-    for (int axis = 0; axis < 3; ++axis) {
-      const Floats outside = larger_lanes(
-          larger_lanes(blocks[m].low[axis] - above[axis], below[axis] - blocks[m].high[axis]),
-          all_lanes(0));
-      square += outside * outside;
-    }
-    square = smaller_lanes(square, all_lanes(__FLT_MAX__));
-    const Floats distance = root_of_lanes(square) * all_lanes(1 - 0x1p-21f);
+  const BoxDistances from(p);
+  const auto ask = [&](unsigned m, Floats distance) {
     for (unsigned lanes = lanes_of(distance < all_lanes(strictly_above(safety))); lanes != 0;
          lanes &= lanes - 1) {
       const unsigned lane = static_cast<unsigned>(__builtin_ctz(lanes));
@@ -133,6 +147,27 @@ inline double safety_among_boxes(const BoxBlock* blocks, unsigned count, const V
       if (!(bound < safety)) continue;
       safety = smaller(larger(away(m * box_lanes + lane), bound), safety);
     }
+  };
+  constexpr unsigned most = 16;
+  if (count == 1 || count > most) {
+    for (unsigned m = 0; m < count; ++m) ask(m, from.distances(from.squares(blocks[m])));
+    return safety;
+  }
+  Floats squares[most], least = all_lanes(__FLT_MAX__);
+  for (unsigned m = 0; m < count; ++m) {
+    squares[m] = from.squares(blocks[m]);
+    least = smaller_lanes(squares[m], least);
+  }
+  float smallest = least[0];
+  for (int i = 1; i < box_lanes; ++i) smallest = least[i] < smallest ? least[i] : smallest;
+  unsigned nearest = 0;
+  while (nearest + 1 < count && lanes_of(squares[nearest] <= all_lanes(smallest)) == 0) ++nearest;
+  ask(nearest, from.distances(squares[nearest]));
+  // Rounded up, so that no box that is nearer is left out; what is offered is asked above.
+  const float enough = strictly_above(safety * safety * (1 + 0x1p-18));
+  for (unsigned m = 0; m < count; ++m) {
+    if (m == nearest || lanes_of(squares[m] <= all_lanes(enough)) == 0) continue;
+    ask(m, from.distances(squares[m]));
   }
   return safety;
 }

@@ -34,6 +34,12 @@ struct BoxDaughters {
     return distance_to_in(Box<double>{d.hx, d.hy, d.hz},
                           Vec3<double>{p.x - d.x, p.y - d.y, p.z - d.z}, v, tol);
   }
+  [[gnu::always_inline]] double entry(unsigned k, const Vec3<double>& p, const Direction<double>& v,
+                                      double, double tol) const {
+    const BoxDaughter& d = at[k];
+    return distance_to_entry(Box<double>{d.hx, d.hy, d.hz},
+                             Vec3<double>{p.x - d.x, p.y - d.y, p.z - d.z}, v, tol);
+  }
   [[gnu::always_inline]] double away(unsigned k, const Vec3<double>& p) const {
     const BoxDaughter& d = at[k];
     return safety_to_in(Box<double>{d.hx, d.hy, d.hz},
@@ -89,18 +95,33 @@ struct SolidDaughters {
   [[gnu::always_inline]] double distance(unsigned k, const Vec3<double>& p,
                                          const Direction<double>& v, double reach,
                                          double tol) const {
+    return distance_by(k, p, v, reach, [&](const Solid& solid, const auto& q, const auto& e, bool) {
+      return distance_to_in(solid, q, e, tol);
+    });
+  }
+  [[gnu::always_inline]] double entry(unsigned k, const Vec3<double>& p, const Direction<double>& v,
+                                      double reach, double tol) const {
+    return distance_by(
+        k, p, v, reach, [&](const Solid& solid, const auto& q, const auto& e, bool rotated) {
+          return rotated ? distance_to_in(solid, q, e, tol) : distance_to_entry(solid, q, e, tol);
+        });
+  }
+  template <class Ask>
+  [[gnu::always_inline]] double distance_by(unsigned k, const Vec3<double>& p,
+                                            const Direction<double>& v, double reach,
+                                            Ask ask) const {
     const SolidDaughter<Solid>& d = at[k];
     const Vec3<double> q = local(d, p);
     if (d.rotation == nullptr) {
       if (d.boxed && !may_meet_box(boxes[k][0], boxes[k][1], q, v, reach)) {
         return infinity<double>();
       }
-      return distance_to_in(d.solid, q, v, tol);
+      return ask(d.solid, q, v, false);
     }
     const Vec3<double> u = turned(d.rotation, v.x, v.y, v.z);
     const Direction<double> e = make_direction<double>(u.x, u.y, u.z);
     if (d.boxed && !may_meet_box(boxes[k][0], boxes[k][1], q, e, reach)) return infinity<double>();
-    return distance_to_in(d.solid, q, e, tol);
+    return ask(d.solid, q, e, true);
   }
   [[gnu::always_inline]] double away(unsigned k, const Vec3<double>& p) const {
     return safety_to_in(at[k].solid, local(at[k], p));
@@ -116,6 +137,24 @@ struct SolidDaughters {
     } else {
       push_rotated(stack, d.volume, k, d.offset, d.x, d.y, d.z, d.rotation);
     }
+  }
+};
+
+/// Daughters without what is rare: the ray is_oblique, and distances may be negative where it
+/// starts within (distance_to_entry).
+template <class Daughters>
+struct MostlyAhead {
+  const Daughters& all;
+  unsigned count;
+
+  [[gnu::always_inline]] bool holds(unsigned k, const Vec3<double>& p, const Direction<double>& v,
+                                    double tol) const {
+    return all.holds(k, p, v, tol);
+  }
+  [[gnu::always_inline]] double distance(unsigned k, const Vec3<double>& p,
+                                         const Direction<double>& v, double reach,
+                                         double tol) const {
+    return all.entry(k, p, v, reach, tol);
   }
 };
 

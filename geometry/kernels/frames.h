@@ -15,6 +15,10 @@ struct UnrotatedFrame {
   const Direction<double>& heading(const NavigationStack* stack, const StackLevel&) const {
     return stack->ray.direction;
   }
+  /// is_oblique(v), v being the ray in this frame.
+  bool oblique(const NavigationStack* stack, const StackLevel&, const Direction<double>&) const {
+    return stack->ray.oblique;
+  }
 };
 
 /// All touchables have the same rotation in the world, which is not the identity: the ray in it is
@@ -39,6 +43,9 @@ struct TurnedFrame {
     const double* v = stack->ray.given;
     return to_local_heading(level, v[0], v[1], v[2]);
   }
+  bool oblique(const NavigationStack* stack, const StackLevel&, const Direction<double>&) const {
+    return stack->turned.oblique;
+  }
 };
 
 /// Touchables have several rotations.
@@ -57,6 +64,10 @@ struct AnyFrame {
     if (level.rotation == nullptr) return stack->ray.direction;
     const double* v = stack->ray.given;
     return to_local_heading(level, v[0], v[1], v[2]);
+  }
+  bool oblique(const NavigationStack* stack, const StackLevel& level,
+               const Direction<double>& v) const {
+    return level.rotation == nullptr ? stack->ray.oblique : is_oblique(v);
   }
 };
 

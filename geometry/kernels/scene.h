@@ -54,19 +54,26 @@ template <class S>
                     static_cast<int>(left));
 }
 
-template <class S>
-[[gnu::always_inline]] inline double step_in(const S& s, NavigationStack* stack,
-                                             const Context* context, double x, double y, double z,
-                                             double limit) {
+/// The step, with the kernels' short ways (`rare` false), which are for rays along no face and take
+/// no start within a daughter, or with all that they can do. Nothing has changed where the result
+/// is negative.
+template <bool rare, class S>
+[[gnu::always_inline]] inline double try_step_in(const S& s, NavigationStack* stack,
+                                                 const Context* context, const Vec3<double>& p,
+                                                 const Direction<double>& v, double x, double y,
+                                                 double z, double limit) {
   using Daughters = decltype(s.daughters);
-  const StackLevel& level = stack->levels[stack->depth];
-  const Vec3<double> p = s.frame.point(level, x, y, z);
-  const Direction<double>& v = s.frame.ray(stack, level);
-  double best = distance_to_out(s.mother, p, v, s.tolerance);
+  double best = rare ? distance_to_out(s.mother, p, v, s.tolerance)
+                     : distance_to_exit(s.mother, p, v, s.tolerance);
   [[maybe_unused]] int hit = -1;
   if constexpr (Daughters::any) {
-    hit = s.search.nearest(s.daughters, p, v, best, limit, stack->levels[stack->depth + 1].daughter,
-                           s.tolerance);
+    const unsigned left = stack->levels[stack->depth + 1].daughter;
+    if constexpr (rare) {
+      hit = s.search.nearest(s.daughters, p, v, best, limit, left, s.tolerance);
+    } else {
+      const MostlyAhead<Daughters> ahead{s.daughters, s.daughters.count};
+      hit = s.search.nearest(ahead, p, v, best, limit, left, s.tolerance);
+    }
   }
   if (__builtin_expect(!(best > 0), 0)) return -1.0;
   if (best > limit) {
@@ -87,6 +94,31 @@ template <class S>
   }
   leave_level(stack, context, x, y, z);
   return best;
+}
+
+/// Out of line, so that it takes no registers from the common step.
+template <class S>
+[[gnu::noinline, gnu::flatten]] double step_with_all_cases(const S& s, NavigationStack* stack,
+                                                           const Context* context, double x,
+                                                           double y, double z, double limit) {
+  const StackLevel& level = stack->levels[stack->depth];
+  const Vec3<double> p = s.frame.point(level, x, y, z);
+  const Direction<double>& v = s.frame.ray(stack, level);
+  return try_step_in<true>(s, stack, context, p, v, x, y, z, limit);
+}
+
+template <class S>
+[[gnu::always_inline]] inline double step_in(const S& s, NavigationStack* stack,
+                                             const Context* context, double x, double y, double z,
+                                             double limit) {
+  const StackLevel& level = stack->levels[stack->depth];
+  const Vec3<double> p = s.frame.point(level, x, y, z);
+  const Direction<double>& v = s.frame.ray(stack, level);
+  if (__builtin_expect(s.frame.oblique(stack, level, v), 1)) {
+    const double length = try_step_in<false>(s, stack, context, p, v, x, y, z, limit);
+    if (__builtin_expect(length >= 0, 1)) return length;
+  }
+  return step_with_all_cases(s, stack, context, x, y, z, limit);
 }
 
 template <class S>
