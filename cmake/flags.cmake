@@ -1,10 +1,7 @@
 # What every target is compiled with. Contraction is off for a reason: answers have to be the same
 # bits as those of generated code (docs/numerics.md).
-if(NOT CMAKE_BUILD_TYPE)
-  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
-endif()
-
-add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off -fno-math-errno)
+# A project that navjit is a part of may compile with -ffast-math: the later option counts.
+add_compile_options(-fno-fast-math -ffp-contract=off -fno-math-errno)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   add_compile_options(-Wno-restrict)  # false alarms in std::string, GCC bug 105329
 endif()
@@ -13,7 +10,6 @@ if(NAVJIT_NATIVE)
 endif()
 # Packing neighbouring numbers into vectors made the navigator slower (docs/experiments.md).
 add_compile_options(-fno-tree-slp-vectorize)
-set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 if(NAVJIT_SANITIZE)
   # At -O3 GCC 12's address sanitizer sees uses after scope where temporaries were merged.
   add_compile_options(-fsanitize=${NAVJIT_SANITIZE} -fno-omit-frame-pointer -g1 -O1)

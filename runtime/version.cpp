@@ -1,6 +1,7 @@
 #include "runtime/version.hpp"
 
 #include "jit/compiler.hpp"
+#include "navjit/version.hpp"
 #include "runtime/plugin_text.hpp"
 
 namespace navjit {
@@ -21,8 +22,6 @@ std::string code_generator() {
 }
 
 }  // namespace
-
-const char* version() { return NAVJIT_VERSION; }
 
 std::string version_line() {
   return std::string("navjit ") + version() + " (" + compiler + ", " + code_generator() +

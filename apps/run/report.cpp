@@ -10,6 +10,7 @@
 
 #include "apps/run/machine.hpp"
 #include "apps/warmup/series.hpp"
+#include "navjit/version.hpp"
 #include "runtime/version.hpp"
 
 namespace navjit::apps {

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "navjit/detail/api.hpp"
 #include "navjit/detector.hpp"
 
-namespace navjit {
+namespace NAVJIT_API navjit {
 
 /// Collects materials, volumes and placements; build() gives the detector. What is added is checked
 /// at once, and an exception leaves the builder as it was. Nothing of it is navigated before

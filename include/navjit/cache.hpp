@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <string>
 
-namespace navjit {
+#include "navjit/detail/api.hpp"
+
+namespace NAVJIT_API navjit {
 
 /// A directory for compiled code, or none, which is the default: a library does not write to disks
 /// unasked. The directory is made and checked when a Runtime first needs it; if it cannot be used,

@@ -9,12 +9,13 @@
 #include <string_view>
 #include <vector>
 
+#include "navjit/detail/api.hpp"
 #include "navjit/material.hpp"
 #include "navjit/state.hpp"
 #include "navjit/transformation.hpp"
 #include "navjit/volume.hpp"
 
-namespace navjit {
+namespace NAVJIT_API navjit {
 
 struct World;  ///< the library's own representation of a detector
 

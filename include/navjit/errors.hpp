@@ -3,7 +3,9 @@
 
 #include <stdexcept>
 
-namespace navjit {
+#include "navjit/detail/api.hpp"
+
+namespace NAVJIT_API navjit {
 
 /// Everything that navjit throws, but for std::bad_alloc. what() is one line that says what is
 /// wrong, where, and what to do.

@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "navjit/detail/api.hpp"
 #include "navjit/detector.hpp"
 #include "navjit/errors.hpp"
 
-namespace navjit {
+namespace NAVJIT_API navjit {
 
 /// What a file may ask for, all its entities and modules counted together. The defaults are far
 /// above any real detector's; they keep a hostile file from exhausting memory or time.

@@ -5,7 +5,9 @@
 #include <functional>
 #include <string_view>
 
-namespace navjit {
+#include "navjit/detail/api.hpp"
+
+namespace NAVJIT_API navjit {
 
 enum class LogLevel : std::uint8_t {
   debug,    ///< decisions, as key=value (docs/decisions.md)

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace navjit {
+#include "navjit/detail/api.hpp"
+
+namespace NAVJIT_API navjit {
 
 enum class MaterialState : std::uint8_t { undefined, solid, liquid, gas };
 
@@ -25,8 +27,8 @@ struct IsotopeShare {
 
 struct Element {
   std::string name;
-  std::string formula;  ///< often the chemical symbol; empty where the file gives none
-  double z = 0;         ///< charge of the nucleus, elementary charges; 0 where the file gives none
+  std::string formula{};  ///< often the chemical symbol; empty where the file gives none
+  double z = 0;  ///< charge of the nucleus, elementary charges; 0 where the file gives none
   double a = 0;  ///< molar mass, g/mol, the mean of the isotopes if these are given; 0 if unknown
   std::vector<IsotopeShare> isotopes{};  ///< empty where the file gives none
 };

@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 
+#include "navjit/detail/api.hpp"
 #include "navjit/detail/profile.hpp"
 #include "navjit/detail/read_side.hpp"
 #include "navjit/errors.hpp"
@@ -14,7 +15,7 @@
 #include "navjit/detail/navigation_stack.h"
 // clang-format on
 
-namespace navjit {
+namespace NAVJIT_API navjit {
 
 namespace detail {
 struct Shared;  ///< what a Runtime and its navigators share

@@ -7,10 +7,11 @@
 #include <string>
 
 #include "navjit/cache.hpp"
+#include "navjit/detail/api.hpp"
 #include "navjit/log.hpp"
 #include "navjit/search.hpp"
 
-namespace navjit {
+namespace NAVJIT_API navjit {
 
 /// What specialised navigators may do to the answers; docs/numerics.md. A level is a permission:
 /// what keeps within it and is fastest is taken. At present that is `exact` for all three, since

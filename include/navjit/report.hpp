@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace navjit {
+#include "navjit/detail/api.hpp"
+
+namespace NAVJIT_API navjit {
 
 enum class SceneStatus : std::uint8_t {
   generic,  ///< not hot enough, or the JIT is off

@@ -3,13 +3,14 @@
 
 #include <memory>
 
+#include "navjit/detail/api.hpp"
 #include "navjit/detector.hpp"
 #include "navjit/navigator.hpp"
 #include "navjit/options.hpp"
 #include "navjit/report.hpp"
 #include "navjit/step_profile.hpp"
 
-namespace navjit {
+namespace NAVJIT_API navjit {
 
 class Specialiser;
 

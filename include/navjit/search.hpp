@@ -6,7 +6,9 @@
 #include <optional>
 #include <string>
 
-namespace navjit {
+#include "navjit/detail/api.hpp"
+
+namespace NAVJIT_API navjit {
 
 namespace bvh {
 

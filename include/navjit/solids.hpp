@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "navjit/detail/api.hpp"
 #include "navjit/errors.hpp"
 #include "navjit/solid_kind.hpp"
 #include "navjit/vector.hpp"
 
-namespace navjit {
+namespace NAVJIT_API navjit {
 
 /// An immutable solid, made by one of the functions below. Copies share the shape.
 struct Solid {

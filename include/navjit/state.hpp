@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <functional>
 
+#include "navjit/detail/api.hpp"
 #include "navjit/vector.hpp"
 
-namespace navjit {
+namespace NAVJIT_API navjit {
 
 /// The number of a logical volume, below Detector::volumes().
 using VolumeId = std::uint32_t;

@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "navjit/detail/api.hpp"
 #include "navjit/errors.hpp"
 #include "navjit/state.hpp"
 
-namespace navjit {
+namespace NAVJIT_API navjit {
 
 /// From Runtime::step_profile(); for read and written by any one thread at a time.
 struct StepProfile {

@@ -9,9 +9,10 @@
 // docs/numerics.md has the reasons.
 #pragma once
 
+#include "navjit/detail/api.hpp"
 #include "navjit/vector.hpp"
 
-namespace navjit {
+namespace NAVJIT_API navjit {
 
 /// From an outer frame (a mother's, or the world's) into a local one.
 struct Transformation {

@@ -3,9 +3,10 @@
 
 #include <cmath>
 
+#include "navjit/detail/api.hpp"
 #include "navjit/detail/vectors.h"
 
-namespace navjit {
+namespace NAVJIT_API navjit {
 
 /// A point (mm) or a vector: x, y, z.
 using Vec3 = kernels::Vec3<double>;

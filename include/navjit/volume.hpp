@@ -7,11 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "navjit/detail/api.hpp"
 #include "navjit/solids.hpp"
 #include "navjit/state.hpp"
 #include "navjit/transformation.hpp"
 
-namespace navjit {
+namespace NAVJIT_API navjit {
 
 /// A tag for the simulation; navigation does not read it. GDML's
 /// <auxiliary auxtype='...' auxvalue='...' auxunit='...'>; the texts are the file's.

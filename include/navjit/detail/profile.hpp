@@ -7,9 +7,10 @@
 #include <cstdint>
 #include <memory>
 
+#include "navjit/detail/api.hpp"
 #include "navjit/state.hpp"
 
-namespace navjit {
+namespace NAVJIT_API navjit {
 
 /// A recorded question.
 struct Sample {

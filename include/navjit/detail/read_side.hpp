@@ -4,7 +4,9 @@
 #include <atomic>
 #include <cstdint>
 
-namespace navjit {
+#include "navjit/detail/api.hpp"
+
+namespace NAVJIT_API navjit {
 
 /// One navigating thread's mark: odd while it is inside a navigator.
 struct alignas(64) ReadSide {
