@@ -21,6 +21,13 @@ foreach(component runtime development)
 endforeach()
 file(RENAME ${FOLDER}/first ${FOLDER}/prefix)
 
+foreach(file bin/navjit bin/navjit_production share/navjit/detectors/shashlik.gdml
+             share/man/man1/navjit-run.1 share/bash-completion/completions/navjit)
+  if(NOT EXISTS ${FOLDER}/prefix/${file})
+    message(FATAL_ERROR "${file} was not installed")
+  endif()
+endforeach()
+
 # Nothing but navjit's own headers and the standard library's is behind the installed ones.
 file(GLOB_RECURSE headers ${FOLDER}/prefix/include/*)
 foreach(header IN LISTS headers)
@@ -57,7 +64,8 @@ file(GLOB_RECURSE pc ${FOLDER}/prefix/*/navjit.pc)
 cmake_path(GET pc PARENT_PATH pc_folder)
 cmake_path(GET pc_folder PARENT_PATH lib)
 foreach(library navjit navjit_production)
-  run(flags ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${pc_folder} pkg-config --cflags --libs ${library})
+  run(flags ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${pc_folder}
+      pkg-config --cflags --libs ${library})
   separate_arguments(flags UNIX_COMMAND "${flags}")
   file(WRITE ${FOLDER}/version.cpp "#include <navjit/navjit.hpp>
 int main() { return navjit::version() == std::string(NAVJIT_VERSION) ? 0 : 1; }\n")

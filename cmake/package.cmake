@@ -1,0 +1,31 @@
+# Debian packages: the preset `package`, and then cpack in its folder; docs/install.md.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME navjit)
+set(CPACK_PACKAGE_CONTACT "the navjit developers <navjit@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL runtime development)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/package_check.cmake)
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/package_manual.cmake)
+set(CPACK_NAVJIT_NATIVE ${NAVJIT_NATIVE})
+set(CPACK_NAVJIT_PREFIX ${CMAKE_INSTALL_PREFIX})
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME navjit)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "gnuplot-nox, bash-completion")
+set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Command, shared libraries and sample detectors of navjit, \
+which navigates particles\nthrough detectors (GDML) and compiles code for their hottest volumes \
+while it runs.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME navjit-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "navjit (= ${PROJECT_VERSION})")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers of navjit, and what CMake and pkg-config \
+need\nto build programs with it.")
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY "=")
+include(CPack)
