@@ -7,6 +7,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
 endif()
 if(NAVJIT_NATIVE)
   add_compile_options(-march=native)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # Wide vectors are passed differently without AVX; here between functions of one file alone.
+  add_compile_options(-Wno-psabi)
 endif()
 # Packing neighbouring numbers into vectors made the navigator slower (docs/experiments.md).
 add_compile_options(-fno-tree-slp-vectorize)

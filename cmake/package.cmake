@@ -18,9 +18,9 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME navjit)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "gnuplot-nox, bash-completion")
-set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Command, shared libraries and sample detectors of navjit, \
-which navigates particles\nthrough detectors (GDML) and compiles code for their hottest volumes \
-while it runs.")
+set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Command, shared libraries and sample detectors. \
+navjit navigates\nparticles through detectors (GDML), and compiles code for their\nhottest volumes while \
+it runs.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME navjit-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "navjit (= ${PROJECT_VERSION})")
