@@ -27,9 +27,13 @@ if(NAVJIT_FUZZ)
   add_link_options(-fsanitize=address)
 endif()
 
-# A library of all sources of this folder, with the project's root as include directory.
+# A library of all sources of this folder, with the project's root as include directory. Sources below
+# the folders that follow the name are left out.
 function(navjit_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  foreach(folder IN LISTS ARGN)
+    list(FILTER sources EXCLUDE REGEX "^${folder}")
+  endforeach()
   add_library(${name} STATIC ${sources})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include
                                             ${PROJECT_BINARY_DIR}/include)

@@ -1,13 +1,13 @@
-// The part of the specialiser that holds scenes to the error that a user allows.
+#include "runtime/budget.hpp"
+
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cstdio>
 
 #include "analysis/error_bound.hpp"
-#include "geometry/navigation/generic.hpp"
-#include "geometry/reference/wide_geometry.hpp"
-#include "runtime/specialiser.hpp"
+#include "runtime/error_meter/error_meter.hpp"
+#include "runtime/gather.hpp"
 
 namespace navjit {
 namespace {
@@ -21,36 +21,21 @@ std::string millimetres(double value) {
   return text;
 }
 
-/// How far off a surface the scene's present navigator ends the step from this state, mm. Nothing
-/// where the step ends at its limit.
-std::optional<double> error_at(const Geometry& geometry, const kernels::Context& context,
-                               const reference::WideGeometry& reference, const Sample& s,
-                               NavigationStack& stack) {
-  const reference::Chain chain = reference::chain_of(geometry.world(), s.touchable);
-  const reference::WideAnswer right =
-      reference.step(chain, reference::widen(s.point), reference::widen_direction(s.direction));
-  if (!(right.length < s.limit)) return std::nullopt;
-  generic::restore(geometry, stack, s.touchable);
-  const Vec3 &p = s.point, &v = s.direction;
-  kernels::set_ray(stack, v.x, v.y, v.z);
-  const kernels::DispatchEntry& entry = *kernels::dispatch_entry_of(&context, s.volume);
-  double length = entry.step(&stack, &context, entry.data, p.x, p.y, p.z, s.limit);
-  if (length < 0) length = generic::step(geometry, stack, p, v, s.limit);
-  stack.depth = -1;
-  return reference.across(chain, p, v, length, right.length);
-}
-
-/// Both the bound and what was measured have to be within the budget.
+/// Both the bound and what was measured have to be within the budget: where nothing can be measured
+/// nothing is promised.
 void decide(const ErrorBound& bound, double budget, BudgetReport& report) {
   report.bound_mm = bound.total();
   const bool measured = report.measured_mm <= budget;
-  report.met = bound.total() <= budget && measured;
+  report.met = bound.total() <= budget && measured && ErrorMeter::available();
   if (!bound.known()) {
     report.why = "no bound is known of surfaces of " + bound.unknown;
   } else if (bound.total() > budget) {
     report.why = "the bound, " + millimetres(bound.total()) + ", is above the budget";
   } else if (!measured) {
     report.why = "an error of " + millimetres(report.measured_mm) + " was measured";
+  } else if (!ErrorMeter::available()) {
+    report.why = "the bound is " + millimetres(bound.total()) +
+                 ", but this program has no reference at 113 bits to measure errors with";
   } else {
     report.why = "the bound is " + millimetres(bound.total());
   }
@@ -58,23 +43,20 @@ void decide(const ErrorBound& bound, double budget, BudgetReport& report) {
 
 }  // namespace
 
-void Specialiser::hold_to_budget() {
-  const double budget = *shared_->options.budget;
-  const Geometry& geometry = shared_->geometry;
-  gather();
+void hold_to_budget(Specialisation& spec) {
+  const double budget = *spec.shared->options.budget;
+  const Geometry& geometry = spec.shared->geometry;
+  gather(spec);
   const std::vector<ErrorBound> bounds = error_bounds(geometry.world());
-  const reference::WideGeometry reference(geometry.share_world());
-  const auto stack = std::make_unique<NavigationStack>();
-  stack->depth = -1;
+  ErrorMeter meter(geometry, spec.shared->table.context());
   std::size_t met = 0, all = 0;
-  for (std::size_t v = 0; v < steps_.size(); ++v) {
-    if (steps_[v] == 0) continue;
+  for (std::size_t v = 0; v < spec.steps.size(); ++v) {
+    if (spec.steps[v] == 0) continue;
     const auto volume = static_cast<VolumeId>(v);
     BudgetReport report;
-    const std::vector<Sample>& samples = samples_[volume];
+    const std::vector<Sample>& samples = spec.samples[volume];
     for (std::size_t i = 0; i < std::min(samples.size(), states_measured); ++i) {
-      const auto error =
-          error_at(geometry, shared_->table.context(), reference, samples[i], *stack);
+      const std::optional<double> error = meter.error_at(samples[i]);
       if (!error) continue;
       ++report.states;
       report.measured_mm = std::max(report.measured_mm, *error);
@@ -82,16 +64,17 @@ void Specialiser::hold_to_budget() {
     decide(bounds[volume], budget, report);
     ++all;
     met += report.met ? 1 : 0;
-    shared_->log->debug("scene {}: exact; budget {} {}: {}; {} states measured, at most {}",
-                        geometry.world().volumes[volume].name, millimetres(budget),
-                        report.met ? "kept" : "not promised", report.why, report.states,
-                        millimetres(report.measured_mm));
-    const std::lock_guard lock(mutex_);
-    scenes_[volume].budget = std::move(report);
+    spec.shared->log->debug("scene {}: exact; budget {} {}: {}; {} states measured, at most {}",
+                            geometry.world().volumes[volume].name, millimetres(budget),
+                            report.met ? "kept" : "not promised", report.why, report.states,
+                            millimetres(report.measured_mm));
+    const std::lock_guard lock(spec.mutex);
+    spec.scenes[volume].budget = std::move(report);
   }
   if (met < all) {
-    shared_->log->warn("budget {}: promised in {} of {} scenes; the others run exact all the same",
-                       millimetres(budget), met, all);
+    spec.shared->log->warn(
+        "budget {}: promised in {} of {} scenes; the others run exact all the same",
+        millimetres(budget), met, all);
   }
 }
 

@@ -16,7 +16,7 @@ class Plugin {
  public:
   struct Entry {
     VolumeId volume;
-    kernels::DispatchEntry navigators;
+    kernels::DispatchEntry dispatch;
   };
 
   /// Fails, saying what to do, if the file is not the user's or root's alone to write

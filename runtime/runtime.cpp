@@ -2,6 +2,9 @@
 
 #include <spdlog/spdlog.h>
 
+#include "runtime/budget.hpp"
+#include "runtime/install.hpp"
+#include "runtime/reports.hpp"
 #include "runtime/shared.hpp"
 #include "runtime/specialiser.hpp"
 
@@ -27,7 +30,8 @@ Runtime::Runtime(Detector detector, RuntimeOptions options)
     shared_->log->warn("level {}: all scenes run exact, which is as fast",
                        level_name(shared_->options.level));
   }
-  if (!shared_->options.plugin.empty()) specialiser_->install_plugin(shared_->options.plugin);
+  if (!shared_->options.plugin.empty())
+    install_plugin(specialiser_->specialisation(), shared_->options.plugin);
   if (shared_->options.jit == JitMode::wait) {
     specialiser_->specialise_all();
   } else if (shared_->options.jit != JitMode::off) {
@@ -39,20 +43,22 @@ Runtime::~Runtime() { specialiser_->stop(); }
 
 Navigator Runtime::navigator() { return Navigator(shared_); }
 
-RuntimeReport Runtime::report() const { return specialiser_->report(); }
+RuntimeReport Runtime::report() const { return navjit::report(specialiser_->specialisation()); }
 
-std::size_t Runtime::specialised() const { return specialiser_->specialised(); }
+std::size_t Runtime::specialised() const {
+  return navjit::specialised(specialiser_->specialisation());
+}
 
 RuntimeReport Runtime::final_report(double most_seconds) {
   specialiser_->stop();
   if (most_seconds > 0) {
-    specialiser_->time_generic(most_seconds);
-    if (shared_->options.budget) specialiser_->hold_to_budget();
+    time_generic(specialiser_->specialisation(), most_seconds);
+    if (shared_->options.budget) hold_to_budget(specialiser_->specialisation());
   }
-  return specialiser_->report();
+  return navjit::report(specialiser_->specialisation());
 }
 
-StepProfile Runtime::step_profile() { return specialiser_->step_profile(); }
+StepProfile Runtime::step_profile() { return navjit::step_profile(specialiser_->specialisation()); }
 
 void Runtime::wait_until_idle() { specialiser_->wait_until_idle(); }
 

@@ -30,6 +30,17 @@ TEST(Production, HasNoCompilerInIt) {
   EXPECT_EQ(libraries.text.find("clang"), std::string::npos) << libraries.text;
 }
 
+TEST(Production, HasNoReferenceAt113BitsInIt) {
+  const tests::Output full = tests::run_command("nm", "-C " NAVJIT_COMMAND);
+  const tests::Output lean = tests::run_command("nm", "-C " NAVJIT_PRODUCTION);
+  ASSERT_EQ(lean.status, 0) << lean.text;
+  EXPECT_NE(full.text.find("WideGeometry"), std::string::npos) << "nm tells nothing";
+  EXPECT_EQ(lean.text.find("WideGeometry"), std::string::npos);
+  const tests::Output accuracy = run_production("accuracy " + shashlik + " --rays 10");
+  EXPECT_EQ(accuracy.status, 1) << accuracy.text;
+  EXPECT_NE(accuracy.text.find("113 bits"), std::string::npos) << accuracy.text;
+}
+
 TEST(Production, BindsScenesToData) {
   const TemporaryFolder folder;
   const tests::Output output = run_production("run " + shashlik +

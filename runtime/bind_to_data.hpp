@@ -1,0 +1,19 @@
+// Scenes get navigators that were compiled with the library, with their own numbers. Private to
+// runtime/.
+#pragma once
+
+#include "runtime/specialisation.hpp"
+
+namespace navjit {
+
+/// Binds what is hot and not bound yet, the hottest first, for some ms. True if more is left.
+bool bind_hot_to_data(Specialisation& spec);
+
+/// Verifies, times and installs a navigator of the library with this scene's numbers, if it is
+/// faster than the generic one on the states at hand.
+void bind_to_data(Specialisation& spec, VolumeId volume);
+
+/// Of a step of the data-bound navigator that is installed, ns; infinite if none is.
+double bound_ns(const Specialisation& spec, VolumeId volume);
+
+}  // namespace navjit

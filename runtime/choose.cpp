@@ -1,0 +1,115 @@
+#include "runtime/choose.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "analysis/plan.hpp"
+#include "runtime/bind_to_data.hpp"
+#include "runtime/gather.hpp"
+#include "runtime/log_text.hpp"
+#include "runtime/overrides.hpp"
+
+namespace navjit {
+namespace {
+
+/// What constants win of a data-bound step, on average (docs/decisions.md).
+constexpr double gain_over_data = 0.35;
+
+}  // namespace
+
+void apply_overrides(Specialisation& spec) {
+  const char* text = std::getenv(overrides_variable);
+  if (text == nullptr) return;
+  std::string complaints;
+  for (const auto& [volume, variant] :
+       parse_overrides(spec.shared->geometry.world(), text, &complaints)) {
+    // Equal volumes share a navigator, and so what is forced on one of them.
+    const VolumeId first = spec.facts.first_equal[volume];
+    if (variant == Variant::off) {
+      note(spec, first, SceneStatus::unprofitable, std::string("off by ") + overrides_variable);
+      for (const VolumeId equal : spec.facts.equals[first]) spec.bound.insert(equal);
+    } else {
+      for (const VolumeId equal : spec.facts.equals[first]) {
+        spec.scenes.erase(equal);
+        spec.bound.erase(equal);
+      }
+      spec.facts.forced_candidates[first] = variant == Variant::all     ? Candidates::all
+                                            : variant == Variant::lanes ? Candidates::lanes
+                                            : variant == Variant::nest  ? Candidates::nest
+                                            : variant == Variant::rings ? Candidates::rings
+                                            : variant == Variant::grid  ? Candidates::grid
+                                            : variant == Variant::tree  ? Candidates::tree
+                                                                        : Candidates::boxes;
+    }
+  }
+  if (!complaints.empty()) spec.shared->log->warn("{}: {}", overrides_variable, complaints);
+}
+
+bool may_be_tried(Specialisation& spec, VolumeId volume) {
+  const std::lock_guard lock(spec.mutex);
+  const auto known = spec.scenes.find(volume);
+  if (known == spec.scenes.end()) return true;
+  if (known->second.status == SceneStatus::generic) return true;  // bound to data, or to nothing
+  if (known->second.status != SceneStatus::unprofitable) return false;
+  // What was slower on the states of its time may be faster on those of another phase.
+  const auto again = spec.try_again_at.find(volume);
+  return again != spec.try_again_at.end() && spec.execution_counts[volume] >= again->second;
+}
+
+std::vector<VolumeId> choose(Specialisation& spec) {
+  if (spec.hopeless || !spec.shared->options.specialiser.constants) return {};
+  SpecialiserOptions options = spec.shared->options.specialiser;
+  // Until the first module is there nothing is won: it is to be there soon.
+  if (spec.totals.modules == 0) options.module_ms /= 2;
+  update_execution_counts(spec);
+  std::vector<Candidate> candidates;
+  for (std::size_t v = 0; v < spec.execution_counts.size(); ++v) {
+    const auto volume = static_cast<VolumeId>(v);
+    if (spec.execution_counts[v] * 10 < static_cast<double>(options.min_steps) ||
+        !may_be_tried(spec, volume))
+      continue;
+    Candidate& candidate = spec.candidates[volume];
+    if (candidate.compile_ms == 0) {
+      const ScenePlan plan = plan_scene(spec.shared->geometry, spec.facts, volume);
+      if (std::string why; !worth_compiling(spec.shared->geometry, plan, &why)) {
+        note(spec, volume, SceneStatus::unprofitable, why);
+        continue;
+      }
+      candidate = {volume, 0, 0, expected_compile_ms(spec.shared->geometry, plan),
+                   expected_gain_ns(plan)};
+    }
+    if (const double bound = bound_ns(spec, volume); std::isfinite(bound)) {
+      candidate.gain_ns = gain_over_data * bound;
+    }
+    candidate.executions = spec.execution_counts[v];
+    candidate.recent = spec.recent[v];
+    candidates.push_back(candidate);
+  }
+  const std::vector<VolumeId> module = next_module(candidates, options);
+  if (!module.empty()) {
+    spec.shared->log->debug(
+        "event=chosen at_s={:.3f} scenes={} first={} candidates={}", spec.seconds(), module.size(),
+        quoted(spec.shared->geometry.world().volumes[module[0]].name), candidates.size());
+  }
+  return module;
+}
+
+std::vector<VolumeId> worth_trying(Specialisation& spec, const std::vector<VolumeId>& batch) {
+  std::vector<VolumeId> worth;
+  for (const VolumeId volume : batch) {
+    std::string why;
+    const ScenePlan plan = plan_scene(spec.shared->geometry, spec.facts, volume);
+    if (worth_compiling(spec.shared->geometry, plan, &why)) {
+      note(spec, volume, SceneStatus::compiling, "");
+      worth.push_back(volume);
+    } else {
+      note(spec, volume, SceneStatus::unprofitable, why);
+    }
+  }
+  return worth;
+}
+
+}  // namespace navjit

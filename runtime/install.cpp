@@ -1,0 +1,157 @@
+#include "runtime/install.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "geometry/navigation/generic.hpp"
+#include "runtime/bind_to_data.hpp"
+#include "runtime/log_text.hpp"
+#include "runtime/plugin.hpp"
+#include "runtime/verify.hpp"
+
+namespace navjit {
+namespace {
+
+constexpr std::size_t states_made_up = 400;  ///< per volume, for verification
+/// Timings of a few hundred steps are no better than this; between detectors' rays and the states
+/// that are timed there is more than that.
+constexpr double least_gain = 0.95;
+/// A scene that was measured to be no faster is tried again once it is that many times as hot.
+constexpr double try_again_after = 16;
+
+/// A module's code, and the records that point into it.
+struct Installed {
+  jit::Code code;
+  std::vector<kernels::DispatchEntry> records;
+};
+
+/// The functions of an entry; null where the code has them not. A safety need not be there.
+kernels::DispatchEntry find_entry(const jit::Code& code, const codegen::Entry& entry) {
+  const auto step = code.function<std::remove_pointer_t<kernels::StepFunction>>(entry.step);
+  const auto relocate =
+      code.function<std::remove_pointer_t<kernels::RelocateFunction>>(entry.relocate);
+  const auto safety = code.function<std::remove_pointer_t<kernels::SafetyFunction>>(entry.safety);
+  return {step ? *step : nullptr, relocate ? *relocate : nullptr,
+          entry.safety.empty() ? generic::dispatch_entry.safety
+          : safety             ? *safety
+                               : nullptr};
+}
+
+/// Verifies, times and installs one scene; `problem` says what was wrong with it.
+bool install_scene(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry& record,
+                   const std::shared_ptr<const void>& owner, bool only_if_faster,
+                   SceneReport& report, std::string& problem) {
+  const Geometry& geometry = spec.shared->geometry;
+  const kernels::Context& context = spec.shared->table.context();
+  const double begun = steady_seconds();
+  std::vector<Sample> samples = spec.samples[volume];
+  const std::size_t recorded = samples.size();
+  const std::vector<Sample> made_up = spec.sampler.states(volume, states_made_up, volume + 1);
+  samples.insert(samples.end(), made_up.begin(), made_up.end());
+  const Faults& faults = spec.shared->faults;
+  problem = faults.skip_verification ? "" : verify(geometry, context, record, volume, samples);
+  if (faults.fail_verification) problem = "injected failure";
+  if (!problem.empty()) return false;
+
+  const std::span<const Sample> timed =
+      recorded > 0 ? std::span(samples).first(recorded) : std::span<const Sample>(samples);
+  const double generic_ns = time_per_step(geometry, context, generic::dispatch_entry, timed);
+  const double specialised_ns = time_per_step(geometry, context, record, timed);
+  const bool forced =
+      spec.facts.forced_candidates.contains(spec.facts.first_equal[volume]) || !only_if_faster;
+  // What is bound to data stays unless constants win something over that, too.
+  const double bar = std::min(generic_ns, bound_ns(spec, volume));
+  const bool pays = forced || specialised_ns <= least_gain * bar || timed.size() < 16;
+  if (pays) spec.shared->table.install(volume, &record, owner);
+  spec.shared->log->debug(
+      "event={} at_s={:.3f} scene={} generic_ns={:.1f} specialised_ns={:.1f} states={} recorded={} "
+      "verification_ms={:.2f}",
+      pays ? "installed" : "slower", spec.seconds(), quoted(geometry.world().volumes[volume].name),
+      generic_ns, specialised_ns, samples.size(), recorded, (steady_seconds() - begun) * 1e3);
+  if (!pays) {
+    const VolumeId first = spec.facts.first_equal[volume];
+    spec.try_again_at[first] = try_again_after * spec.execution_counts[first];
+  }
+  report.status = pays ? SceneStatus::specialised : SceneStatus::unprofitable;
+  report.note = pays ? "" : "measured no faster than what is there";
+  report.generic_ns_per_step = generic_ns;
+  report.specialised_ns_per_step = pays ? specialised_ns : 0;
+  report.swapped_at_s = pays ? spec.seconds() : 0;
+  if (pays) {
+    report.binding = Binding::constants;
+    spec.bound.insert(volume);
+  } else if (const std::lock_guard lock(spec.mutex); spec.scenes[volume].binding == Binding::data) {
+    report.binding = Binding::data;
+    report.specialised_ns_per_step = spec.scenes[volume].specialised_ns_per_step;
+    report.swapped_at_s = spec.scenes[volume].swapped_at_s;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool install(Specialisation& spec, const codegen::Module& module, jit::Code code, bool cached,
+             double start) {
+  const double compile_ms = (steady_seconds() - start) * 1e3;
+  const std::size_t code_bytes = code.report().code_bytes;
+  auto installed = std::make_shared<Installed>(Installed{std::move(code), {}});
+  bool all_good = true;
+  installed->records.reserve(module.entries.size());  // pointers to records are published
+  for (const codegen::Entry& entry : module.entries) {
+    if (spec.stopping()) {
+      all_good = false;
+      break;
+    }
+    SceneReport report;
+    report.compile_ms = compile_ms / static_cast<double>(module.entries.size());
+    report.origin = cached ? CodeOrigin::cache : CodeOrigin::compiler;
+    std::string problem = "the generated function is missing";
+    const kernels::DispatchEntry record = find_entry(installed->code, entry);
+    if (record.step == nullptr || record.relocate == nullptr || record.safety == nullptr ||
+        !install_scene(spec, entry.volume, installed->records.emplace_back(record), installed,
+                       spec.shared->options.specialiser.keep_only_faster, report, problem)) {
+      if (cached) return false;
+      note_failure(spec, entry.volume, problem);
+      all_good = false;
+      continue;
+    }
+    const std::lock_guard lock(spec.mutex);
+    spec.scenes[entry.volume] = std::move(report);
+  }
+  const std::lock_guard lock(spec.mutex);
+  ++spec.totals.modules;
+  spec.totals.cached_modules += cached ? 1 : 0;
+  spec.totals.compile_ms += (steady_seconds() - start) * 1e3;
+  spec.totals.code_bytes += code_bytes;
+  if (cached) {
+    spec.shared->log->debug(
+        "event=cached at_s={:.3f} scenes={} ms={:.1f} with_verification_ms={:.1f}", spec.seconds(),
+        module.entries.size(), compile_ms, (steady_seconds() - start) * 1e3);
+  }
+  return all_good;
+}
+
+void install_plugin(Specialisation& spec, const std::string& path) {
+  const auto plugin = Plugin::load(path, spec.shared->geometry);
+  if (!plugin) {
+    spec.shared->log->warn("plugin not used: {}", plugin.failure().message);
+    return;
+  }
+  for (const Plugin::Entry& entry : (*plugin)->entries()) {
+    SceneReport report;
+    report.origin = CodeOrigin::plugin;
+    std::string problem;
+    // Whoever made the plugin chose its scenes: production shall not depend on a timing.
+    if (install_scene(spec, entry.volume, entry.dispatch, *plugin, false, report, problem)) {
+      const std::lock_guard lock(spec.mutex);
+      spec.scenes[entry.volume] = std::move(report);
+      ++spec.totals.plugin_scenes;
+    } else {
+      spec.shared->log->warn("plugin {}: scene {} not used: {}", path,
+                             spec.shared->geometry.world().volumes[entry.volume].name, problem);
+    }
+  }
+}
+
+}  // namespace navjit

@@ -1,0 +1,20 @@
+// Linked code into the dispatch table: verified, timed, published. Private to runtime/.
+#pragma once
+
+#include <string>
+
+#include "codegen/module.hpp"
+#include "jit/linker.hpp"
+#include "runtime/specialisation.hpp"
+
+namespace navjit {
+
+/// Verifies and installs what is good of a module. False if something is not; where the code came
+/// from the cache it ends there, and notes no failure. `start`: of making it, steady_seconds().
+bool install(Specialisation& spec, const codegen::Module& module, jit::Code code, bool cached,
+             double start);
+
+/// Verifies and installs the scenes of a plugin. What is wrong with it is a warning in the log.
+void install_plugin(Specialisation& spec, const std::string& path);
+
+}  // namespace navjit

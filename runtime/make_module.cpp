@@ -1,0 +1,138 @@
+#include "runtime/make_module.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "geometry/navigation/generic.hpp"
+#include "jit/activity.hpp"
+#include "runtime/install.hpp"
+#include "runtime/log_text.hpp"
+
+namespace navjit {
+namespace {
+
+/// What people see of a module in the cache: how many scenes, and the first of them.
+std::string label_of(const World& world, const std::vector<VolumeId>& batch) {
+  std::string label = std::to_string(batch.size()) + (batch.size() == 1 ? " scene: " : " scenes: ");
+  for (std::size_t i = 0; i < batch.size() && label.size() < 160; ++i) {
+    label += (i == 0 ? "" : ", ") + world.volumes[batch[i]].name;
+  }
+  return label;
+}
+
+/// Of the recorded rays, those that run along planes of the scene's axes.
+std::size_t along_axes(const Geometry& geometry, const std::vector<Sample>& samples) {
+  const auto stack = std::make_unique<NavigationStack>();
+  stack->depth = -1;
+  return static_cast<std::size_t>(
+      std::count_if(samples.begin(), samples.end(), [&](const Sample& s) {
+        generic::restore(geometry, *stack, s.touchable);
+        return !kernels::is_oblique(kernels::to_local_heading(
+            stack->levels[stack->depth], s.direction.x, s.direction.y, s.direction.z));
+      }));
+}
+
+/// Whether many steps of these scenes are along faces: then their navigators have to take them.
+bool takes_rays_along_faces(Specialisation& spec, const std::vector<VolumeId>& batch) {
+  std::size_t along = 0, all = 0;
+  for (const VolumeId volume : batch) {
+    if (spec.left_out_too_much.contains(spec.facts.first_equal[volume])) return true;
+    along += along_axes(spec.shared->geometry, spec.samples[volume]);
+    all += spec.samples[volume].size();
+  }
+  return along * bail_out_share > all;
+}
+
+/// What the cost model says of a module, ms; 0 if it was not asked about all of its scenes.
+double expected_ms(Specialisation& spec, const std::vector<VolumeId>& batch) {
+  double sum = module_base_ms;
+  for (const VolumeId volume : batch) {
+    const auto known = spec.candidates.find(volume);
+    if (known == spec.candidates.end()) return 0;
+    sum += known->second.compile_ms;
+  }
+  return sum;
+}
+
+Expected<CodeMaker::Made> compile(Specialisation& spec, const std::string& source) {
+  {
+    const std::lock_guard lock(spec.mutex);
+    if (spec.stopping()) return stopped();
+    spec.compiling = true;
+    spec.wake.notify_all();
+  }
+  Expected<CodeMaker::Made> made = stopped();
+  try {
+    if (spec.shared->faults.compiling) spec.shared->faults.compiling();
+    made = spec.maker->compile(source, spec.stop.get_token());
+  } catch (const std::bad_alloc&) {
+    made = out_of_memory();
+  }
+  const std::lock_guard lock(spec.mutex);
+  spec.compiling = false;
+  // Nobody waits for it then, and what is this thread's may be in use.
+  if (spec.stopping()) return stopped();
+  return made;
+}
+
+void no_module(Specialisation& spec, const std::vector<VolumeId>& batch, const Failure& failure) {
+  const std::string& why = failure.message;
+  if (failure.exhausted || !spec.maker->no_compiler().empty() || !spec.maker->no_linker().empty()) {
+    spec.shared->log->warn("nothing more is specialised in this run: {}", one_line(why));
+    spec.hopeless = true;
+    for (const VolumeId volume : batch) note(spec, volume, SceneStatus::generic, why);
+    return;
+  }
+  if (batch.size() > 1) {
+    // One scene may have spoilt the module for all.
+    for (const VolumeId volume : batch) {
+      if (!spec.hopeless && !spec.stopping()) make_module(spec, {volume});
+    }
+    return;
+  }
+  spec.shared->log->warn("scene {} stays generic: {}",
+                         spec.shared->geometry.world().volumes[batch[0]].name, one_line(why));
+  note(spec, batch[0], SceneStatus::failed, why);
+}
+
+}  // namespace
+
+codegen::Module generate(Specialisation& spec, const std::vector<VolumeId>& batch,
+                         bool along_faces) {
+  spec.facts.along_faces.clear();
+  if (along_faces) {
+    for (const VolumeId volume : batch)
+      spec.facts.along_faces.insert(spec.facts.first_equal[volume]);
+  }
+  return codegen::generate(spec.shared->geometry, spec.facts, batch);
+}
+
+bool make_module(Specialisation& spec, const std::vector<VolumeId>& batch) {
+  const double start = steady_seconds();
+  codegen::Module module = generate(spec, batch, takes_rays_along_faces(spec, batch));
+  if (spec.shared->faults.edit_source) spec.shared->faults.edit_source(module.source);
+  if (auto found = spec.maker->find(module.source)) {
+    if (install(spec, module, std::move(found->code), true, start)) return true;
+    if (spec.stopping()) return false;
+    spec.maker->reject(module.source);
+  }
+  auto made = compile(spec, module.source);
+  if (!made) {
+    if (!made.failure().stopped) no_module(spec, batch, made.failure());
+    return false;
+  }
+  const jit::CompileReport& report = made->object.report;
+  const double expected = expected_ms(spec, batch), took = (steady_seconds() - start) * 1e3;
+  spec.shared->log->debug(
+      "event=compiled at_s={:.3f} scenes={} ms={:.0f} expected_ms={:.0f} source_kb={} "
+      "frontend_ms={:.0f} optimise_ms={:.0f} codegen_ms={:.0f} code_kb={}",
+      spec.seconds(), batch.size(), took, expected, module.source.size() / 1024, report.frontend_ms,
+      report.optimise_ms, report.codegen_ms, report.code_bytes / 1024);
+  if (install(spec, module, std::move(made->code), false, start)) {
+    spec.maker->keep(module.source, label_of(spec.shared->geometry.world(), batch), made->object);
+  }
+  return true;
+}
+
+}  // namespace navjit

@@ -1,0 +1,70 @@
+#include "runtime/remembered_modules.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "runtime/choose.hpp"
+#include "runtime/fingerprint.hpp"
+#include "runtime/install.hpp"
+#include "runtime/make_module.hpp"
+
+namespace navjit {
+
+void install_remembered(Specialisation& spec) {
+  if (!spec.maker->has_cache()) return;
+  const Geometry& geometry = spec.shared->geometry;
+  spec.module_list_name = "hot scenes of " + geometry_fingerprint(geometry);
+  const std::optional<std::string> text = spec.maker->recall(spec.module_list_name);
+  const std::optional<ModuleList> list =
+      text ? read_module_list(*text, geometry.size()) : std::optional<ModuleList>();
+  if (!list) return;
+  for (const std::vector<VolumeId>& batch : *list) {
+    {
+      const std::lock_guard lock(spec.mutex);
+      const bool fresh = std::all_of(batch.begin(), batch.end(), [&](VolumeId v) {
+        return spec.facts.reachable[v] && spec.facts.first_equal[v] == v &&
+               !spec.scenes.contains(v);
+      });
+      if (spec.stopping()) return;
+      if (!fresh) continue;
+    }
+    // What the cache has no more is left to the profile of this run.
+    for (const bool along_faces : {false, true}) {
+      const double start = steady_seconds();
+      const codegen::Module module = generate(spec, batch, along_faces);
+      auto found = spec.maker->find(module.source);
+      if (!found) continue;
+      if (install(spec, module, std::move(found->code), true, start)) {
+        spec.module_list.push_back(batch);
+      } else if (!spec.stopping()) {
+        spec.maker->reject(module.source);
+      }
+      break;
+    }
+  }
+}
+
+namespace {
+
+void remember(Specialisation& spec, const std::vector<VolumeId>& batch) {
+  if (!spec.maker->has_cache() || spec.shared->options.jit == JitMode::wait) return;
+  spec.module_list.push_back(batch);
+  // Other runs of the same detector may have found other scenes meanwhile.
+  const std::optional<std::string> text = spec.maker->recall(spec.module_list_name);
+  const std::optional<ModuleList> others =
+      text ? read_module_list(*text, spec.shared->geometry.size()) : std::optional<ModuleList>();
+  const ModuleList merged = others ? merge(spec.module_list, *others) : spec.module_list;
+  if (others && *others == merged) return;
+  spec.maker->remember(spec.module_list_name, "which scenes are hot in a detector",
+                       write_module_list(merged));
+}
+
+}  // namespace
+
+void make_and_remember(Specialisation& spec, const std::vector<VolumeId>& batch) {
+  const std::vector<VolumeId> worth = worth_trying(spec, batch);
+  if (worth.empty()) return;
+  if (make_module(spec, worth)) remember(spec, worth);
+}
+
+}  // namespace navjit

@@ -1,0 +1,21 @@
+// What the specialiser tells of a run. Private to runtime/.
+#pragma once
+
+#include "navjit/step_profile.hpp"
+#include "runtime/specialisation.hpp"
+
+namespace navjit {
+
+RuntimeReport report(const Specialisation& spec);
+
+/// How many scenes have navigators of their own.
+std::size_t specialised(const Specialisation& spec);
+
+/// Times scenes that have samples and no timing yet, and tells the structure of scenes, the
+/// hottest first, for a limited time.
+void time_generic(Specialisation& spec, double most_seconds);
+
+/// What was counted so far, for a file.
+StepProfile step_profile(Specialisation& spec);
+
+}  // namespace navjit

@@ -1,0 +1,48 @@
+#include "runtime/specialisation.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+
+#include "runtime/log_text.hpp"
+
+namespace navjit {
+
+double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Specialisation::Specialisation(std::shared_ptr<detail::Shared> runtime)
+    : shared(std::move(runtime)),
+      facts(analyse_world(shared->geometry)),
+      sampler(shared->geometry),
+      steps(shared->geometry.size(), 0),
+      steps_below(shared->geometry.size(), 0),
+      execution_counts(shared->geometry.size(), 0),
+      recent(shared->geometry.size(), 0),
+      started_at(steady_seconds()) {}
+
+double Specialisation::seconds() const { return steady_seconds() - started_at; }
+
+void note(Specialisation& spec, VolumeId volume, SceneStatus status, const std::string& why) {
+  spec.shared->log->debug("event=status at_s={:.3f} scene={} status={} why={}", spec.seconds(),
+                          quoted(spec.shared->geometry.world().volumes[volume].name),
+                          status_name(status), quoted(why));
+  const std::lock_guard lock(spec.mutex);
+  for (const VolumeId equal : spec.facts.equals[volume]) {
+    SceneReport& scene = spec.scenes[equal];
+    scene.status = status;
+    scene.note = why;
+  }
+}
+
+void note_failure(Specialisation& spec, VolumeId volume, const std::string& why) {
+  const std::lock_guard lock(spec.mutex);
+  spec.shared->log->warn(
+      "scene {} stays {}: {}", spec.shared->geometry.world().volumes[volume].name,
+      spec.scenes[volume].binding == Binding::data ? "bound to data" : "generic", one_line(why));
+  spec.scenes[volume].status = SceneStatus::failed;
+  spec.scenes[volume].note = why;
+}
+
+}  // namespace navjit

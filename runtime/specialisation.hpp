@@ -1,0 +1,82 @@
+// All that the specialiser knows and has, as plain data. What it does are functions on it: gather,
+// bind to data, choose, make modules, install, watch, report. Private to runtime/.
+#pragma once
+
+#include <condition_variable>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <stop_token>
+
+#include "analysis/facts.hpp"
+#include "codegen/data/arena.hpp"
+#include "navjit/report.hpp"
+#include "runtime/code_maker.hpp"
+#include "runtime/module_list.hpp"
+#include "runtime/schedule.hpp"
+#include "runtime/shared.hpp"
+#include "runtime/states.hpp"
+
+namespace navjit {
+
+/// Where more than one in so many steps is left out by a navigator, one that takes them all is
+/// made. Leaving them out made LHCb's code some 7% faster and costs such a step about twice its
+/// time; the share itself is a guess.
+constexpr std::uint64_t bail_out_share = 8;
+
+/// Of the system's steady clock.
+double steady_seconds();
+
+/// Used by the specialiser's thread alone, but for what the mutex guards.
+struct Specialisation {
+  explicit Specialisation(std::shared_ptr<detail::Shared> runtime);
+
+  bool stopping() const { return stop.stop_requested(); }
+  /// Since it was made.
+  double seconds() const;
+
+  std::shared_ptr<detail::Shared> shared;
+  WorldFacts facts;
+  StateSampler sampler;
+  std::shared_ptr<codegen::Arena> arena = std::make_shared<codegen::Arena>();  ///< bound data
+  std::set<VolumeId> bound;  ///< volumes that need not, or must not, be bound to data (again)
+  std::unique_ptr<CodeMaker> maker;      ///< null: nothing is ever compiled
+  bool hopeless = false;                 ///< nothing can be compiled in this process
+  std::set<VolumeId> left_out_too_much;  ///< of equal volumes the first
+  ModuleList module_list;                ///< modules of this run
+  std::string module_list_name;
+  std::vector<std::uint64_t> steps;  ///< by volume, at the last look
+  /// By volume: steps made in its daughters, as sampled. Many of those end with a relocation in it.
+  std::vector<std::uint64_t> steps_below;
+  std::vector<double> execution_counts;  ///< by volume; of all of equal structure in the first
+  std::vector<double> recent;            ///< the same, fading
+  double counted_at = 0;                 ///< when it was updated, s
+  std::map<VolumeId, Candidate> candidates;
+  /// By volume that was measured to be slower: the execution count at which it is tried again.
+  std::map<VolumeId, double> try_again_at;
+  std::map<VolumeId, std::vector<Sample>> samples;
+  std::map<VolumeId, std::vector<Sample>> fresh;  ///< a few recorded since the last look
+  struct Seen {
+    std::uint64_t steps = 0, bail_outs = 0;
+  };
+  std::map<VolumeId, Seen> seen;  ///< of installed scenes, at the last look
+  double reconsidered_at = 0;
+  double started_at;
+
+  std::stop_source stop;
+
+  mutable std::mutex mutex;  ///< guards what follows
+  std::condition_variable wake;
+  bool compiling = false;  ///< the thread is in the compiler, and uses nothing but `maker`
+  std::map<VolumeId, SceneReport> scenes;
+  RuntimeReport totals;
+};
+
+/// Notes what became of a volume and all of equal structure.
+void note(Specialisation& spec, VolumeId volume, SceneStatus status, const std::string& why);
+
+/// Of one volume; also in the log.
+void note_failure(Specialisation& spec, VolumeId volume, const std::string& why);
+
+}  // namespace navjit

@@ -1,0 +1,12 @@
+// Navigators that are installed, watched: those that bail out too often, or are wrong, go. Private
+// to runtime/.
+#pragma once
+
+#include "runtime/specialisation.hpp"
+
+namespace navjit {
+
+/// Looks at bail-outs, and at answers on states recorded since the last look.
+void watch(Specialisation& spec);
+
+}  // namespace navjit
