@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <ctime>
 #include <memory>
-#include <stdexcept>
 
 #include "apps/commands.hpp"
 #include "apps/options/runtime.hpp"
 #include "cache/object_cache.hpp"
+#include "navjit/errors.hpp"
 
 namespace navjit::apps {
 namespace {
@@ -51,7 +51,7 @@ std::size_t print(const std::vector<cache::CacheEntry>& entries, bool only_probl
 int cache(const Options& options) {
   const std::string& directory = options.cache.directory;
   if (directory.empty()) {
-    throw std::runtime_error(
+    throw Error(
         "there is no cache directory: none is given, and neither XDG_CACHE_HOME nor HOME is an "
         "absolute path");
   }
@@ -65,16 +65,16 @@ int cache(const Options& options) {
     return 0;
   }
   auto opened = cache::ObjectCache::open(directory, {}, false);
-  if (!opened) throw std::runtime_error(opened.failure().message);
+  if (!opened) throw Error(opened.failure().message);
   if (options.task == Task::clear) {
     const auto removed = opened->clear();
-    if (!removed) throw std::runtime_error(directory + ": " + removed.failure().message);
+    if (!removed) throw Error(directory + ": " + removed.failure().message);
     std::printf("%zu entries removed\n", *removed);
     return 0;
   }
   const bool verify = options.task == Task::verify;
   const auto entries = opened->list(verify);
-  if (!entries) throw std::runtime_error(directory + ": " + entries.failure().message);
+  if (!entries) throw Error(directory + ": " + entries.failure().message);
   const std::size_t problems = print(*entries, verify);
   return verify && problems > 0 ? 1 : 0;
 }

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <memory>
 #include <sstream>
-#include <stdexcept>
 
 #include "analysis/error_bound.hpp"
 #include "analysis/plan.hpp"
@@ -14,6 +13,7 @@
 #include "codegen/module.hpp"
 #include "common/text.hpp"
 #include "geometry/bvh/box_tree.hpp"
+#include "navjit/errors.hpp"
 
 namespace navjit::apps {
 namespace {
@@ -40,8 +40,8 @@ VolumeId find_volume(const World& world, const std::string& name) {
   for (std::size_t v = 0; v < world.volumes.size(); ++v) {
     if (world.volumes[v].name == name) return static_cast<VolumeId>(v);
   }
-  throw std::runtime_error("no logical volume is called '" + name +
-                           "'; navjit inspect without --scene lists them");
+  throw Error("no logical volume is called '" + name +
+              "'; navjit inspect without --scene lists them");
 }
 
 /// Which level the scene's navigators have, and what they promise.

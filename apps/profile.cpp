@@ -2,10 +2,10 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
-#include <stdexcept>
 
 #include "apps/commands.hpp"
 #include "files/output_file.hpp"
+#include "navjit/errors.hpp"
 #include "navjit/step_profile.hpp"
 
 namespace navjit::apps {
@@ -23,9 +23,8 @@ int merge_profiles(const Options& options) {
     const StepProfile next = read_profile(options.profiles[i]);
     try {
       merged = merge(merged, next);
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(options.profiles[0] + ", " + options.profiles[i] + ": " +
-                               error.what());
+    } catch (const Error& error) {
+      throw Error(options.profiles[0] + ", " + options.profiles[i] + ": " + error.what());
     }
   }
   out.write(profile_text(merged));

@@ -2,13 +2,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
-#include <stdexcept>
 
 #include "analysis/plan.hpp"
 #include "apps/commands.hpp"
 #include "apps/options/detector.hpp"
 #include "apps/options/numbers.hpp"
 #include "files/output_file.hpp"
+#include "navjit/errors.hpp"
 #include "runtime/make_plugin.hpp"
 #include "runtime/plugin_text.hpp"
 
@@ -36,13 +36,13 @@ std::vector<VolumeId> named_scenes(const Geometry& geometry, const WorldFacts& f
       found = true;
       std::string why;
       if (!worth_compiling(geometry, plan_scene(geometry, facts, v), &why)) {
-        throw std::runtime_error("scene '" + name + "' is not worth compiling: " + why);
+        throw Error("scene '" + name + "' is not worth compiling: " + why);
       }
       scenes.push_back(v);
     }
     if (!found) {
-      throw std::runtime_error("no logical volume is called '" + name +
-                               "'; navjit inspect without --scene lists them");
+      throw Error("no logical volume is called '" + name +
+                  "'; navjit inspect without --scene lists them");
     }
   }
   return scenes;
@@ -59,19 +59,19 @@ int specialise(const Options& options) {
     try {
       const auto hot = hot_scenes(profile, geometry, facts, options.choice);
       scenes.insert(scenes.end(), hot.begin(), hot.end());
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(options.profile + ": " + error.what());
+    } catch (const Error& error) {
+      throw Error(options.profile + ": " + error.what());
     }
   }
   if (scenes.empty()) {
-    throw std::runtime_error("no scene is hot enough and worth compiling; --least-share may help");
+    throw Error("no scene is hot enough and worth compiling; --least-share may help");
   }
   const std::string source = plugin_source(geometry, facts, scenes);
   if (source_only) {
     out.write(source);
   } else {
     const auto plugin = plugin_bytes(source, options.optimisation);
-    if (!plugin) throw std::runtime_error(plugin.failure().message);
+    if (!plugin) throw Error(plugin.failure().message);
     out.write(*plugin);
   }
   out.finish();

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <stdexcept>
 
 #include "apps/commands.hpp"
 #include "apps/options/detector.hpp"
@@ -17,6 +16,7 @@
 #include "common/parallel.hpp"
 #include "common/text.hpp"
 #include "files/output_file.hpp"
+#include "navjit/errors.hpp"
 #include "navjit/runtime.hpp"
 
 namespace navjit::apps {
@@ -55,8 +55,7 @@ class Sink {
     if (file_) {
       file_->write(text);
     } else if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) {
-      throw std::runtime_error(std::string("standard output cannot be written: ") +
-                               std::strerror(errno));
+      throw Error(std::string("standard output cannot be written: ") + std::strerror(errno));
     }
   }
   void finish() {
@@ -148,8 +147,8 @@ int trace(const Options& options) {
                  static_cast<unsigned long long>(all.rays));
   }
   if (differences > 0) {
-    throw std::runtime_error(std::to_string(differences.load()) +
-                             " steps differed from the generic navigator's");
+    throw Error(std::to_string(differences.load()) +
+                " steps differed from the generic navigator's");
   }
   return 0;
 }

@@ -18,6 +18,7 @@
 #include "common/clock.hpp"
 #include "common/statistics.hpp"
 #include "geometry/gdml/read_world.hpp"
+#include "navjit/errors.hpp"
 #include "runtime/overrides.hpp"
 
 namespace {
@@ -186,7 +187,7 @@ int main(int argc, char** argv) try {
     VolumeId volume = 0;
     while (volume < world->volumes.size() && world->volumes[volume].name != name) ++volume;
     if (volume == world->volumes.size()) {
-      throw std::runtime_error(detector + ": no volume " + name);
+      throw Error(detector + ": no volume " + name);
     }
     std::vector<bench::SceneRay> rays = bench::rays_in_volume(generic, volume, count, seed);
 #ifdef NAVJIT_VECGEOM

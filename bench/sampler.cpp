@@ -9,7 +9,8 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
-#include <stdexcept>
+
+#include "navjit/errors.hpp"
 
 namespace navjit::bench {
 
@@ -55,7 +56,7 @@ Sampler::Sampler() {
   event._sigev_un._tid = static_cast<pid_t>(syscall(SYS_gettid));
   timer_t timer{};
   if (timer_create(CLOCK_MONOTONIC, &event, &timer) != 0) {
-    throw std::runtime_error(std::string("no timer for sampling: ") + std::strerror(errno));
+    throw Error(std::string("no timer for sampling: ") + std::strerror(errno));
   }
   timer_ = timer;
 }

@@ -16,7 +16,7 @@ struct CodeSample {
   std::uint32_t scene;
 };
 
-/// Samples the thread that made it. One at a time in a process. Throws std::runtime_error where
+/// Samples the thread that made it. One at a time in a process. Throws Error where
 /// there is no timer to be had.
 class Sampler {
  public:

@@ -4,7 +4,8 @@
 
 #include <cstdint>
 #include <memory>
-#include <stdexcept>
+
+#include "navjit/errors.hpp"
 
 namespace navjit::cache {
 namespace {
@@ -30,7 +31,7 @@ class Hash {
 
  private:
   static void check(bool success) {
-    if (!success) throw std::runtime_error("SHA-256 is not available from the system's library");
+    if (!success) throw Error("SHA-256 is not available from the system's library");
   }
   std::unique_ptr<EVP_MD_CTX, Free> context_;
 };

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
 
 #include "common/child.hpp"
 #include "files/output_file.hpp"
+#include "navjit/errors.hpp"
 #include "runtime/private_folder.hpp"
 
 namespace navjit::common {
@@ -20,7 +20,7 @@ std::string terminal_of(const std::string& file) {
   const std::string suffix = std::filesystem::path(file).extension();
   if (suffix == ".svg") return "svg size 900,600 font 'sans,14' background rgb 'white'";
   if (suffix == ".png") return "pngcairo size 900,600 font 'sans,11'";
-  throw std::runtime_error(file + ": pictures are .svg or .png files");
+  throw Error(file + ": pictures are .svg or .png files");
 }
 
 std::string find_gnuplot() {
@@ -32,7 +32,7 @@ std::string find_gnuplot() {
     if (access(program.c_str(), X_OK) == 0) return program;
     at = end + 1;
   }
-  throw std::runtime_error(
+  throw Error(
       "pictures are drawn by gnuplot, which is not installed (Debian: "
       "gnuplot-nox)");
 }
@@ -68,7 +68,7 @@ std::string plot(const std::string& plots, const std::string& file) {
   std::ifstream in(picture.path(), std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (!result.good() || bytes.empty()) {
-    throw std::runtime_error(file + ": gnuplot " + result.words(60));
+    throw Error(file + ": gnuplot " + result.words(60));
   }
   return bytes;
 }

@@ -5,7 +5,7 @@
 
 namespace navjit::common {
 
-/// Throws std::runtime_error if the file's suffix is not that of a picture (.svg, .png), or if
+/// Throws Error if the file's suffix is not that of a picture (.svg, .png), or if
 /// there is no gnuplot: to be asked before anything was measured.
 void check_picture(const std::string& file);
 

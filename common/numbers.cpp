@@ -3,14 +3,15 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
+
+#include "navjit/errors.hpp"
 
 namespace navjit::common {
 namespace {
 
 [[noreturn]] void refuse(std::string_view text, const std::string& why) {
-  throw std::invalid_argument("'" + std::string(text) + "' " + why);
+  throw UsageError("'" + std::string(text) + "' " + why);
 }
 
 bool digit(char c) { return c >= '0' && c <= '9'; }

@@ -9,12 +9,12 @@ namespace navjit::common {
 /// More of anything takes years.
 constexpr std::uint64_t most_counted = 1'000'000'000'000'000;
 
-/// "1000", "1e6", "2.5e3": a whole number from `least` to `most`. Throws std::invalid_argument that
+/// "1000", "1e6", "2.5e3": a whole number from `least` to `most`. Throws UsageError that
 /// says what is wrong with it.
 std::uint64_t parse_count(std::string_view text, std::uint64_t least = 1,
                           std::uint64_t most = most_counted);
 
-/// A finite decimal number. Throws std::invalid_argument.
+/// A finite decimal number. Throws UsageError.
 double parse_number(std::string_view text);
 
 /// Whether a text can only be meant as a number: what is neither that nor a number is a file.

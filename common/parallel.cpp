@@ -2,11 +2,12 @@
 
 #include <exception>
 #include <mutex>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <thread>
 #include <vector>
+
+#include "navjit/errors.hpp"
 
 namespace navjit::common {
 
@@ -31,9 +32,9 @@ void in_parallel(unsigned threads, std::atomic<bool>& stop, const std::function<
       others.reserve(threads);
       while (others.size() + 1 < threads) others.emplace_back(guarded);
     } catch (const std::system_error& error) {
-      fail(std::make_exception_ptr(std::runtime_error(
-          "only " + std::to_string(others.size() + 1) + " of " + std::to_string(threads) +
-          " threads could be started (" + error.code().message() + "); try fewer --threads")));
+      fail(std::make_exception_ptr(Error("only " + std::to_string(others.size() + 1) + " of " +
+                                         std::to_string(threads) + " threads could be started (" +
+                                         error.code().message() + "); try fewer --threads")));
     } catch (...) {
       fail(std::current_exception());
     }

@@ -10,10 +10,10 @@
 #include <memory>
 #include <numbers>
 #include <random>
-#include <stdexcept>
 #include <string_view>
 
 #include "common/numbers.hpp"
+#include "navjit/errors.hpp"
 #include "navjit/runtime.hpp"
 
 namespace navjit::common {
@@ -35,13 +35,13 @@ struct Generator {
 void RayFile::Close::operator()(gzFile_s* file) const { gzclose(file); }
 
 void RayFile::fail(const std::string& what) const {
-  throw std::runtime_error(path_ + ":" + std::to_string(line_) + ": " + what);
+  throw Error(path_ + ":" + std::to_string(line_) + ": " + what);
 }
 
 RayFile::RayFile(std::string path) : path_(std::move(path)), file_(gzopen(path_.c_str(), "rb")) {
-  if (!file_) throw std::runtime_error(path_ + ": cannot be opened");
+  if (!file_) throw Error(path_ + ": cannot be opened");
   std::string_view header;
-  if (!read_line(header)) throw std::runtime_error(path_ + ": no rays");
+  if (!read_line(header)) throw Error(path_ + ": no rays");
   if (header != "x,y,z,dx,dy,dz") fail("the header must be x,y,z,dx,dy,dz");
 }
 
@@ -50,7 +50,7 @@ bool RayFile::read_line(std::string_view& row) {
   if (gzgets(file_.get(), text_, sizeof text_) == nullptr) {
     int error = 0;
     const char* message = gzerror(file_.get(), &error);
-    if (error != Z_OK && error != Z_STREAM_END) throw std::runtime_error(path_ + ": " + message);
+    if (error != Z_OK && error != Z_STREAM_END) throw Error(path_ + ": " + message);
     return false;
   }
   ++line_;
@@ -64,7 +64,7 @@ std::optional<Ray> RayFile::next() {
   std::string_view row;
   do {
     if (!read_line(row)) {
-      if (rays_ == 0) throw std::runtime_error(path_ + ": no rays");
+      if (rays_ == 0) throw Error(path_ + ": no rays");
       return std::nullopt;
     }
   } while (row.empty());
@@ -193,7 +193,7 @@ void check_origin(const RaySource& source, std::shared_ptr<const World> world) {
       "the origin %.9g,%.9g,%.9g is outside the world, which is within %.9g,%.9g,%.9g and "
       "%.9g,%.9g,%.9g mm: no ray would meet anything",
       p.x, p.y, p.z, e.min.x, e.min.y, e.min.z, e.max.x, e.max.y, e.max.z);
-  throw std::runtime_error(text);
+  throw Error(text);
 }
 
 }  // namespace navjit::common

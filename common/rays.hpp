@@ -16,7 +16,7 @@ struct gzFile_s;
 namespace navjit::common {
 
 /// A file of rays, read one by one: `x,y,z,dx,dy,dz` (mm; header required; plain or gzip);
-/// directions are normalised. Throws std::runtime_error with file and line on anything else, and on
+/// directions are normalised. Throws Error with file and line on anything else, and on
 /// a file without rays.
 class RayFile {
  public:
@@ -73,7 +73,7 @@ class RayMaker {
 /// The rays of a file, or so many of a source where `text` is a number, as they are needed.
 class RayStream {
  public:
-  /// The world has to outlive it. Throws as RayFile and RayMaker, and std::invalid_argument for a
+  /// The world has to outlive it. Throws as RayFile and RayMaker, and UsageError for a
   /// number that is no count.
   RayStream(const std::string& text, const RaySource& source, const World& world);
 
@@ -91,7 +91,7 @@ class RayStream {
 /// All of them. Throws the same.
 std::vector<Ray> rays_of(const std::string& text, const RaySource& source, const World& world);
 
-/// Throws std::runtime_error if all rays of a source would start outside the world: if it has an
+/// Throws Error if all rays of a source would start outside the world: if it has an
 /// origin, and that is not inside.
 void check_origin(const RaySource& source, std::shared_ptr<const World> world);
 

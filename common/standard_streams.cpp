@@ -7,7 +7,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <stdexcept>
+
+#include "navjit/errors.hpp"
 
 namespace navjit::common {
 
@@ -25,8 +26,8 @@ void finish_standard_output() {
   const bool failed_before = std::ferror(stdout) != 0;
   errno = 0;
   if (std::fflush(stdout) == 0 && !failed_before) return;
-  throw std::runtime_error("standard output cannot be written" +
-                           (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
+  throw Error("standard output cannot be written" +
+              (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
 }
 
 }  // namespace navjit::common

@@ -8,7 +8,7 @@ namespace navjit::common {
 /// is not read fail instead of ending the process.
 void secure_standard_streams();
 
-/// Writes what is still in the buffer. Throws std::runtime_error if anything that was ever printed
+/// Writes what is still in the buffer. Throws Error if anything that was ever printed
 /// could not be written.
 void finish_standard_output();
 

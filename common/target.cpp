@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
+
+#include "navjit/errors.hpp"
 
 namespace navjit::common {
 namespace {
@@ -60,8 +61,8 @@ Target::Target(const World& world, const std::string& aim) : world_(world) {
   std::vector<bool> counted(volumes);
   count(world.top, counted);
   if (below_[world.top] == 0) {
-    throw std::runtime_error("no logical volume in the world is called '" + aim +
-                             "', to aim at; navjit inspect lists them");
+    throw Error("no logical volume in the world is called '" + aim +
+                "', to aim at; navjit inspect lists them");
   }
 }
 

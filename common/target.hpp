@@ -16,7 +16,7 @@ namespace navjit::common {
 /// caverns and shieldings around the hall.
 class Target {
  public:
-  /// `aim` is the name of a logical volume, or "auto". Throws std::runtime_error if no volume of
+  /// `aim` is the name of a logical volume, or "auto". Throws Error if no volume of
   /// that name is in the world's tree. The world has to outlive it.
   Target(const World& world, const std::string& aim);
 

@@ -8,8 +8,9 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <stdexcept>
 #include <utility>
+
+#include "navjit/errors.hpp"
 
 namespace navjit {
 namespace {
@@ -129,7 +130,7 @@ void OutputFile::move_into_place() {
 }
 
 void OutputFile::fail(int error) const {
-  throw std::runtime_error(path_ + ": cannot be written: " + std::strerror(error));
+  throw Error(path_ + ": cannot be written: " + std::strerror(error));
 }
 
 void write_output(const std::string& path, std::string_view bytes) {

@@ -21,7 +21,7 @@ class OutputFile {
  public:
   /// Opens it, so that a place that cannot be written is known before there is anything to write.
   /// What is written through is not touched before the first write(). `mode`: permissions of the
-  /// file (default: those it had, or what the umask leaves of 0666). Throws std::runtime_error,
+  /// file (default: those it had, or what the umask leaves of 0666). Throws Error,
   /// naming the path; so do all others.
   explicit OutputFile(std::string path, std::optional<mode_t> mode = std::nullopt);
   OutputFile(const OutputFile&) = delete;

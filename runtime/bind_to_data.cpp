@@ -110,7 +110,7 @@ bool bind_hot_to_data(Specialisation& spec) {
   return false;
 }
 
-double bound_ns(Specialisation& spec, VolumeId volume) {
+double bound_ns(const Specialisation& spec, VolumeId volume) {
   const std::lock_guard lock(spec.mutex);
   const auto known = spec.scenes.find(volume);
   return known != spec.scenes.end() && known->second.binding == Binding::data

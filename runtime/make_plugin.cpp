@@ -10,12 +10,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <map>
-#include <stdexcept>
 
 #include "analysis/plan.hpp"
 #include "cache/trust.hpp"
 #include "files/output_file.hpp"
 #include "jit/compiler.hpp"
+#include "navjit/errors.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/plugin.hpp"
 #include "runtime/plugin_text.hpp"
@@ -64,12 +64,10 @@ Expected<std::string> sealed(const std::string& path) {
   return library + plugin_seal(library);
 }
 
-/// Empty on success.
-std::string write(const Expected<std::string>& plugin, OutputFile& file) {
-  if (!plugin) return plugin.failure().message;
+void write(const Expected<std::string>& plugin, OutputFile& file) {
+  if (!plugin) throw Error(plugin.failure().message);
   file.write(*plugin);
   file.finish();
-  return "";
 }
 
 }  // namespace
@@ -77,14 +75,14 @@ std::string write(const Expected<std::string>& plugin, OutputFile& file) {
 std::vector<VolumeId> hot_scenes(const StepProfile& profile, const Geometry& geometry,
                                  const WorldFacts& facts, const PluginChoice& choice) {
   if (profile.geometry != geometry_fingerprint(geometry)) {
-    throw std::runtime_error("the profile is of another detector, or another version of this one");
+    throw Error("the profile is of another detector, or another version of this one");
   }
   std::map<VolumeId, double> counts;
   double total = 0;
   for (const StepProfile::Volume& v : profile.volumes) {
     if (v.volume >= geometry.size() || !facts.reachable[v.volume] ||
         geometry.world().volumes[v.volume].name != v.name) {
-      throw std::runtime_error("the profile has volumes that are not in the detector");
+      throw Error("the profile has volumes that are not in the detector");
     }
     const double executions = static_cast<double>(v.steps) + static_cast<double>(v.relocations);
     counts[facts.first_equal[v.volume]] += executions;
@@ -122,22 +120,14 @@ Expected<std::string> plugin_bytes(const std::string& source, int optimisation) 
   return sealed(library.path());
 }
 
-std::string make_plugin(const std::string& source, int optimisation, const std::string& path) {
-  try {
-    OutputFile file(path, plugin_mode);
-    return write(plugin_bytes(source, optimisation), file);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
+void make_plugin(const std::string& source, int optimisation, const std::string& path) {
+  OutputFile file(path, plugin_mode);
+  write(plugin_bytes(source, optimisation), file);
 }
 
-std::string seal_plugin(const std::string& path) {
-  try {
-    OutputFile file(path, plugin_mode);
-    return write(sealed(path), file);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
+void seal_plugin(const std::string& path) {
+  OutputFile file(path, plugin_mode);
+  write(sealed(path), file);
 }
 
 }  // namespace navjit

@@ -19,7 +19,7 @@ struct PluginChoice {
 };
 
 /// The scenes of a profile that are hot enough and worth compiling, hottest first. Volumes of equal
-/// structure count together, and are given once. Throws std::runtime_error if the profile is not of
+/// structure count together, and are given once. Throws Error if the profile is not of
 /// this detector.
 std::vector<VolumeId> hot_scenes(const StepProfile& profile, const Geometry& geometry,
                                  const WorldFacts& facts, const PluginChoice& choice = {});
@@ -33,12 +33,11 @@ Expected<std::string> plugin_bytes(const std::string& source, int optimisation);
 /// would have them refused.
 constexpr mode_t plugin_mode = 0644;
 
-/// The same, into a file (files/output_file.hpp). Returns why it could not be made; empty if it
-/// was.
-std::string make_plugin(const std::string& source, int optimisation, const std::string& path);
+/// The same, into a file (files/output_file.hpp). Throws Error.
+void make_plugin(const std::string& source, int optimisation, const std::string& path);
 
-/// Seals a library that was compiled by other means: appends what a plugin ends with. Returns why
-/// it could not be done; empty if it was.
-std::string seal_plugin(const std::string& path);
+/// Seals a library that was compiled by other means: appends what a plugin ends with. Throws
+/// Error.
+void seal_plugin(const std::string& path);
 
 }  // namespace navjit

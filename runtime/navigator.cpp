@@ -42,7 +42,7 @@ Navigator::Navigator(std::shared_ptr<detail::Shared> shared)
 Navigator::~Navigator() {
   if (!own_ || !own_->read_side) return;  // moved from
   shared_->table.remove_thread(own_->read_side);
-  own_->profile.retire();
+  own_->profile.finish();
 }
 
 State Navigator::locate(const Vec3& point) { return locate(point, {0, 0, 0}); }

@@ -4,11 +4,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <stdexcept>
 #include <vector>
 
 #include "cache/trust.hpp"
 #include "navjit/cache.hpp"
+#include "navjit/errors.hpp"
 
 namespace navjit {
 namespace {
@@ -43,7 +43,7 @@ PrivateFolder::PrivateFolder() {
     std::string ignored;
     path_ = make_in(user, ignored);
   }
-  if (path_.empty()) throw std::runtime_error("no place for temporary files: " + why);
+  if (path_.empty()) throw Error("no place for temporary files: " + why);
   temporary_.emplace(path_);
 }
 

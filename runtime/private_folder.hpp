@@ -13,7 +13,7 @@ namespace navjit {
 /// cache where that one is not trusted.
 class PrivateFolder {
  public:
-  /// Throws std::runtime_error, saying why, if neither place can be used.
+  /// Throws Error, saying why, if neither place can be used.
   PrivateFolder();
   PrivateFolder(const PrivateFolder&) = delete;
   PrivateFolder& operator=(const PrivateFolder&) = delete;

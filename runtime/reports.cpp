@@ -52,14 +52,14 @@ const char* origin_name(CodeOrigin origin) {
   return "unknown";
 }
 
-std::size_t specialised(Specialisation& spec) {
+std::size_t specialised(const Specialisation& spec) {
   const std::lock_guard lock(spec.mutex);
   return static_cast<std::size_t>(
       std::count_if(spec.scenes.begin(), spec.scenes.end(),
                     [](const auto& s) { return s.second.binding != Binding::generic; }));
 }
 
-RuntimeReport report(Specialisation& spec) {
+RuntimeReport report(const Specialisation& spec) {
   const detail::Counts counts = spec.shared->counts();
   const std::lock_guard lock(spec.mutex);
   RuntimeReport report = spec.totals;

@@ -23,8 +23,11 @@ const char* level_name(Level level) {
 }
 
 Runtime::Runtime(Detector detector, RuntimeOptions options)
+    : Runtime(detector, std::make_shared<detail::Shared>(detector.model(), std::move(options))) {}
+
+Runtime::Runtime(Detector detector, std::shared_ptr<detail::Shared> shared)
     : detector_(std::move(detector)),
-      shared_(std::make_shared<detail::Shared>(detector_.model(), std::move(options))),
+      shared_(std::move(shared)),
       specialiser_(std::make_shared<Specialiser>(shared_)) {
   if (shared_->options.level != Level::exact) {
     shared_->log->warn("level {}: all scenes run exact, which is as fast",

@@ -21,9 +21,9 @@ std::uint64_t Counts::bail_outs(VolumeId volume) const {
   return sum;
 }
 
-Shared::Shared(std::shared_ptr<const World> world, RuntimeOptions runtime_options)
+Shared::Shared(std::shared_ptr<const World> world, RuntimeOptions runtime_options, Faults to_try)
     : options(std::move(runtime_options)),
-      faults(options.faults ? *options.faults : Faults{}),
+      faults(std::move(to_try)),
       log(make_log(options.log)),
       geometry(std::move(world), options.geometry),
       table(geometry) {
@@ -35,7 +35,7 @@ void Shared::add(std::shared_ptr<Profile> profile) {
   const std::lock_guard lock(mutex_);
   if (counts_.profiles.size() >= most_profiles) {
     std::erase_if(counts_.profiles, [this](const std::shared_ptr<Profile>& old) {
-      if (!old->retired()) return false;
+      if (!old->finished()) return false;
       for (VolumeId v = 0; v < geometry.size(); ++v) {
         counts_.past_steps[v] += old->steps(v);
         counts_.past_bail_outs[v] += old->bail_outs(v);

@@ -22,7 +22,7 @@ struct Counts {
 };
 
 struct Shared {
-  Shared(std::shared_ptr<const World> world, RuntimeOptions runtime_options);
+  Shared(std::shared_ptr<const World> world, RuntimeOptions runtime_options, Faults to_try = {});
 
   /// A new navigator's profile.
   void add(std::shared_ptr<Profile> profile);

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "apps/accuracy/experiment.hpp"
 #include "apps/accuracy/picture.hpp"
@@ -17,6 +16,7 @@
 #include "apps/options/source.hpp"
 #include "common/gnuplot.hpp"
 #include "common/interruption.hpp"
+#include "navjit/errors.hpp"
 
 namespace navjit::apps {
 namespace {
@@ -46,8 +46,7 @@ int accuracy(const Options& options) {
   common::check_origin(options.rays.source, world);
   accuracy::ExperimentOptions experiment;
   experiment.rays = common::rays_of(options.rays.rays, options.rays.source, *world);
-  if (experiment.rays.empty())
-    throw std::runtime_error("no rays are asked for; at least one is needed");
+  if (experiment.rays.empty()) throw Error("no rays are asked for; at least one is needed");
   experiment.seed = options.rays.source.seed;
   experiment.threads = options.threads;
   experiment.repetitions = options.repetitions;

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <memory>
 #include <sstream>
-#include <stdexcept>
 
 #include "common/child.hpp"
+#include "navjit/errors.hpp"
 #include "navjit/vector.hpp"
 #include "runtime/private_folder.hpp"
 
@@ -39,13 +39,13 @@ bool parse_row(const std::string& line, std::size_t& ray, std::string& volume, d
 
 void write_rays(const fs::path& path, std::span<const Ray> rays) {
   const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "w"), std::fclose);
-  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
+  if (!file) throw Error(path.string() + ": cannot be written");
   std::fputs("x,y,z,dx,dy,dz\n", file.get());
   for (const Ray& ray : rays) {
     const Vec3 &p = ray.position, &v = ray.direction;
     std::fprintf(file.get(), "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", p.x, p.y, p.z, v.x, v.y, v.z);
   }
-  if (std::fflush(file.get()) != 0) throw std::runtime_error(path.string() + ": cannot be written");
+  if (std::fflush(file.get()) != 0) throw Error(path.string() + ": cannot be written");
 }
 
 std::optional<std::string> VecGeom::beside_this_program() {
@@ -125,7 +125,7 @@ std::string VecGeom::follow(const Track& track, std::vector<LegEnd>& ends) const
   {
     const std::unique_ptr<FILE, int (*)(FILE*)> file(
         std::fopen(folder.file("legs.csv").c_str(), "w"), std::fclose);
-    if (!file) throw std::runtime_error(folder.file("legs.csv") + ": cannot be written");
+    if (!file) throw Error(folder.file("legs.csv") + ": cannot be written");
     std::fputs("x,y,z,dx,dy,dz,length\n", file.get());
     for (const Leg& leg : track.legs) {
       const Vec3 &p = track.start, &v = leg.direction;

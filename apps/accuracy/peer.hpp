@@ -14,7 +14,7 @@
 
 namespace navjit::accuracy {
 
-/// Numbers as `%.17g`, directions as they are. Throws std::runtime_error if it cannot be written.
+/// Numbers as `%.17g`, directions as they are. Throws Error if it cannot be written.
 void write_rays(const std::filesystem::path& path, std::span<const Ray> rays);
 
 class VecGeom {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "common/gnuplot.hpp"
+#include "navjit/errors.hpp"
 
 namespace navjit::accuracy {
 namespace {
@@ -31,7 +31,7 @@ std::string draw(const ExperimentReport& report, const std::string& title,
              " using 1:2:3:4 with yerrorbars lw 2 pt 7 ps 1.5 title " + common::quoted(engine.name);
     slowest = std::max(slowest, engine.ns_per_step);
   }
-  if (plots.empty()) throw std::runtime_error(file + ": nothing was measured that could be drawn");
+  if (plots.empty()) throw Error(file + ": nothing was measured that could be drawn");
   return common::plot(
       "set title " + common::quoted(title) + " noenhanced\nset xlabel 'ns a step'\n" +
           "set ylabel 'error of the length, ulp of the coordinates: median, 99.9%, largest'\n" +

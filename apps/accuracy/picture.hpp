@@ -7,7 +7,7 @@
 
 namespace navjit::accuracy {
 
-/// An SVG or a PNG, by the file's suffix. Throws std::runtime_error if the suffix is another, if
+/// An SVG or a PNG, by the file's suffix. Throws Error if the suffix is another, if
 /// there is no gnuplot, or if it fails.
 std::string draw(const ExperimentReport& report, const std::string& title, const std::string& file);
 

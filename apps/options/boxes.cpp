@@ -2,7 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <sstream>
-#include <stdexcept>
+
+#include "navjit/errors.hpp"
 
 namespace navjit::apps {
 
@@ -14,9 +15,9 @@ void parse_boxes(const std::string& text, GeometryOptions& options) {
     const std::string value = equals == std::string::npos ? entry : entry.substr(equals + 1);
     const std::optional<bvh::Structure> structure = bvh::parse_structure(value);
     if (!structure && value != "auto") {
-      throw std::invalid_argument("'" + entry +
-                                  "': auto, linear, two-level or regular-tree is needed, the last "
-                                  "two with :surface, :k-means or :furthest if you like");
+      throw UsageError("'" + entry +
+                       "': auto, linear, two-level or regular-tree is needed, the last "
+                       "two with :surface, :k-means or :furthest if you like");
     }
     if (equals == std::string::npos || name == "*") {
       options.boxes = structure;
@@ -35,7 +36,7 @@ void add_boxes(CLI::App& command, GeometryOptions& options) {
           [&options](const std::string& text) {
             try {
               parse_boxes(text, options);
-            } catch (const std::invalid_argument& error) {
+            } catch (const UsageError& error) {
               throw CLI::ValidationError("--boxes", error.what());
             }
           },

@@ -13,7 +13,7 @@ namespace navjit::apps {
 
 /// Entries with commas between them, later ones override earlier ones: a structure for all scenes
 /// that have boxes ("two-level:k-means"; see bvh::parse_structure), or VOLUME=STRUCTURE for one
-/// volume ("*" for all). "auto" leaves the choice to the library. Throws std::invalid_argument
+/// volume ("*" for all). "auto" leaves the choice to the library. Throws UsageError
 /// that says which entry is wrong.
 void parse_boxes(const std::string& text, GeometryOptions& options);
 

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <stdexcept>
+
+#include "navjit/errors.hpp"
 
 namespace navjit::apps {
 namespace {
@@ -23,7 +24,7 @@ CLI::Validator in_range(double low, double high, bool with_low) {
           if (value <= high && (with_low ? value >= low : value > low)) return "";
           return "'" + text + "' is not " + (with_low ? "from " : "above ") + shown(low) +
                  (with_low ? " to " : " and up to ") + shown(high);
-        } catch (const std::invalid_argument& error) {
+        } catch (const UsageError& error) {
           return error.what();
         }
       },
@@ -38,7 +39,7 @@ CLI::Validator count(std::uint64_t least, std::uint64_t most) {
         try {
           text = std::to_string(common::parse_count(text, least, most));
           return "";
-        } catch (const std::invalid_argument& error) {
+        } catch (const UsageError& error) {
           return error.what();
         }
       },
@@ -82,7 +83,7 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
     const std::size_t comma = std::min(text.find(',', at), text.size());
     try {
       values.push_back(common::parse_number(text.substr(at, comma - at)));
-    } catch (const std::invalid_argument& error) {
+    } catch (const UsageError& error) {
       throw CLI::ValidationError(option, error.what());
     }
     at = comma + 1;

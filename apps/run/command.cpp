@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 
 #include "apps/commands.hpp"
 #include "apps/options/detector.hpp"
@@ -12,6 +11,7 @@
 #include "apps/options/source.hpp"
 #include "apps/run/report.hpp"
 #include "common/interruption.hpp"
+#include "navjit/errors.hpp"
 #include "navjit/runtime.hpp"
 #include "runtime/processor_time.hpp"
 
@@ -62,8 +62,7 @@ int run(const Options& options) {
   attempt_all({[&] { profile.write([&] { return profile_text(runtime.step_profile()); }); },
                [&] { json.write([&] { return json_text(report); }); }});
   if (made.differences > 0) {
-    throw std::runtime_error(std::to_string(made.differences) +
-                             " steps differed from the generic navigator's");
+    throw Error(std::to_string(made.differences) + " steps differed from the generic navigator's");
   }
   return 0;
 }

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "apps/commands.hpp"
 #include "apps/options/numbers.hpp"
@@ -17,6 +16,7 @@
 #include "common/gnuplot.hpp"
 #include "common/interruption.hpp"
 #include "jit/compiler.hpp"
+#include "navjit/errors.hpp"
 
 namespace navjit::apps {
 namespace {
@@ -58,7 +58,7 @@ int warmup(const Options& options) {
   Output json(options.report), csv(options.csv), picture(options.picture);
   const common::Interruptible interruptible;
   if (!jit::has_compiler()) {
-    throw std::runtime_error("this program was built without a compiler: nothing warms up");
+    throw Error("this program was built without a compiler: nothing warms up");
   }
   // What is wrong with it is told at once.
   common::check_origin(options.every.source, read(options.every.detector));
@@ -90,7 +90,7 @@ int warmup(const Options& options) {
                                options.picture);
          });
        }});
-  if (!report.same_rays) throw std::runtime_error("runs differ in the steps of the same rays");
+  if (!report.same_rays) throw Error("runs differ in the steps of the same rays");
   return 0;
 }
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <stdexcept>
 
 #include "common/child.hpp"
+#include "navjit/errors.hpp"
 #include "runtime/private_folder.hpp"
 
 namespace navjit::warmup {
@@ -22,7 +22,7 @@ Words operator+(Words words, const Words& more) {
 
 std::string output_of(const Words& words, double seconds) {
   common::ChildResult result = common::run_child(words, seconds);
-  if (!result.good()) throw std::runtime_error("a run " + result.words(seconds));
+  if (!result.good()) throw Error("a run " + result.words(seconds));
   if (!result.error.empty()) spdlog::warn("from a run: {}", result.error);
   return std::move(result.output);
 }

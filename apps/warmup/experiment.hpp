@@ -52,7 +52,7 @@ struct ExperimentReport {
   bool same_rays = true;  ///< every ray that two runs both made has the same steps and lengths
 };
 
-/// Throws std::runtime_error if a process fails, with its last line.
+/// Throws Error if a process fails, with its last line.
 ExperimentReport run_experiment(const ExperimentOptions& options);
 
 /// From the records alone; `off` is the run without JIT of the same repetition.

@@ -47,7 +47,7 @@ struct RunRecord {
 RunRecord run_once(const RunSetup& setup);
 
 std::string to_text(const RunRecord& record);
-/// Throws std::runtime_error for what to_text has not made, and for series that go back.
+/// Throws Error for what to_text has not made, and for series that go back.
 RunRecord from_text(const std::string& text);
 
 }  // namespace navjit::warmup

@@ -1,9 +1,9 @@
 #include "apps/warmup/picture.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "common/gnuplot.hpp"
+#include "navjit/errors.hpp"
 
 namespace navjit::warmup {
 namespace {
@@ -37,7 +37,7 @@ std::string draw(const ExperimentReport& report, const std::string& title,
       end = end == 0 ? last : std::min(end, last);
     }
   }
-  if (end == 0) throw std::runtime_error(file + ": nothing was measured that could be drawn");
+  if (end == 0) throw Error(file + ": nothing was measured that could be drawn");
   std::string data, rates, shares;
   for (std::size_t i = 0; i < report.variants.size(); ++i) {
     const VariantReport& each = report.variants[i];

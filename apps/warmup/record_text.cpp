@@ -1,7 +1,8 @@
 // A run's record as JSON: how a run in a process of its own tells the experiment.
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+
+#include "navjit/errors.hpp"
 
 #include "apps/warmup/one_run.hpp"
 
@@ -11,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 [[noreturn]] void fail(const char* what) {
-  throw std::runtime_error(std::string("a run's record is not usable: ") + what);
+  throw Error(std::string("a run's record is not usable: ") + what);
 }
 
 double amount(const Json& json) {

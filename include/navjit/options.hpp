@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -53,7 +52,7 @@ struct SpecialiserOptions {
   /// Expected time for all that JitMode::wait compiles at the most; what occurs most often in the
   /// detector comes first, and the rest is bound to data alone.
   double wait_ms = 8000;
-  double half_life_s = 2;  ///< of the heat that decides what is compiled first
+  double half_life_s = 2;  ///< of the execution counts that decide what is compiled first
   int nice = 5;            ///< priority of the thread that compiles, as of nice(1); 0 to 19
   int optimisation = 2;    ///< of the compiler
   InstructionSet instruction_set = InstructionSet::native;
@@ -63,8 +62,6 @@ struct SpecialiserOptions {
   bool perf_map = false;         ///< name generated functions for perf
   bool debug_info = false;       ///< line tables of generated code for gdb
 };
-
-struct Faults;  ///< of the library's own tests
 
 struct RuntimeOptions {
   Level level = Level::exact;
@@ -77,8 +74,7 @@ struct RuntimeOptions {
   /// the log, and the run goes on without it.
   std::string plugin{};
   SpecialiserOptions specialiser{};
-  LogSink log{};                           ///< empty: spdlog's default logger
-  std::shared_ptr<const Faults> faults{};  ///< null but in the library's own tests
+  LogSink log{};  ///< empty: spdlog's default logger
   GeometryOptions geometry{};
 };
 

@@ -51,6 +51,10 @@ class Runtime {
   /// Returns when no specialisation is under way or due on what was counted until now.
   void wait_until_idle();
 
+ protected:
+  /// For the library's own tests.
+  Runtime(Detector detector, std::shared_ptr<detail::Shared> shared);
+
  private:
   Detector detector_;
   std::shared_ptr<detail::Shared> shared_;

@@ -37,11 +37,14 @@ RuntimeOptions with_sink(const std::shared_ptr<Lines>& lines) {
 
 TEST(Log, GoesToTheSinkOfItsRuntimeAndNowhereElse) {
   const auto good = std::make_shared<Lines>(), bad = std::make_shared<Lines>();
-  RuntimeOptions broken = with_sink(bad);
+  FaultyOptions broken{with_sink(bad)};
   broken.faults = tests::edited([](std::string& source) { source += "\nint broken = ;\n"; });
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  { Runtime a(tests::mixed_world(), with_sink(good)), b(tests::mixed_world(), broken); }
+  {
+    Runtime a(tests::mixed_world(), with_sink(good));
+    FaultyRuntime b(tests::mixed_world(), broken);
+  }
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   EXPECT_GT(good->count(LogLevel::debug, "event=installed"), 3U);

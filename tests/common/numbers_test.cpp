@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
 #include <string>
+
+#include "navjit/errors.hpp"
 
 namespace navjit::common {
 namespace {
@@ -26,7 +27,7 @@ TEST(Numbers, WhatIsNoCountIsRefusedInWords) {
   const auto why = [](const char* text) -> std::string {
     try {
       return "taken as " + std::to_string(parse_count(text));
-    } catch (const std::invalid_argument& error) {
+    } catch (const UsageError& error) {
       return error.what();
     }
   };
@@ -50,7 +51,7 @@ TEST(Numbers, AreFiniteAndDecimal) {
   EXPECT_EQ(parse_number("+2"), 2);
   for (const char* text : {"", "nan", "NaN", "inf", "-inf", "infinity", "0x10", "1e400", "1x", " 1",
                            "+", "+-1", "++1", "1,5"}) {
-    EXPECT_THROW(parse_number(text), std::invalid_argument) << text;
+    EXPECT_THROW(parse_number(text), UsageError) << text;
   }
 }
 

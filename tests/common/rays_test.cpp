@@ -130,7 +130,7 @@ TEST(Aim, WhatIsNotThereIsRefused) {
     try {
       RayMaker(world, {.aim = name});
       ADD_FAILURE() << name;
-    } catch (const std::runtime_error& error) {
+    } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find(std::string("'") + name + "'"), std::string::npos);
     }
   }

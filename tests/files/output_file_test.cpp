@@ -7,9 +7,9 @@
 #include <sys/sysmacros.h>
 
 #include <filesystem>
-#include <stdexcept>
 #include <thread>
 
+#include "navjit/errors.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/folder.hpp"
 
@@ -101,7 +101,7 @@ TEST(OutputFile, FollowsLinksAndLeavesThem) {
 TEST(OutputFile, DoesNotReplaceDevices) {
   write_output("/dev/null", "text");
   EXPECT_TRUE(S_ISCHR(mode_of("/dev/null")));
-  EXPECT_THROW(write_output("/dev/full", "text"), std::runtime_error);
+  EXPECT_THROW(write_output("/dev/full", "text"), Error);
   EXPECT_TRUE(S_ISCHR(mode_of("/dev/full")));
   const TemporaryFolder folder;
   const std::string device = folder.file("null"), link = folder.file("link");
@@ -110,7 +110,7 @@ TEST(OutputFile, DoesNotReplaceDevices) {
   for (const std::string& path : {device, link}) {
     try {
       write_output(path, "text");
-    } catch (const std::runtime_error& error) {
+    } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find("Permission denied"), std::string::npos)
           << "but where devices are not for use: " << error.what();
     }
@@ -137,7 +137,7 @@ TEST(OutputFile, TellsAtOnceWhereNothingCanBeWritten) {
     try {
       OutputFile file(path);
       return "opened";
-    } catch (const std::runtime_error& error) {
+    } catch (const Error& error) {
       return error.what();
     }
   };

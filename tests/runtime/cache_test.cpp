@@ -186,9 +186,9 @@ TEST(RuntimeCache, EntriesWithOtherContentAreCompiledAgain) {
   const TemporaryFolder folder;
   std::string source;
   {
-    RuntimeOptions options = with_cache(folder.path());
+    FaultyOptions options{with_cache(folder.path())};
     options.faults = tests::edited([&](std::string& text) { source = text; });
-    Runtime runtime(mixed(), options);
+    FaultyRuntime runtime(mixed(), options);
     expect_right(runtime);
   }
   // The right functions, but every step is a little too long.

@@ -32,12 +32,12 @@ void run_until_deoptimised(Runtime& runtime, const std::vector<Ray>& rays) {
 
 TEST(Deoptimise, ANavigatorThatKeepsBailingOutIsTakenOut) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
-  RuntimeOptions options = looking_often();
+  FaultyOptions options{looking_often()};
   options.faults = tests::edited([](std::string& source) {
     replace_all(source, "  if (__builtin_expect(!(best > 0), 0)) return -1.0;\n",
                 "  if (best < 1e300) return -1.0;\n");
   });
-  Runtime runtime(world, options);
+  FaultyRuntime runtime(world, options);
   run_until_deoptimised(runtime, tests::rays_through(*world, 31, 400));
   EXPECT_GT(runtime.report().deoptimised, 0U);
   std::size_t deoptimised = 0;
@@ -49,12 +49,13 @@ TEST(Deoptimise, ANavigatorThatKeepsBailingOutIsTakenOut) {
 
 TEST(Deoptimise, ANavigatorThatIsWrongWhereNobodyTriedItIsTakenOut) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
-  RuntimeOptions options = looking_often();
+  FaultyOptions options{looking_often()};
   options.faults = tests::edited([](std::string& source) {
     replace_all(source, "  return best;\n",
                 "  return stack->ray.given[0] == 0.6 ? best * (1 + 0x1p-52) : best;\n");
   });
-  Runtime generic(world, tests::eager_options(JitMode::off)), runtime(world, options);
+  Runtime generic(world, tests::eager_options(JitMode::off));
+  FaultyRuntime runtime(world, options);
   const std::vector<Ray> usual = tests::rays_through(*world, 33, 400);
   std::vector<Ray> unusual = usual;
   for (Ray& ray : unusual) ray.direction = {0.6, 0.64, 0.48};

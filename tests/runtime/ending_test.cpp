@@ -23,8 +23,8 @@ struct SlowCompiler {
   std::promise<void> begun, released;
   std::atomic<bool> begun_already{false};
 
-  static RuntimeOptions options(const std::shared_ptr<SlowCompiler>& slow) {
-    RuntimeOptions o = eager_options(JitMode::on);
+  static FaultyOptions options(const std::shared_ptr<SlowCompiler>& slow) {
+    FaultyOptions o{eager_options(JitMode::on)};
     o.faults = std::make_shared<const Faults>(
         Faults{.compiling = [slow, go = slow->released.get_future().share()] {
           if (!slow->begun_already.exchange(true)) slow->begun.set_value();
@@ -51,7 +51,7 @@ TEST(Ending, TheDestructorDoesNotWaitForTheCompiler) {
   const auto slow = std::make_shared<SlowCompiler>();
   std::weak_ptr<const World> world;
   {
-    Runtime runtime(tests::mixed_world(), SlowCompiler::options(slow));
+    FaultyRuntime runtime(tests::mixed_world(), SlowCompiler::options(slow));
     world = runtime.share_world();
     transport_all(runtime);
     slow->begun.get_future().wait();
@@ -67,7 +67,7 @@ TEST(Ending, TheDestructorDoesNotWaitForTheCompiler) {
 TEST(Ending, TheFinalReportDoesNotWaitForTheCompiler) {
   const auto slow = std::make_shared<SlowCompiler>();
   {
-    Runtime runtime(tests::mixed_world(), SlowCompiler::options(slow));
+    FaultyRuntime runtime(tests::mixed_world(), SlowCompiler::options(slow));
     const std::uint64_t steps = transport_all(runtime);
     slow->begun.get_future().wait();
     const RuntimeReport report = runtime.final_report();
@@ -170,10 +170,10 @@ TEST(Exhausted, ARunGoesOnWithoutMemoryOrThreads) {
 TEST(Exhausted, OneLineTellsOfIt) {
   for (const JitMode jit : {JitMode::on, JitMode::wait}) {
     testing::internal::CaptureStdout();
-    RuntimeOptions options = eager_options(jit);
+    FaultyOptions options{eager_options(jit)};
     options.faults =
         std::make_shared<const Faults>(Faults{.compiling = [] { throw std::bad_alloc(); }});
-    Runtime runtime(tests::mixed_world(), options);
+    FaultyRuntime runtime(tests::mixed_world(), options);
     transport_all(runtime);
     runtime.wait_until_idle();
     const RuntimeReport report = runtime.final_report();

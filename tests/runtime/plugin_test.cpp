@@ -30,7 +30,7 @@ class PluginTest : public testing::Test {
 
   std::string make(const std::string& source) {
     const std::string path = folder_.file("det.so");
-    EXPECT_EQ(make_plugin(source, 1, path), "");
+    make_plugin(source, 1, path);
     return path;
   }
 
@@ -172,12 +172,17 @@ TEST_F(PluginTest, FilesOfOthersAreRefused) {
 }
 
 TEST_F(PluginTest, ThatCannotBeMadeLeavesNothing) {
-  EXPECT_NE(make_plugin(source_, 0, "/nowhere/det.so"), "");
-  EXPECT_NE(make_plugin("int broken = ;", 0, folder_.file("det.so")), "");
+  EXPECT_THROW(make_plugin(source_, 0, "/nowhere/det.so"), Error);
+  EXPECT_THROW(make_plugin("int broken = ;", 0, folder_.file("det.so")), Error);
   setenv("NAVJIT_LD", "/nowhere/ld", 1);
-  EXPECT_NE(make_plugin(source_, 0, folder_.file("det.so")).find("NAVJIT_LD"), std::string::npos);
+  try {
+    make_plugin(source_, 0, folder_.file("det.so"));
+    ADD_FAILURE() << "there is no such linker";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("NAVJIT_LD"), std::string::npos) << error.what();
+  }
   setenv("NAVJIT_LD", "false", 1);
-  EXPECT_NE(make_plugin(source_, 0, folder_.file("det.so")), "");
+  EXPECT_THROW(make_plugin(source_, 0, folder_.file("det.so")), Error);
   unsetenv("NAVJIT_LD");
   EXPECT_TRUE(fs::is_empty(folder_.path()));
 }

@@ -174,9 +174,10 @@ TEST(Specialised, SwapsDoNotChangeARunningTransport) {
 
 /// Traces rays, each waiting in its midst for what is due to be specialised. Returns how often
 /// something was, and counts rays that differ from the generic ones.
-int swaps_within_rays(const RuntimeOptions& with, std::size_t& differing) {
+int swaps_within_rays(const FaultyOptions& with, std::size_t& differing) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
-  Runtime generic(world, options(JitMode::off)), swapping(world, with);
+  Runtime generic(world, options(JitMode::off));
+  FaultyRuntime swapping(world, with);
   Navigator a = generic.navigator(), b = swapping.navigator();
   int swaps = 0;
   for (const Ray& ray : rays_through(*world, 21, 400)) {
@@ -196,7 +197,7 @@ int swaps_within_rays(const RuntimeOptions& with, std::size_t& differing) {
 }
 
 TEST(Specialised, SwapsWithinARayDoNotChangeIt) {
-  RuntimeOptions with = options(JitMode::on);
+  FaultyOptions with{options(JitMode::on)};
   with.specialiser.batch = 1;  // many swaps rather than one
   std::size_t differing = 0;
   EXPECT_GE(swaps_within_rays(with, differing), 3);
@@ -209,9 +210,10 @@ TEST(Specialised, SwapsWithinARayDoNotChangeIt) {
 /// Differences that shadow mode counts; the answers are to be the generic ones all the same.
 std::uint64_t differences_in_shadow(std::shared_ptr<const Faults> faults) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
-  RuntimeOptions with = options(JitMode::shadow);
+  FaultyOptions with{options(JitMode::shadow)};
   with.faults = std::move(faults);
-  Runtime generic(world, options(JitMode::off)), runtime(world, with);
+  Runtime generic(world, options(JitMode::off));
+  FaultyRuntime runtime(world, with);
   Navigator a = generic.navigator(), b = runtime.navigator();
   for (int pass = 0; pass < 5; ++pass) {
     for (const Ray& ray : rays_through(*world, 11, 400)) {
@@ -231,11 +233,12 @@ TEST(Specialised, ShadowModeCountsDifferencesAndMendsThem) {
 }
 
 /// A scene whose specialisation goes wrong stays generic, and nobody notices but the report.
-void expect_generic_after(const std::function<void(RuntimeOptions&)>& spoil) {
+void expect_generic_after(const std::function<void(FaultyOptions&)>& spoil) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
-  RuntimeOptions spoilt = options(JitMode::wait);
+  FaultyOptions spoilt{options(JitMode::wait)};
   spoil(spoilt);
-  Runtime generic(world, options(JitMode::off)), runtime(world, spoilt);
+  Runtime generic(world, options(JitMode::off));
+  FaultyRuntime runtime(world, spoilt);
   Navigator a = generic.navigator(), b = runtime.navigator();
   for (const Ray& ray : rays_through(*world, 13, 300)) {
     ASSERT_TRUE(same_bits(trace(a, ray, world->tolerance), trace(b, ray, world->tolerance)));
@@ -252,19 +255,19 @@ void expect_generic_after(const std::function<void(RuntimeOptions&)>& spoil) {
 }
 
 TEST(Faults, ACompilerErrorLeavesScenesGeneric) {
-  expect_generic_after([](RuntimeOptions& o) {
+  expect_generic_after([](FaultyOptions& o) {
     o.faults = tests::edited([](std::string& source) { source += "\nint broken = ;\n"; });
   });
 }
 
 TEST(Faults, AFailedVerificationLeavesScenesGeneric) {
-  expect_generic_after([](RuntimeOptions& o) {
+  expect_generic_after([](FaultyOptions& o) {
     o.faults = std::make_shared<Faults>(Faults{.fail_verification = true});
   });
 }
 
 TEST(Faults, WrongCodeIsFoundByVerification) {
-  expect_generic_after([](RuntimeOptions& o) {
+  expect_generic_after([](FaultyOptions& o) {
     Faults faults = *tests::wrong_code();
     faults.skip_verification = false;
     o.faults = std::make_shared<Faults>(faults);
@@ -273,11 +276,11 @@ TEST(Faults, WrongCodeIsFoundByVerification) {
 
 TEST(Faults, OneBadSceneDoesNotSpoilTheOthers) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
-  RuntimeOptions o = options(JitMode::wait);
+  FaultyOptions o{options(JitMode::wait)};
   o.faults = tests::edited([](std::string& source) {
     if (source.find("navjit_step_2_") != std::string::npos) source += "\nint broken = ;\n";
   });
-  Runtime runtime(world, o);
+  FaultyRuntime runtime(world, o);
   Navigator navigator = runtime.navigator();
   for (const Ray& ray : rays_through(*world, 15, 2000)) trace(navigator, ray, world->tolerance);
   const RuntimeReport report = runtime.report();

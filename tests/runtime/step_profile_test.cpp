@@ -54,7 +54,7 @@ TEST(StepProfileTest, ReadsWhatItWritesAndMergesInAnyOrder) {
   EXPECT_EQ(merge(most, most).volumes[0].steps, std::numeric_limits<std::uint64_t>::max());
   StepProfile other;
   other.geometry = "4567";
-  EXPECT_THROW(merge(most, other), std::runtime_error);
+  EXPECT_THROW(merge(most, other), Error);
 }
 
 TEST(StepProfileTest, WhatIsNoProfileIsRefusedWithTheFilesName) {
@@ -85,16 +85,16 @@ TEST(StepProfileTest, WhatIsNoProfileIsRefusedWithTheFilesName) {
     try {
       read_profile(path);
       ADD_FAILURE() << bad.substr(0, 200);
-    } catch (const std::runtime_error& error) {
+    } catch (const Error& error) {
       EXPECT_EQ(std::string(error.what()).rfind(path + ": ", 0), 0U) << error.what();
     }
   }
   for (const std::string& none : {folder.file("none"), folder.path(), std::string("/dev/zero")}) {
-    EXPECT_THROW(read_profile(none), std::runtime_error) << none;
+    EXPECT_THROW(read_profile(none), Error) << none;
   }
   ASSERT_EQ(mkfifo(folder.file("pipe").c_str(), 0600), 0);
-  EXPECT_THROW(read_profile(folder.file("pipe")), std::runtime_error) << "and does not wait";
-  EXPECT_THROW(write_profile({}, "/nowhere/profile.json"), std::runtime_error);
+  EXPECT_THROW(read_profile(folder.file("pipe")), Error) << "and does not wait";
+  EXPECT_THROW(write_profile({}, "/nowhere/profile.json"), Error);
 }
 
 TEST(StepProfileTest, MutatedProfilesAreReadOrRefused) {
@@ -116,7 +116,7 @@ TEST(StepProfileTest, MutatedProfilesAreReadOrRefused) {
     tests::write_file(folder.file("p"), text);
     try {
       read_profile(folder.file("p"));
-    } catch (const std::runtime_error&) {
+    } catch (const Error&) {
       ++refused;
     }
   }
@@ -148,11 +148,11 @@ TEST(StepProfileTest, HotScenesAreThoseOfTheRun) {
             (std::vector<VolumeId>{hot[0], hot[1]}));
   EXPECT_TRUE(hot_scenes(profile, geometry, facts, {.least_share = 1}).empty());
   profile.volumes[0].name = "other";
-  EXPECT_THROW(hot_scenes(profile, geometry, facts), std::runtime_error);
+  EXPECT_THROW(hot_scenes(profile, geometry, facts), Error);
   profile.volumes[0] = {4000000000U, "none", 1, 1};
-  EXPECT_THROW(hot_scenes(profile, geometry, facts), std::runtime_error);
+  EXPECT_THROW(hot_scenes(profile, geometry, facts), Error);
   profile.geometry = "other";
-  EXPECT_THROW(hot_scenes(profile, geometry, facts), std::runtime_error);
+  EXPECT_THROW(hot_scenes(profile, geometry, facts), Error);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "navjit/runtime.hpp"
-#include "runtime/faults.hpp"
+#include "runtime/faulty_runtime.hpp"
 #include "runtime/transport.hpp"
 #include "tests/support/worlds.hpp"
 

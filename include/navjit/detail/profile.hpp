@@ -54,8 +54,8 @@ class Profile {
   }
 
   /// By the owner, at last: nothing is counted any more.
-  void retire() { retired_.store(true, std::memory_order_release); }
-  bool retired() const { return retired_.load(std::memory_order_acquire); }
+  void finish() { finished_.store(true, std::memory_order_release); }
+  bool finished() const { return finished_.load(std::memory_order_acquire); }
 
   /// By the reader.
   std::uint64_t steps(VolumeId volume) const {
@@ -83,7 +83,7 @@ class Profile {
   std::uint32_t countdown_ = 1;
   std::array<Sample, 1024> queue_;
   std::atomic<std::uint32_t> head_{0}, tail_{0};
-  std::atomic<bool> retired_{false};
+  std::atomic<bool> finished_{false};
 };
 
 }  // namespace navjit

@@ -79,20 +79,20 @@ TEST(Record, SurvivesBeingText) {
 TEST(Record, RefusesWhatIsNone) {
   std::string text = to_text(some_record());
   for (const char* bad : {"", "{", "[]", "{}", "null", "{\"rays\":\"many\"}"}) {
-    EXPECT_THROW(from_text(bad), std::runtime_error) << bad;
+    EXPECT_THROW(from_text(bad), Error) << bad;
   }
   const auto with = [&](const std::string& old, const std::string& by) {
     std::string changed = text;
     changed.replace(changed.find(old), old.size(), by);
     return changed;
   };
-  EXPECT_THROW(from_text(with("[0.25,90.0,0.5]", "[0.05,90.0,0.5]")), std::runtime_error);
-  EXPECT_THROW(from_text(with("[0.25,90.0,0.5]", "[0.25,1.0,0.5]")), std::runtime_error);
-  EXPECT_THROW(from_text(with("[0.25,90.0,0.5]", "[0.25,90.0,0.1]")), std::runtime_error);
-  EXPECT_THROW(from_text(with("[0.25,90.0,0.5]", "[0.25]")), std::runtime_error);
-  EXPECT_THROW(from_text(with("[0.25,90.0,0.5]", "[-0.25,90.0,0.5]")), std::runtime_error);
+  EXPECT_THROW(from_text(with("[0.25,90.0,0.5]", "[0.05,90.0,0.5]")), Error);
+  EXPECT_THROW(from_text(with("[0.25,90.0,0.5]", "[0.25,1.0,0.5]")), Error);
+  EXPECT_THROW(from_text(with("[0.25,90.0,0.5]", "[0.25,90.0,0.1]")), Error);
+  EXPECT_THROW(from_text(with("[0.25,90.0,0.5]", "[0.25]")), Error);
+  EXPECT_THROW(from_text(with("[0.25,90.0,0.5]", "[-0.25,90.0,0.5]")), Error);
   for (std::size_t n = 0; n < text.size(); n += 7) {
-    EXPECT_THROW(from_text(text.substr(0, n)), std::runtime_error) << n;
+    EXPECT_THROW(from_text(text.substr(0, n)), Error) << n;
   }
 }
 
