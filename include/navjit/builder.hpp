@@ -24,10 +24,12 @@ namespace NAVJIT_API navjit {
 ///   Runtime runtime{builder.build(hall)};
 class DetectorBuilder {
  public:
+  /// Numbers of what was made, for later calls of the same builder.
   using IsotopeId = std::uint32_t;
   using ElementId = std::uint32_t;
   using MaterialId = std::uint32_t;
 
+  /// Starts with nothing.
   DetectorBuilder();
   /// Starts from a detector, which stays as it is: to add user data to what was read from a file,
   /// say. Volumes and materials keep their numbers.

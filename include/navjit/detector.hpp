@@ -38,6 +38,7 @@ class Detector {
   Detector(std::shared_ptr<const World> world);
   const std::shared_ptr<const World>& model() const { return world_; }
 
+  /// How many logical volumes there are; their numbers are below.
   std::size_t volumes() const;
   /// The logical volume that holds all others.
   VolumeId world_volume() const;
@@ -46,6 +47,8 @@ class Detector {
   /// The first volume of that name in file order; nothing if there is none.
   std::optional<VolumeId> find_volume(std::string_view name) const;
 
+  /// How many materials there are, and one of them by its number. Throws UsageError for a number
+  /// that is none.
   std::size_t materials() const;
   const Material& material(std::uint32_t material) const;
   /// Of a volume made in code without a material: one without a name and of density 0.

@@ -30,12 +30,14 @@ struct GdmlLimits {
   TouchableId max_touchables = TouchableId{1} << 62;
 };
 
+/// What is read of a file.
 struct GdmlOptions {
   /// Name of the <setup> to read; empty: the one named "Default", or else the file's first.
   std::string setup{};
   GdmlLimits limits{};
 };
 
+/// What the reader has to say of a file.
 struct GdmlReport {
   /// What is odd in the file and was read nevertheless, or left out because nothing needs it:
   /// "FILE:LINE: <element name='...'>: what was done". Of each kind the first three, then

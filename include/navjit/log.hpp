@@ -9,6 +9,7 @@
 
 namespace NAVJIT_API navjit {
 
+/// How much a line matters.
 enum class LogLevel : std::uint8_t {
   debug,    ///< decisions, as key=value (docs/decisions.md)
   info,     ///< what is done differently than before

@@ -10,8 +10,10 @@
 
 namespace NAVJIT_API navjit {
 
+/// State of matter, as the file gives it.
 enum class MaterialState : std::uint8_t { undefined, solid, liquid, gas };
 
+/// A nuclide.
 struct Isotope {
   std::string name;
   double z = 0;         ///< charge of the nucleus, elementary charges; 0 where the file gives none
@@ -25,6 +27,7 @@ struct IsotopeShare {
   double abundance;       ///< by number of atoms, as the file gives it
 };
 
+/// A chemical element, or what a file calls one.
 struct Element {
   std::string name;
   std::string formula{};  ///< often the chemical symbol; empty where the file gives none
@@ -39,6 +42,7 @@ struct ElementShare {
   double fraction;        ///< of the mass; those of a material add up to one
 };
 
+/// What volumes are filled with.
 struct Material {
   std::string name;
   double density = 0;  ///< g/cm3; 0 where the file gives none

@@ -101,6 +101,7 @@ class Navigator {
   /// entered. `next` is Step::next. Throws as normal().
   Vec3 boundary_normal(const State& from, const State& next, const Vec3& point);
 
+  /// What this navigator did so far.
   const NavigatorCounts& counts() const { return own_->counts; }
 
  private:

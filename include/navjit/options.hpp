@@ -20,8 +20,10 @@ enum class Level : std::uint8_t {
   fast,    ///< double precision, rounding at liberty
   single,  ///< single precision where extents allow it, else as `fast`
 };
+/// As the command line has it.
 const char* level_name(Level level);
 
+/// Whether and when scenes get navigators of their own.
 enum class JitMode : std::uint8_t {
   off,     ///< generic navigators only; scenes are still profiled
   on,      ///< hot scenes are specialised in the background
@@ -63,6 +65,7 @@ struct SpecialiserOptions {
   bool debug_info = false;       ///< line tables of generated code for gdb
 };
 
+/// All that a Runtime can be told.
 struct RuntimeOptions {
   Level level = Level::exact;
   /// How far from the surface a step may end, mm. Every scene is held to it, by a bound and by

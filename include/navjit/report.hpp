@@ -10,6 +10,7 @@
 
 namespace NAVJIT_API navjit {
 
+/// What became of the attempt to compile code for a scene.
 enum class SceneStatus : std::uint8_t {
   generic,  ///< not hot enough, or the JIT is off
   compiling,
@@ -22,13 +23,16 @@ enum class SceneStatus : std::uint8_t {
 /// data (compiled with the library) or to constants (compiled in this run, or for it).
 enum class Binding : std::uint8_t { generic, data, constants };
 
+/// As reports have it.
 const char* binding_name(Binding binding);
 
+/// As reports have it.
 const char* status_name(SceneStatus status);
 
 /// Where a scene's code came from.
 enum class CodeOrigin : std::uint8_t { none, compiler, cache, plugin };
 
+/// As reports have it; empty for none.
 const char* origin_name(CodeOrigin origin);
 
 /// A scene held to the error that RuntimeOptions::budget allows; lengths in mm.
@@ -59,6 +63,7 @@ struct SceneReport {
   std::optional<BudgetReport> budget{};  ///< of final_report() alone, where one is asked for
 };
 
+/// A run so far. Times are s unless the name says otherwise.
 struct RuntimeReport {
   double seconds = 0;  ///< since the runtime was made
   std::uint64_t steps = 0;

@@ -33,9 +33,11 @@ class Runtime {
   /// A navigator for the calling thread. Thread-safe.
   Navigator navigator();
 
+  /// What is navigated.
   const Detector& detector() const { return detector_; }
   /// For the library's own parts.
   const World& world() const { return *detector_.model(); }
+  /// For the library's own parts.
   const std::shared_ptr<const World>& share_world() const { return detector_.model(); }
   /// Steps and specialisations so far. Thread-safe; cheap enough for a progress line.
   RuntimeReport report() const;

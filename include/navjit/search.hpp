@@ -23,6 +23,7 @@ enum class Method : std::uint8_t {
 /// How neighbours are found; geometry/bvh/clustering.hpp.
 enum class Clustering : std::uint8_t { surface, k_means, furthest };
 
+/// How the boxes of a scene are arranged.
 struct Structure {
   Method method = Method::linear;
   Clustering clustering = Clustering::surface;  ///< not for Method::linear
@@ -34,6 +35,7 @@ struct Structure {
 
 }  // namespace bvh
 
+/// How the generic navigator searches.
 struct GeometryOptions {
   /// Forces one search for all scenes with daughters, for tests and measurements. All but
   /// `automatic` search on leaving a daughter, too, without neighbour lists.

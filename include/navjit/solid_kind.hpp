@@ -5,6 +5,7 @@
 
 namespace navjit::kernels {
 
+/// What a solid is, as far as its mathematics goes: several solids of GDML may be of one kind.
 enum class SolidKind : std::uint8_t {
   box,
   tube,

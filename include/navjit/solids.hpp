@@ -51,6 +51,7 @@ Solid make_para(std::string name, double hx, double hy, double hz, double alpha,
 /// The tetrahedron of four corners.
 Solid make_tet(std::string name, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
+/// A point of a polygon, mm.
 struct PlanarPoint {
   double x, y;
 };
@@ -82,6 +83,7 @@ Solid make_arb8(std::string name, double hz, std::span<const PlanarPoint, 8> cor
 Solid make_cut_tube(std::string name, double rmin, double rmax, double hz, double start_phi,
                     double delta_phi, const Vec3& low, const Vec3& high);
 
+/// A corner of a contour about the z axis: radius and height, mm.
 struct ContourPoint {
   double r, z;
 };
@@ -145,6 +147,8 @@ Solid make_twistedtrap(std::string name, double twist, double hz, double theta, 
                        double hy1, double hx1, double hx2, double hy2, double hx3, double hx4,
                        double alpha);
 
+/// A solid moved and turned, and the booleans of two: within either, within both, within `a` and
+/// not within `b`. Move the second operand by make_placed. Throw GeometryError as all makers do.
 Solid make_placed(std::string name, const Solid& solid, const SolidFrame& frame);
 Solid make_union(std::string name, const Solid& a, const Solid& b);
 Solid make_intersection(std::string name, const Solid& a, const Solid& b);

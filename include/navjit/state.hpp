@@ -25,7 +25,9 @@ class State {
   /// For those who stored both numbers.
   State(TouchableId touchable, VolumeId volume) : touchable_(touchable), volume_(volume) {}
 
+  /// Whether it is in the world.
   bool inside() const { return touchable_ != outside; }
+  /// Its number in the tree; the value of no touchable outside the world.
   TouchableId touchable() const { return touchable_; }
   /// The logical volume; undefined outside the world.
   VolumeId volume() const { return volume_; }

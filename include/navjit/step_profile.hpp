@@ -13,6 +13,7 @@ namespace NAVJIT_API navjit {
 
 /// From Runtime::step_profile(); for read and written by any one thread at a time.
 struct StepProfile {
+  /// One logical volume.
   struct Volume {
     VolumeId volume = 0;
     std::string name;

@@ -34,9 +34,11 @@ constexpr Vec3<double>& operator+=(Vec3<double>& a, const Vec3<double>& b) { ret
 constexpr bool operator==(const Vec3<double>& a, const Vec3<double>& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
 }
+/// Scalar product.
 constexpr double dot(const Vec3<double>& a, const Vec3<double>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+/// Length.
 inline double norm(const Vec3<double>& a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
 
 }  // namespace navjit::kernels

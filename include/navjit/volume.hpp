@@ -45,6 +45,7 @@ struct Placement {
   Auxiliaries auxiliaries{};
 };
 
+/// A solid filled with a material, and the daughters in it.
 struct LogicalVolume {
   std::string name;
   Solid solid;
