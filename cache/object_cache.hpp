@@ -9,7 +9,7 @@
 
 #include "cache/sha256.hpp"
 #include "cache/trust.hpp"
-#include "common/expected.hpp"
+#include "navjit/detail/expected.hpp"
 
 namespace navjit::cache {
 

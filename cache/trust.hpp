@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/expected.hpp"
+#include "navjit/detail/expected.hpp"
 
 namespace navjit::cache {
 

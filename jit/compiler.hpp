@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "common/expected.hpp"
+#include "navjit/detail/expected.hpp"
 
 namespace navjit::jit {
 

@@ -6,8 +6,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "common/expected.hpp"
 #include "jit/compiler.hpp"
+#include "navjit/detail/expected.hpp"
 
 namespace navjit::jit {
 

@@ -1,4 +1,4 @@
-// The navigator table: per volume one atomic pointer to one immutable record.
+// The dispatch table: per volume one atomic pointer to one immutable record.
 #pragma once
 
 #include <atomic>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/facts.hpp"
-#include "common/expected.hpp"
+#include "navjit/detail/expected.hpp"
 #include "navjit/step_profile.hpp"
 
 namespace navjit {

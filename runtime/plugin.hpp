@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cache/trust.hpp"
-#include "common/expected.hpp"
 #include "geometry/navigation/geometry.hpp"
+#include "navjit/detail/expected.hpp"
 
 namespace navjit {
 

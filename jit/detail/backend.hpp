@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/expected.hpp"
+#include "navjit/detail/expected.hpp"
 
 namespace llvm {
 class Module;

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "common/expected.hpp"
 #include "jit/compiler.hpp"
 #include "jit/detail/target.hpp"
+#include "navjit/detail/expected.hpp"
 
 namespace llvm {
 class LLVMContext;

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "common/expected.hpp"
+#include "navjit/detail/expected.hpp"
 
 namespace navjit::jit::detail {
 

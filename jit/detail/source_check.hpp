@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "common/expected.hpp"
+#include "navjit/detail/expected.hpp"
 
 namespace navjit::jit::detail {
 

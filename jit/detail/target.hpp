@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "common/expected.hpp"
 #include "jit/compiler.hpp"
+#include "navjit/detail/expected.hpp"
 
 namespace llvm {
 class TargetMachine;
