@@ -24,6 +24,11 @@ class DispatchTable {
   /// Installs a record for a volume; `owner` keeps record and code alive while they are in use.
   void install(VolumeId volume, const kernels::DispatchEntry* record,
                std::shared_ptr<const void> owner);
+  /// What the volume is navigated with meanwhile: any that is kept alive elsewhere, as what is
+  /// installed is.
+  void show(VolumeId volume, const kernels::DispatchEntry* record) {
+    entries_[volume].store(record, std::memory_order_release);
+  }
   /// Back to the generic navigator.
   void reset(VolumeId volume);
 

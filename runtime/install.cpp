@@ -6,6 +6,7 @@
 
 #include "geometry/navigation/generic.hpp"
 #include "runtime/bind_to_data.hpp"
+#include "runtime/judge.hpp"
 #include "runtime/log_text.hpp"
 #include "runtime/plugin.hpp"
 #include "runtime/verify.hpp"
@@ -63,7 +64,10 @@ bool install_scene(Specialisation& spec, VolumeId volume, const kernels::Dispatc
   // What is bound to data stays unless constants win something over that, too.
   const double bar = std::min(generic_ns, bound_ns(spec, volume));
   const bool pays = forced || specialised_ns <= least_gain * bar || timed.size() < 16;
-  if (pays) spec.shared->table.install(volume, &record, owner);
+  if (pays) {
+    spec.shared->table.install(volume, &record, owner);
+    if (only_if_faster) try_out(spec, volume, &record, owner);
+  }
   spec.shared->log->debug(
       "event={} at_s={:.3f} scene={} generic_ns={:.1f} specialised_ns={:.1f} states={} recorded={} "
       "verification_ms={:.2f}",

@@ -7,6 +7,7 @@
 #include "geometry/navigation/generic.hpp"
 #include "geometry/solids/normal.hpp"
 #include "runtime/shared.hpp"
+#include "runtime/ticks.hpp"
 
 namespace navjit {
 namespace {
@@ -50,8 +51,26 @@ State Navigator::locate(const Vec3& point) { return locate(point, {0, 0, 0}); }
 State Navigator::locate(const Vec3& point, const Vec3& direction) {
   require_finite(point, "the point");
   require_finite(direction, "the direction");
-  generic::locate(shared_->geometry, own_->stack, point, direction);
+  if (shadow_ || !is_unit(direction)) {
+    generic::locate(shared_->geometry, own_->stack, point, direction);
+    return state_of(own_->stack);
+  }
+  begin_ray(direction);
+  own_->stack.boundary = 0;
+  if (generic::enter(shared_->geometry, own_->stack, point, direction)) {
+    relocate_within(point);
+  }
   return state_of(own_->stack);
+}
+
+void Navigator::relocate_within(const Vec3& point) {
+  NavigationStack& stack = own_->stack;
+  const VolumeId volume = stack.levels[stack.depth].volume;
+  own_->read_side->enter();
+  // Without negative zeros, as generic::locate.
+  kernels::relocate_in_table(&stack, context_, volume, point.x + 0.0, point.y + 0.0, point.z + 0.0,
+                             -1);
+  own_->read_side->leave();
 }
 
 double Navigator::safety(const State& from, const Vec3& point) {
@@ -136,14 +155,18 @@ void Navigator::require_numbers(const Vec3& point, double limit) {
   if (!(limit >= 0)) throw UsageError("the step limit is negative, or no number");
 }
 
-void Navigator::begin_ray(const Vec3& direction) {
+bool Navigator::is_unit(const Vec3& direction) {
   // Not a number, nor infinity, is near 1.
   const double square =
       direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
-  if (!(std::abs(square - 1) <= 2 * unit_slack)) {
+  return std::abs(square - 1) <= 2 * unit_slack;
+}
+
+void Navigator::begin_ray(const Vec3& direction) {
+  if (!is_unit(direction)) {
     require_finite(direction, "the direction");
     throw UsageError("the direction is not a unit vector: its length is " +
-                     std::to_string(std::sqrt(square)));
+                     std::to_string(std::hypot(direction.x, direction.y, direction.z)));
   }
   kernels::set_ray(own_->stack, direction.x, direction.y, direction.z);
 }
@@ -162,22 +185,28 @@ Step Navigator::recorded_step(const Vec3& point, const Vec3& direction, double l
   NavigationStack& stack = own.stack;
   const kernels::StackLevel& level = stack.levels[stack.depth];
   const VolumeId volume = level.volume;
-  if (!shadow_ || own.shadowed++ % Profile::period == 0) {
-    own.profile.record(
-        {level.touchable, volume, point, direction, limit,
-         stack.depth > 0 ? stack.levels[stack.depth - 1].volume : Sample::no_volume});
+  Sample sample{
+      level.touchable, volume,
+      point,           direction,
+      limit,           stack.depth > 0 ? stack.levels[stack.depth - 1].volume : Sample::no_volume};
+  if (shadow_) {
+    if (own.shadowed++ % Profile::period == 0) own.profile.record(sample);
+    own.profile.come_again();
   }
-  if (shadow_) own.profile.come_again();
   own.read_side->enter();
   const kernels::DispatchEntry& entry = *kernels::dispatch_entry_of(context_, volume);
   double length;
   if (shadow_) {
     length = shadow(entry, point, direction, limit);
   } else {
+    sample.used = &entry;
+    const std::uint64_t start = ticks();
     length = entry.step(&stack, context_, entry.data, point.x, point.y, point.z, limit);
     if (length < 0) length = bail_out(point, direction, limit);
+    sample.ticks = ticks() - start;
   }
   own.read_side->leave();
+  if (!shadow_) own.profile.record(sample);
   return {length, stack.boundary != 0, state_of(stack)};
 }
 

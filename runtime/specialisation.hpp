@@ -17,6 +17,7 @@
 #include "runtime/schedule.hpp"
 #include "runtime/shared.hpp"
 #include "runtime/states.hpp"
+#include "runtime/trials.hpp"
 
 namespace navjit {
 
@@ -41,6 +42,11 @@ struct Specialisation {
   StateSampler sampler;
   std::shared_ptr<codegen::Arena> arena = std::make_shared<codegen::Arena>();  ///< bound data
   std::set<VolumeId> bound;  ///< volumes that need not, or must not, be bound to data (again)
+  /// By volume: another way to bind it, to be tried once the first was judged.
+  std::map<VolumeId, const kernels::DispatchEntry*> second_choices;
+  Trials trials;
+  bool candidates_shown = true;          ///< in the dispatch table, of open trials
+  unsigned stretches = 0;                ///< of trials, since they began or were interrupted
   std::unique_ptr<CodeMaker> maker;      ///< null: nothing is ever compiled
   bool hopeless = false;                 ///< nothing can be compiled in this process
   std::set<VolumeId> left_out_too_much;  ///< of equal volumes the first

@@ -11,6 +11,7 @@
 #include "runtime/bind_to_data.hpp"
 #include "runtime/choose.hpp"
 #include "runtime/gather.hpp"
+#include "runtime/judge.hpp"
 #include "runtime/remembered_modules.hpp"
 #include "runtime/watch.hpp"
 
@@ -72,6 +73,7 @@ void Specialiser::run() {
     if (!spec_.stopping())
       spec_.shared->log->warn("nothing more is specialised in this run: {}", error.what());
   }
+  judge_finally(spec_);
   const std::lock_guard lock(spec_.mutex);
   ended_ = true;
   spec_.wake.notify_all();
@@ -85,9 +87,13 @@ void Specialiser::look_until_stopped() {
     gather(spec_);
     const bool more_to_bind = bind_hot_to_data(spec_);
     const std::vector<VolumeId> batch = more_to_bind ? std::vector<VolumeId>{} : choose(spec_);
-    if (!batch.empty()) make_and_remember(spec_, batch);
+    if (!batch.empty()) {
+      show_candidates(spec_);
+      make_and_remember(spec_, batch);
+    }
     if (spec_.stopping()) return;
     watch(spec_);
+    if (batch.empty()) judge(spec_);
     const std::size_t waiting = spec_.shared->table.reclaim();
     lock.lock();
     spec_.totals.waiting_to_be_freed = waiting;

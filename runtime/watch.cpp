@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/navigation/generic.hpp"
+#include "runtime/judge.hpp"
 #include "runtime/log_text.hpp"
 #include "runtime/verify.hpp"
 
@@ -22,6 +23,7 @@ void make_again(Specialisation& spec, VolumeId volume, std::uint64_t bail_outs,
   const std::lock_guard lock(spec.mutex);
   for (const VolumeId equal : spec.facts.equals[spec.facts.first_equal[volume]]) {
     spec.shared->table.reset(equal);
+    forget_trial(spec, equal);
     spec.seen.erase(equal);
     spec.scenes.erase(equal);
     spec.bound.erase(equal);
@@ -31,6 +33,7 @@ void make_again(Specialisation& spec, VolumeId volume, std::uint64_t bail_outs,
 /// Back to the generic navigator.
 void deoptimise(Specialisation& spec, VolumeId volume, SceneStatus status, const std::string& why) {
   spec.shared->table.reset(volume);
+  forget_trial(spec, volume);
   spec.seen.erase(volume);
   spec.shared->log->warn("scene {} is generic again: {}",
                          spec.shared->geometry.world().volumes[volume].name, one_line(why));
@@ -47,6 +50,7 @@ void watch(Specialisation& spec) {
   if (spec.seconds() - spec.reconsidered_at < spec.shared->options.specialiser.recheck_ms * 1e-3)
     return;
   spec.reconsidered_at = spec.seconds();
+  show_candidates(spec);
   std::vector<VolumeId> installed;
   {
     const std::lock_guard lock(spec.mutex);

@@ -167,17 +167,21 @@ Hit nearest_daughter(const Scene& scene, const Vec3& p, const Direction& v, doub
 
 }  // namespace
 
-void locate(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
-            const Vec3& direction) {
+bool enter(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
+           const Vec3& direction) {
   enter_world(stack, geometry.world().top);
   stack.boundary = 0;
   const Vec3 p{point.x + 0.0, point.y + 0.0, point.z + 0.0};
   const Direction v = kernels::make_heading(direction.x, direction.y, direction.z);
-  if (!contains(geometry.scene(geometry.world().top).solid, p, v, geometry.tolerance())) {
-    stack.depth = -1;
-    return;
-  }
-  relocate(geometry, stack, p, direction, -1);
+  if (contains(geometry.scene(geometry.world().top).solid, p, v, geometry.tolerance())) return true;
+  stack.depth = -1;
+  return false;
+}
+
+void locate(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
+            const Vec3& direction) {
+  if (!enter(geometry, stack, point, direction)) return;
+  relocate(geometry, stack, {point.x + 0.0, point.y + 0.0, point.z + 0.0}, direction, -1);
 }
 
 void locate_from(const Geometry& geometry, NavigationStack& stack, const Vec3& point,

@@ -21,6 +21,9 @@ void locate_from(const Geometry&, NavigationStack&, const Vec3& point, const Vec
 double step(const Geometry&, NavigationStack&, const Vec3& point, const Vec3& direction,
             double limit);
 
+/// The first part of locate: into the world alone, or out of it. Whether the point is in it.
+bool enter(const Geometry&, NavigationStack&, const Vec3& point, const Vec3& direction);
+
 /// Relocation after a crossing; see kernels::RelocateFunction.
 void relocate(const Geometry&, NavigationStack&, const Vec3& point, const Vec3& direction,
               int blocked);

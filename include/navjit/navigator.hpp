@@ -121,6 +121,9 @@ class Navigator {
   /// Steps will be along another direction. Throws UsageError unless it is of unit
   /// length.
   void begin_ray(const Vec3& direction);
+  static bool is_unit(const Vec3& direction);
+  /// The point is in the innermost level: into its daughters.
+  void relocate_within(const Vec3& point);
   /// Throws UsageError if the world has no such state.
   void restore(const State& state);
   void restore_unless_at(const State& state) {

@@ -51,6 +51,10 @@ struct SpecialiserOptions {
   std::size_t batch = 24;          ///< scenes in one module at the most
   double module_ms = 900;  ///< expected time for a module at the most: the first scenes need
                            ///< not wait for the last
+  /// Compiling stops once it has taken `compile_first_ms` and this share of the run's time beside:
+  /// the hottest scenes came first, and what is left wins little. Not for JitMode::wait.
+  double compile_first_ms = 2500;
+  double compile_share = 0.15;
   /// Expected time for all that JitMode::wait compiles at the most; what occurs most often in the
   /// detector comes first, and the rest is bound to data alone.
   double wait_ms = 8000;

@@ -117,6 +117,7 @@ inline RuntimeOptions eager_options(JitMode jit) {
   o.specialiser.min_steps = 200;
   o.specialiser.optimisation = 1;
   o.specialiser.keep_only_faster = false;
+  o.specialiser.compile_first_ms = 1e9;
   return o;
 }
 

@@ -10,6 +10,10 @@
 #include "navjit/detail/api.hpp"
 #include "navjit/state.hpp"
 
+namespace navjit::kernels {
+struct DispatchEntry;
+}
+
 namespace NAVJIT_API navjit {
 
 /// A recorded question.
@@ -19,6 +23,8 @@ struct Sample {
   Vec3 point, direction;
   double limit;
   VolumeId mother = no_volume;  ///< of the touchable, where it was recorded
+  const kernels::DispatchEntry* used = nullptr;  ///< what made the step, if it was timed
+  std::uint64_t ticks = 0;                       ///< that it took
 
   static constexpr VolumeId no_volume = ~VolumeId{0};
 };

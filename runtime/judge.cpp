@@ -1,0 +1,119 @@
+#include "runtime/judge.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <limits>
+
+#include "geometry/navigation/generic.hpp"
+#include "runtime/gather.hpp"
+#include "runtime/log_text.hpp"
+
+namespace navjit {
+namespace {
+
+/// Installs the winner, and writes down what it is.
+void install_winner(Specialisation& spec, VolumeId volume, Trial& trial) {
+  const bool goes = trial.verdict == Verdict::goes;
+  if (trial.out == goes) {
+    spec.shared->table.show(volume, goes ? trial.before : trial.candidate);
+    return;
+  }
+  trial.out = goes;
+  const std::shared_ptr<const void>& owner = goes ? trial.before_owner : trial.candidate_owner;
+  spec.shared->table.install(volume, goes ? trial.before : trial.candidate, owner);
+  const std::lock_guard lock(spec.mutex);
+  SceneReport& scene = spec.scenes[volume];
+  scene.binding = owner == nullptr      ? Binding::generic
+                  : owner == spec.arena ? Binding::data
+                                        : Binding::constants;
+  // What is bound to data says nothing about constants: those are still to be tried.
+  scene.status = scene.binding == Binding::constants   ? SceneStatus::specialised
+                 : trial.candidate_owner != spec.arena ? SceneStatus::unprofitable
+                                                       : SceneStatus::generic;
+  scene.note = goes ? "slower in the run than what was there" : "";
+}
+
+void conclude(Specialisation& spec, VolumeId volume, Trial& trial) {
+  spec.shared->log->debug(
+      "event=judged at_s={:.3f} scene={} verdict={} with_ticks={:.0f} without_ticks={:.0f} "
+      "with_steps={:.0f} without_steps={:.0f} lost={:.1f} error={:.1f}",
+      spec.seconds(), quoted(spec.shared->geometry.world().volumes[volume].name),
+      trial.verdict == Verdict::goes ? "goes" : "stays", trial.with.mean(), trial.without.mean(),
+      trial.with.count, trial.without.count, trial.lost.mean(), trial.lost.error());
+  install_winner(spec, volume, trial);
+  // Another way to bind the scene's data has its turn.
+  const auto second = spec.second_choices.find(volume);
+  if (second == spec.second_choices.end() || spec.stopping()) return;
+  const kernels::DispatchEntry* candidate = second->second;
+  spec.second_choices.erase(second);
+  if (trial.candidate_owner != spec.arena) return;  // constants came first
+  spec.shared->table.install(volume, candidate, spec.arena);
+  try_out(spec, volume, candidate, spec.arena);
+  const std::lock_guard lock(spec.mutex);
+  spec.scenes[volume].binding = Binding::data;
+}
+
+}  // namespace
+
+void try_out(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry* candidate,
+             const std::shared_ptr<const void>& owner) {
+  if (!spec.shared->options.specialiser.keep_only_faster ||
+      spec.facts.forced_candidates.contains(spec.facts.first_equal[volume])) {
+    spec.trials.end(volume);
+    return;
+  }
+  Trial trial{candidate, &generic::dispatch_entry, owner, nullptr};
+  // Against what is bound to data, if that is there and no loser.
+  const auto last = spec.trials.all().find(volume);
+  if (last != spec.trials.all().end()) {
+    const Trial& earlier = last->second;
+    const bool lost = earlier.verdict == Verdict::goes;
+    if ((lost ? earlier.before_owner : earlier.candidate_owner) == spec.arena) {
+      trial.before = lost ? earlier.before : earlier.candidate;
+      trial.before_owner = spec.arena;
+    }
+  }
+  spec.trials.begin(volume, std::move(trial), spec.seconds());
+}
+
+void forget_trial(Specialisation& spec, VolumeId volume) {
+  spec.trials.end(volume);
+  spec.second_choices.erase(volume);
+}
+
+void show_candidates(Specialisation& spec) {
+  spec.stretches = 0;
+  if (spec.candidates_shown) return;
+  spec.candidates_shown = true;
+  for (const auto& [volume, trial] : spec.trials.all()) {
+    if (trial.verdict == Verdict::open) spec.shared->table.show(volume, trial.candidate);
+  }
+}
+
+void judge(Specialisation& spec) {
+  if (!spec.trials.open() && !spec.trials.begin_again(spec.seconds())) return;
+  // With, without, without, with, ...: two stretches are a pair, and what changes steadily in a run
+  // favours neither side.
+  const unsigned over = spec.stretches++ % 4;
+  if (over % 2 == 1) {
+    for (const auto& [volume, trial] : spec.trials.decide(spec.seconds())) {
+      conclude(spec, volume, *trial);
+    }
+    if (!spec.trials.open()) show_candidates(spec);
+    return;
+  }
+  spec.candidates_shown = over == 2;
+  for (const auto& [volume, trial] : spec.trials.all()) {
+    if (trial.verdict != Verdict::open) continue;
+    spec.shared->table.show(volume, spec.candidates_shown ? trial.candidate : trial.before);
+  }
+}
+
+void judge_finally(Specialisation& spec) {
+  gather(spec);
+  for (const auto& [volume, trial] : spec.trials.decide(std::numeric_limits<double>::infinity())) {
+    install_winner(spec, volume, *trial);
+  }
+}
+
+}  // namespace navjit

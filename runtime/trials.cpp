@@ -1,0 +1,136 @@
+#include "runtime/trials.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "navjit/navigator.hpp"
+
+namespace navjit {
+namespace {
+
+/// Fewer pairs of stretches do not show how much they differ among themselves.
+constexpr double least_pairs = 8;
+/// Fewer steps of either side, each of which may be some other way through the code, say little.
+constexpr double least_count = 50;
+/// Standard errors between two sides that are called different.
+constexpr double errors_apart = 2.5;
+/// A candidate that has not shown itself to be slower after so many steps stays.
+constexpr double enough_count = 5000;
+
+bool is_rare(const Trial& t) {
+  return std::min(t.with.count, t.without.count) < least_count || t.lost.pairs < least_pairs;
+}
+
+Verdict verdict_on(const Trial& t) {
+  if (is_rare(t)) return Verdict::open;
+  const double lost = t.lost.mean(), error = t.lost.error();
+  if (lost < -errors_apart * error) return Verdict::stays;
+  if (lost > errors_apart * error) return Verdict::goes;
+  if (std::min(t.with.count, t.without.count) < enough_count) return Verdict::open;
+  return lost > 0 ? Verdict::goes : Verdict::stays;
+}
+
+}  // namespace
+
+void TickSum::add(double ticks, double usual) {
+  constexpr double far = 8;
+  if (usual > 0) ticks = std::min(ticks, far * usual);
+  ++count;
+  sum += ticks;
+}
+
+void PairedDifference::add(const TickSum& a, const TickSum& b) {
+  const double difference = a.mean() - b.mean();
+  const double w = a.count * b.count / (a.count + b.count);
+  ++pairs;
+  weight += w;
+  sum += w * difference;
+  weight2 += w * w;
+  sum2 += w * w * difference;
+  squares2 += w * w * difference * difference;
+}
+
+double PairedDifference::error() const {
+  if (weight == 0) return 0;
+  const double m = mean();
+  return std::sqrt(std::max(squares2 - 2 * m * sum2 + m * m * weight2, 0.0)) / weight;
+}
+
+void Trials::begin(VolumeId volume, Trial trial, double now) {
+  Trial& at = trials_[volume];
+  if (at.candidate == nullptr || at.verdict != Verdict::open) {
+    if (open_++ == 0) opened_ = now;
+  }
+  at = std::move(trial);
+  at.began = now;
+}
+
+void Trials::end(VolumeId volume) {
+  const auto found = trials_.find(volume);
+  if (found == trials_.end()) return;
+  if (found->second.verdict == Verdict::open) --open_;
+  trials_.erase(found);
+}
+
+void Trials::record(VolumeId volume, const kernels::DispatchEntry* used, double ticks) {
+  const auto found = trials_.find(volume);
+  if (found == trials_.end() || found->second.verdict != Verdict::open) return;
+  Trial& trial = found->second;
+  const bool with = used == trial.candidate;
+  if (!with && used != trial.before) return;
+  TickSum& all = with ? trial.with : trial.without;
+  const double usual = all.count >= 8 ? all.mean() : 0;
+  all.add(ticks, usual);
+  (with ? trial.with_now : trial.without_now).add(ticks, usual);
+}
+
+std::vector<Trials::Decided> Trials::decide(double now) {
+  std::vector<Decided> decided;
+  std::vector<Trial*> few;
+  for (auto& [volume, trial] : trials_) {
+    if (trial.verdict != Verdict::open) continue;
+    // Rare scenes may take several stretches for a pair.
+    if (trial.with_now.count > 0 && trial.without_now.count > 0) {
+      trial.lost.add(trial.with_now, trial.without_now);
+      trial.with_now = trial.without_now = {};
+    }
+    trial.verdict = verdict_on(trial);
+    if (trial.verdict == Verdict::open) {
+      if (!(now - trial.began > most_s)) continue;
+      if (is_rare(trial)) {
+        few.push_back(&trial);
+      } else {
+        trial.verdict = trial.lost.mean() > 0 ? Verdict::goes : Verdict::stays;
+      }
+    }
+    decided.push_back({volume, &trial});
+  }
+  judge_as_others(few);
+  open_ -= decided.size();
+  if (!decided.empty() && open_ == 0) spent_ += now - opened_;
+  return decided;
+}
+
+void Trials::judge_as_others(const std::vector<Trial*>& few) {
+  if (few.empty()) return;
+  std::map<kernels::StepFunction, double> lost;
+  for (const auto& [volume, trial] : trials_) lost[trial.candidate->step] += trial.lost.sum;
+  for (Trial* trial : few) {
+    trial->verdict = lost[trial->candidate->step] > 0 ? Verdict::goes : Verdict::stays;
+  }
+}
+
+bool Trials::begin_again(double now) {
+  if (open_ > 0 || trials_.empty() || spent_ > most_share * now) return false;
+  for (auto& [volume, trial] : trials_) {
+    trial.verdict = Verdict::open;
+    trial.with = trial.without = trial.with_now = trial.without_now = {};
+    trial.lost = {};
+    trial.began = now;
+  }
+  open_ = trials_.size();
+  opened_ = now;
+  return true;
+}
+
+}  // namespace navjit

@@ -1,0 +1,94 @@
+// What is installed is tried in the run's own transport: scenes are switched between their
+// candidates and what was there before, for short stretches, and sampled steps are timed. What is
+// faster on recorded states, replayed, need not be faster where a run's caches and branches are
+// shared by all scenes.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "navjit/state.hpp"
+
+namespace navjit::kernels {
+struct DispatchEntry;
+}
+
+namespace navjit {
+
+/// Durations of sampled steps, in ticks.
+struct TickSum {
+  double count = 0, sum = 0;
+
+  /// What is far beyond `usual`, if that is known, is an interruption of the thread, and is cut.
+  void add(double ticks, double usual);
+  double mean() const { return count > 0 ? sum / count : 0; }
+};
+
+/// The difference of two sides, pair of stretches by pair: what a run does changes from stretch to
+/// stretch, and is no merit of either side.
+struct PairedDifference {
+  double pairs = 0, weight = 0, sum = 0, weight2 = 0, sum2 = 0, squares2 = 0;
+
+  void add(const TickSum& a, const TickSum& b);
+  /// Of the mean of `a` minus that of `b`, ticks.
+  double mean() const { return weight > 0 ? sum / weight : 0; }
+  /// Its standard error.
+  double error() const;
+};
+
+enum class Verdict : std::uint8_t {
+  open,   ///< not known yet
+  stays,  ///< the candidate is no slower
+  goes,   ///< it is slower than what was there before
+};
+
+struct Trial {
+  const kernels::DispatchEntry* candidate = nullptr;
+  const kernels::DispatchEntry* before = nullptr;
+  std::shared_ptr<const void> candidate_owner{}, before_owner{};  ///< null: nobody need keep it
+  Verdict verdict = Verdict::open;
+  bool out = false;  ///< what was there before is installed
+  double began = 0;  ///< s
+  TickSum with{}, without{};
+  TickSum with_now{}, without_now{};  ///< of the present pair of stretches
+  PairedDifference lost{};            ///< by the candidate
+};
+
+/// The trials of a run. Scenes are tried at the same time, as in the end they are used together.
+/// Not for several threads.
+class Trials {
+ public:
+  /// A candidate was installed at time `now`, s; what is known of an earlier one is forgotten.
+  void begin(VolumeId volume, Trial trial, double now);
+  /// The volume has another navigator, which is not to be tried.
+  void end(VolumeId volume);
+  /// A step in the volume took so long with that navigator.
+  void record(VolumeId volume, const kernels::DispatchEntry* used, double ticks);
+  bool open() const { return open_ > 0; }
+
+  struct Decided {
+    VolumeId volume;
+    Trial* trial;
+  };
+  /// A pair of stretches, one with candidates and one without, is over. Decides what can be
+  /// decided; the trials that were. After `most_s` of trial all are: scenes with too few steps of
+  /// their own as those that share their code.
+  std::vector<Decided> decide(double now);
+  /// All trials begin again if trying has taken less than `most_share` of the run so far: it may
+  /// have moved on to other states. True if they do.
+  bool begin_again(double now);
+
+  const std::map<VolumeId, Trial>& all() const { return trials_; }
+
+  static constexpr double most_s = 2, most_share = 0.02;
+
+ private:
+  void judge_as_others(const std::vector<Trial*>& few);
+
+  std::map<VolumeId, Trial> trials_;
+  std::size_t open_ = 0;
+  double opened_ = 0, spent_ = 0;  ///< s
+};
+
+}  // namespace navjit

@@ -1,0 +1,139 @@
+#include "runtime/trials.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "navjit/navigator.hpp"
+
+namespace navjit {
+namespace {
+
+const kernels::DispatchEntry before{}, candidate{}, other{};
+
+struct Steps {
+  std::mt19937_64 random{5};
+
+  /// Pairs of stretches with so many steps of each side, exponential about these means, and
+  /// longer in some stretches than in others. The last decisions.
+  std::vector<Trials::Decided> make(Trials& trials, const std::vector<VolumeId>& volumes, int pairs,
+                                    int steps, double with, double without, double now = 0.1) {
+    std::exponential_distribution<double> unit;
+    std::vector<Trials::Decided> decided;
+    for (int i = 0; i < pairs; ++i) {
+      const double phase = i % 3 == 0 ? 2 : 1;
+      for (const VolumeId volume : volumes) {
+        for (int k = 0; k < steps; ++k) {
+          trials.record(volume, &candidate, phase * with * unit(random));
+          trials.record(volume, &before, phase * without * unit(random));
+        }
+      }
+      for (const auto& d : trials.decide(now)) decided.push_back(d);
+    }
+    return decided;
+  }
+};
+
+Trial trial() { return {&candidate, &before}; }
+
+TEST(Trials, WhatIsSlowerGoesAndWhatIsFasterStays) {
+  Trials trials;
+  Steps steps;
+  trials.begin(1, trial(), 0);
+  trials.begin(2, trial(), 0);
+  const auto slower = steps.make(trials, {1}, 40, 100, 130, 100);
+  const auto faster = steps.make(trials, {2}, 40, 100, 100, 130);
+  ASSERT_EQ(slower.size(), 1U) << "decided once";
+  EXPECT_EQ(slower[0].volume, 1U);
+  EXPECT_EQ(slower[0].trial->verdict, Verdict::goes);
+  ASSERT_EQ(faster.size(), 1U);
+  EXPECT_EQ(faster[0].volume, 2U);
+  EXPECT_EQ(faster[0].trial->verdict, Verdict::stays);
+  EXPECT_FALSE(trials.open());
+}
+
+TEST(Trials, FewStepsDecideNothingUntilTheTrialIsOver) {
+  Trials trials;
+  Steps steps;
+  trials.begin(1, trial(), 0);
+  EXPECT_TRUE(steps.make(trials, {1}, 3, 100, 300, 100).empty()) << "few pairs";
+  EXPECT_TRUE(trials.open());
+  EXPECT_EQ(steps.make(trials, {1}, 1, 10, 300, 100, 2 * Trials::most_s).size(), 1U);
+  EXPECT_FALSE(trials.open());
+}
+
+TEST(Trials, APhaseThatOneSideMeetsMoreOftenIsNoMerit) {
+  // All steps of the candidate in a phase of long steps, in pairs that say so.
+  PairedDifference difference;
+  for (int i = 0; i < 20; ++i) {
+    const double phase = i % 2 == 0 ? 10 : 1;
+    difference.add({i % 2 == 0 ? 300.0 : 10.0, (i % 2 == 0 ? 300 : 10) * 99 * phase},
+                   {i % 2 == 0 ? 300.0 : 10.0, (i % 2 == 0 ? 300 : 10) * 100 * phase});
+  }
+  EXPECT_LT(difference.mean(), 0);
+  EXPECT_LT(difference.mean(), -2 * difference.error());
+}
+
+TEST(Trials, RareScenesAreJudgedWithThoseThatShareTheirCode) {
+  std::vector<VolumeId> volumes(100);
+  for (VolumeId v = 0; v < 100; ++v) volumes[v] = v;
+  for (const double with : {75.0, 130.0}) {
+    Trials trials;
+    Steps steps;
+    for (const VolumeId v : volumes) trials.begin(v, trial(), 0);
+    EXPECT_TRUE(steps.make(trials, volumes, 10, 4, with, 100).empty());
+    const auto decided = trials.decide(2 * Trials::most_s);
+    EXPECT_EQ(decided.size(), 100U);
+    for (const auto& [volume, t] : decided) {
+      EXPECT_EQ(t->verdict, with > 100 ? Verdict::goes : Verdict::stays) << volume;
+    }
+    EXPECT_FALSE(trials.open());
+  }
+}
+
+TEST(Trials, InterruptionsOfTheThreadDecideNothing) {
+  Trials trials;
+  Steps steps;
+  trials.begin(1, trial(), 0);
+  for (int i = 0; i < 40 && trials.open(); ++i) {
+    trials.record(1, &candidate, i > 2 ? 1e7 : 80);
+    steps.make(trials, {1}, 1, 200, 80, 100);
+  }
+  EXPECT_EQ(trials.all().at(1).verdict, Verdict::stays);
+}
+
+TEST(Trials, StepsOfOthersDoNotCount) {
+  Trials trials;
+  trials.begin(1, trial(), 0);
+  for (int i = 0; i < 1000; ++i) {
+    trials.record(1, &other, 1e3);
+    trials.record(2, &candidate, 1e3);
+  }
+  EXPECT_EQ(trials.all().at(1).with.count + trials.all().at(1).without.count, 0);
+}
+
+TEST(Trials, BeginAgainOnceTheyHaveCostNextToNothing) {
+  Trials trials;
+  Steps steps;
+  trials.begin(1, trial(), 1);
+  steps.make(trials, {1}, 40, 100, 100, 130, 1.1);
+  ASSERT_FALSE(trials.open());
+  EXPECT_FALSE(trials.begin_again(1.2));
+  EXPECT_FALSE(trials.begin_again(0.9 * 0.1 / Trials::most_share));
+  EXPECT_TRUE(trials.begin_again(1.1 * 0.1 / Trials::most_share));
+  EXPECT_TRUE(trials.open());
+  steps.make(trials, {1}, 40, 100, 130, 100, 20);
+  EXPECT_EQ(trials.all().at(1).verdict, Verdict::goes) << "the run has moved on";
+}
+
+TEST(Trials, OnesThatEndAreNoLongerOpen) {
+  Trials trials;
+  trials.begin(1, trial(), 0);
+  trials.begin(1, trial(), 0);
+  trials.end(1);
+  trials.end(2);
+  EXPECT_FALSE(trials.open());
+}
+
+}  // namespace
+}  // namespace navjit
