@@ -1,7 +1,9 @@
 // `navjit inspect`: what is in a detector, and what the analysis makes of a scene.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <sstream>
 
@@ -10,6 +12,7 @@
 #include "apps/commands.hpp"
 #include "apps/options/boxes.hpp"
 #include "apps/options/detector.hpp"
+#include "codegen/data/bind.hpp"
 #include "codegen/module.hpp"
 #include "common/text.hpp"
 #include "geometry/bvh/box_tree.hpp"
@@ -20,8 +23,9 @@ namespace {
 
 struct Options {
   Detector detector;
-  std::string scene;  ///< empty: all volumes in short
-  bool emit = false;  ///< print the generated source of the scene
+  std::string scene;        ///< empty: all volumes in short
+  bool emit = false;        ///< print the generated source of the scene
+  bool structures = false;  ///< what scenes have in common, instead of scenes
   GeometryOptions geometry;
 };
 
@@ -134,10 +138,42 @@ void print_world(const Geometry& geometry, const std::string& file, const GdmlRe
   print_materials(world, facts);
 }
 
+/// Scenes of one structure share their code when they are bound to data.
+void print_structures(const Geometry& geometry) {
+  struct Structure {
+    std::uint64_t scenes = 0, touchables = 0;
+    std::string example;
+  };
+  const WorldFacts facts = analyse_world(geometry);
+  std::map<std::string, Structure> structures;
+  std::uint64_t scenes = 0;
+  for (std::size_t v = 0; v < facts.reachable.size(); ++v) {
+    if (!facts.reachable[v]) continue;
+    const auto volume = static_cast<VolumeId>(v);
+    Structure& s = structures[codegen::structure_of(geometry, plan_scene(geometry, facts, volume))];
+    if (s.scenes++ == 0) s.example = geometry.world().volumes[v].name;
+    s.touchables += facts.touchables[v];
+    ++scenes;
+  }
+  std::vector<std::pair<std::string, Structure>> sorted(structures.begin(), structures.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.second.scenes > b.second.scenes; });
+  std::printf("%llu scenes, %zu structures\n\n%8s %10s %-52s %s\n",
+              static_cast<unsigned long long>(scenes), sorted.size(), "scenes", "touchables",
+              "structure", "for instance");
+  for (const auto& [name, s] : sorted) {
+    std::printf("%8llu %10llu %-52s %s\n", static_cast<unsigned long long>(s.scenes),
+                static_cast<unsigned long long>(s.touchables), name.c_str(),
+                common::printable(s.example).c_str());
+  }
+}
+
 int inspect(const Options& options) {
   GdmlReport report;
   const Geometry geometry(read(options.detector, report), options.geometry);
-  if (options.scene.empty()) {
+  if (options.structures) {
+    print_structures(geometry);
+  } else if (options.scene.empty()) {
     print_world(geometry, options.detector.file, report);
   } else {
     print_scene(geometry, options.scene, options.emit);
@@ -153,6 +189,8 @@ void add_inspect(CLI::App& app, Action& action) {
   add_detector(command, options->detector);
   command.add_option("--scene", options->scene, "analysis of one logical volume");
   command.add_flag("--emit", options->emit, "print the scene's generated source")->needs("--scene");
+  command.add_flag("--structures", options->structures, "what the scenes have in common")
+      ->excludes("--scene");
   add_boxes(command, options->geometry);
   command.callback([options, &action] { action = [options] { return inspect(*options); }; });
 }

@@ -17,7 +17,7 @@ if(NAVJIT_SANITIZE)
   # At -O3 GCC 12's address sanitizer sees uses after scope where temporaries were merged.
   add_compile_options(-fsanitize=${NAVJIT_SANITIZE} -fno-omit-frame-pointer -g1 -O1)
   add_link_options(-fsanitize=${NAVJIT_SANITIZE})
-  if(NAVJIT_SANITIZE STREQUAL "undefined")
+  if(NAVJIT_SANITIZE MATCHES "undefined")
     add_compile_options(-fno-sanitize-recover=undefined)
   endif()
 endif()

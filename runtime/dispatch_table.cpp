@@ -23,6 +23,11 @@ void DispatchTable::install(VolumeId volume, const kernels::DispatchEntry* recor
   if (owner) retired_.retire(std::move(owner), threads_);
 }
 
+void DispatchTable::keep(std::shared_ptr<const void> owner) {
+  const std::lock_guard lock(mutex_);
+  kept_.push_back(std::move(owner));
+}
+
 void DispatchTable::reset(VolumeId volume) { install(volume, &generic::dispatch_entry, nullptr); }
 
 std::shared_ptr<ReadSide> DispatchTable::add_thread() {

@@ -24,8 +24,9 @@ class DispatchTable {
   /// Installs a record for a volume; `owner` keeps record and code alive while they are in use.
   void install(VolumeId volume, const kernels::DispatchEntry* record,
                std::shared_ptr<const void> owner);
-  /// What the volume is navigated with meanwhile: any that is kept alive elsewhere, as what is
-  /// installed is.
+  /// Kept alive as long as the table.
+  void keep(std::shared_ptr<const void> owner);
+  /// What the volume is navigated with meanwhile: what is installed, or what is kept.
   void show(VolumeId volume, const kernels::DispatchEntry* record) {
     entries_[volume].store(record, std::memory_order_release);
   }
@@ -47,7 +48,7 @@ class DispatchTable {
   std::unique_ptr<Entry[]> entries_;
   kernels::Context context_;
   std::mutex mutex_;  ///< guards what follows
-  std::vector<std::shared_ptr<const void>> owners_;
+  std::vector<std::shared_ptr<const void>> owners_, kept_;
   std::vector<std::shared_ptr<ReadSide>> threads_;
   RetireList retired_;
 };

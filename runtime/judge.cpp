@@ -91,7 +91,16 @@ void show_candidates(Specialisation& spec) {
 }
 
 void judge(Specialisation& spec) {
-  if (!spec.trials.open() && !spec.trials.begin_again(spec.seconds())) return;
+  if (!spec.trials.open()) {
+    for (const auto& [volume, trial] : spec.trials.begin_again(spec.seconds())) {
+      // While it may be shown the table owns it.
+      if (trial->out) {
+        spec.shared->table.install(volume, trial->candidate, trial->candidate_owner);
+      }
+      trial->out = false;
+    }
+    if (!spec.trials.open()) return;
+  }
   // With, without, without, with, ...: two stretches are a pair, and what changes steadily in a run
   // favours neither side.
   const unsigned over = spec.stretches++ % 4;

@@ -19,6 +19,7 @@ namespace navjit {
 
 Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared) : spec_(std::move(shared)) {
   const RuntimeOptions& options = spec_.shared->options;
+  spec_.shared->table.keep(spec_.arena);
   spec_.facts.with_safety = options.specialiser.safety;
   if (options.jit == JitMode::off) return;
   apply_overrides(spec_);

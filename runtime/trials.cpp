@@ -84,8 +84,8 @@ void Trials::record(VolumeId volume, const kernels::DispatchEntry* used, double 
   (with ? trial.with_now : trial.without_now).add(ticks, usual);
 }
 
-std::vector<Trials::Decided> Trials::decide(double now) {
-  std::vector<Decided> decided;
+std::vector<Trials::Of> Trials::decide(double now) {
+  std::vector<Of> decided;
   std::vector<Trial*> few;
   for (auto& [volume, trial] : trials_) {
     if (trial.verdict != Verdict::open) continue;
@@ -120,17 +120,19 @@ void Trials::judge_as_others(const std::vector<Trial*>& few) {
   }
 }
 
-bool Trials::begin_again(double now) {
-  if (open_ > 0 || trials_.empty() || spent_ > most_share * now) return false;
+std::vector<Trials::Of> Trials::begin_again(double now) {
+  std::vector<Of> begun;
+  if (open_ > 0 || trials_.empty() || spent_ > most_share * now) return begun;
   for (auto& [volume, trial] : trials_) {
     trial.verdict = Verdict::open;
     trial.with = trial.without = trial.with_now = trial.without_now = {};
     trial.lost = {};
     trial.began = now;
+    begun.push_back({volume, &trial});
   }
-  open_ = trials_.size();
+  open_ = begun.size();
   opened_ = now;
-  return true;
+  return begun;
 }
 
 }  // namespace navjit

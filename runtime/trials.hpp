@@ -67,17 +67,17 @@ class Trials {
   void record(VolumeId volume, const kernels::DispatchEntry* used, double ticks);
   bool open() const { return open_ > 0; }
 
-  struct Decided {
+  struct Of {
     VolumeId volume;
     Trial* trial;
   };
   /// A pair of stretches, one with candidates and one without, is over. Decides what can be
   /// decided; the trials that were. After `most_s` of trial all are: scenes with too few steps of
   /// their own as those that share their code.
-  std::vector<Decided> decide(double now);
+  std::vector<Of> decide(double now);
   /// All trials begin again if trying has taken less than `most_share` of the run so far: it may
-  /// have moved on to other states. True if they do.
-  bool begin_again(double now);
+  /// have moved on to other states. Those that do; candidates that are out have to be installed.
+  std::vector<Of> begin_again(double now);
 
   const std::map<VolumeId, Trial>& all() const { return trials_; }
 

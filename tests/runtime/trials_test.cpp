@@ -16,10 +16,10 @@ struct Steps {
 
   /// Pairs of stretches with so many steps of each side, exponential about these means, and
   /// longer in some stretches than in others. The last decisions.
-  std::vector<Trials::Decided> make(Trials& trials, const std::vector<VolumeId>& volumes, int pairs,
-                                    int steps, double with, double without, double now = 0.1) {
+  std::vector<Trials::Of> make(Trials& trials, const std::vector<VolumeId>& volumes, int pairs,
+                               int steps, double with, double without, double now = 0.1) {
     std::exponential_distribution<double> unit;
-    std::vector<Trials::Decided> decided;
+    std::vector<Trials::Of> decided;
     for (int i = 0; i < pairs; ++i) {
       const double phase = i % 3 == 0 ? 2 : 1;
       for (const VolumeId volume : volumes) {
@@ -118,9 +118,9 @@ TEST(Trials, BeginAgainOnceTheyHaveCostNextToNothing) {
   trials.begin(1, trial(), 1);
   steps.make(trials, {1}, 40, 100, 100, 130, 1.1);
   ASSERT_FALSE(trials.open());
-  EXPECT_FALSE(trials.begin_again(1.2));
-  EXPECT_FALSE(trials.begin_again(0.9 * 0.1 / Trials::most_share));
-  EXPECT_TRUE(trials.begin_again(1.1 * 0.1 / Trials::most_share));
+  EXPECT_TRUE(trials.begin_again(1.2).empty());
+  EXPECT_TRUE(trials.begin_again(0.9 * 0.1 / Trials::most_share).empty());
+  EXPECT_EQ(trials.begin_again(1.1 * 0.1 / Trials::most_share).size(), 1U);
   EXPECT_TRUE(trials.open());
   steps.make(trials, {1}, 40, 100, 130, 100, 20);
   EXPECT_EQ(trials.all().at(1).verdict, Verdict::goes) << "the run has moved on";
