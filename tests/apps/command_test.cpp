@@ -105,9 +105,9 @@ TEST(Inspect, ShowsVolumesAndTheAnalysisOfAScene) {
   EXPECT_NE(all.text.find("InnerLead"), std::string::npos);
   const tests::Output structures = run_navjit("inspect " + shashlik + " --structures");
   EXPECT_EQ(structures.status, 0);
-  EXPECT_NE(structures.out.find(" structures\n"), std::string::npos) << structures.out;
-  EXPECT_NE(structures.out.find("unrotated box, slabs of boxes"), std::string::npos)
-      << structures.out;
+  EXPECT_NE(structures.text.find(" structures\n"), std::string::npos) << structures.text;
+  EXPECT_NE(structures.text.find("unrotated box, slabs of boxes"), std::string::npos)
+      << structures.text;
   const tests::Output scene = run_navjit("inspect " + shashlik + " --scene InnerLead --emit");
   EXPECT_EQ(scene.status, 0);
   EXPECT_NE(scene.text.find("grid"), std::string::npos);

@@ -28,11 +28,12 @@ look_at() {
   offers=$(offered "$command" "$@" -)
   for option in $(grep -oE '^ +-[^ ]+' <<<"$help" | tr ',' ' '); do
     grep -qxF -e "$option" <<<"$offers" || fail "$* $option is not offered"
-    sed 's/\\f.//g; s/\\//g' "$page" | grep -qE -e "(^|,)$option\>" || fail "$option is not in $page"
+    # Not grep -q: what stops reading early fails who writes.
+    sed 's/\\f.//g; s/\\//g' "$page" | grep -E -e "(^|,)$option\>" >/dev/null || fail "$option is not in $page"
     options_seen=$((options_seen + 1))
   done
   for subcommand in $(sed '1,/^Subcommands:/d' <<<"$help" | awk 'NF > 1 && /^  [^ ]/ {print $1}'); do
-    offered "$command" "$@" "" | grep -qxF "$subcommand" || fail "$* $subcommand is not offered"
+    offered "$command" "$@" "" | grep -xF "$subcommand" >/dev/null || fail "$* $subcommand is not offered"
     look_at "$@" "$subcommand"
   done
 }
