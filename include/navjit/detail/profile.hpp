@@ -22,7 +22,7 @@ struct Sample {
   VolumeId volume;
   Vec3 point, direction;
   double limit;
-  VolumeId mother = no_volume;  ///< of the touchable, where it was recorded
+  VolumeId mother = no_volume;                   ///< of the touchable, where it was recorded
   const kernels::DispatchEntry* used = nullptr;  ///< what made the step, if it was timed
   std::uint64_t ticks = 0;                       ///< that it took
 
