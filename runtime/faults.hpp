@@ -14,6 +14,7 @@ struct Faults {
   /// its time, and throw.
   std::function<void()> compiling{};
   bool skip_verification = false;  ///< what is wrong is installed, and stays
+  bool skip_replay = false;        ///< what is slow on recorded states is installed
 };
 
 }  // namespace navjit

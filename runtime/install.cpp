@@ -63,7 +63,8 @@ bool install_scene(Specialisation& spec, VolumeId volume, const kernels::Dispatc
       spec.facts.forced_candidates.contains(spec.facts.first_equal[volume]) || !only_if_faster;
   // What is bound to data stays unless constants win something over that, too.
   const double bar = std::min(generic_ns, bound_ns(spec, volume));
-  const bool pays = forced || specialised_ns <= least_gain * bar || timed.size() < 16;
+  const bool pays =
+      forced || faults.skip_replay || specialised_ns <= least_gain * bar || timed.size() < 16;
   if (pays) {
     spec.shared->table.install(volume, &record, owner);
     if (only_if_faster) try_out(spec, volume, &record, owner);

@@ -1,0 +1,66 @@
+// A run takes out what is slower in it, whatever a replay of recorded states said.
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "tests/support/traces.hpp"
+
+namespace navjit {
+namespace {
+
+using tests::rays_through;
+
+/// Code that gives the right answers, after a while.
+std::shared_ptr<const Faults> slow_code() {
+  const auto faults = std::make_shared<Faults>();
+  faults->skip_replay = true;
+  faults->edit_source = [](std::string& source) {
+    const std::string quick = "  return best;\n",
+                      slow = "  for (volatile int i = 0; i < 500; i = i + 1) {}\n" + quick;
+    for (std::size_t at = 0; (at = source.find(quick, at)) != std::string::npos;
+         at += slow.size()) {
+      source.replace(at, quick.size(), slow);
+    }
+  };
+  return faults;
+}
+
+std::size_t taken_out(const Runtime& runtime) {
+  std::size_t scenes = 0;
+  for (const SceneReport& scene : runtime.report().scenes) {
+    scenes +=
+        scene.note == "slower in the run than what was there" && scene.binding != Binding::constants
+            ? 1
+            : 0;
+  }
+  return scenes;
+}
+
+TEST(Judge, ARunTakesOutWhatIsSlowInIt) {
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  const std::vector<Ray> rays = rays_through(*world, 47, 200);
+  Runtime generic(world, tests::eager_options(JitMode::off));
+  Navigator right = generic.navigator();
+  FaultyOptions options{tests::eager_options(JitMode::on)};
+  options.specialiser.keep_only_faster = true;
+  options.specialiser.optimisation = 1;
+  options.faults = slow_code();
+  FaultyRuntime runtime(world, options);
+  Navigator navigator = runtime.navigator();
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (taken_out(runtime) < 2 && std::chrono::steady_clock::now() < give_up) {
+    for (const Ray& ray : rays) {
+      const RayTotals a = transport(right, ray, world->tolerance);
+      const RayTotals b = transport(navigator, ray, world->tolerance);
+      ASSERT_EQ(a.steps, b.steps);
+      ASSERT_EQ(a.length, b.length);
+    }
+  }
+  EXPECT_GE(taken_out(runtime), 2U);
+  // And the report of a run that ends then says so, too.
+  const RuntimeReport report = runtime.final_report();
+  EXPECT_GT(report.modules, 0U);
+}
+
+}  // namespace
+}  // namespace navjit
