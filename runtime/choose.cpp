@@ -92,7 +92,7 @@ std::vector<VolumeId> choose(Specialisation& spec) {
     candidate.recent = spec.recent[v];
     candidates.push_back(candidate);
   }
-  const std::vector<VolumeId> module = next_module(candidates, options);
+  std::vector<VolumeId> module = next_module(candidates, options);
   if (!module.empty()) {
     spec.shared->log->debug(
         "event=chosen at_s={:.3f} scenes={} first={} candidates={}", spec.seconds(), module.size(),
