@@ -7,20 +7,14 @@
 #include <cstdint>
 
 #include "runtime/processor_time.hpp"
+#include "runtime/ticks.hpp"
 
 namespace navjit::common {
 
 /// Time that this thread has been running, ns: what others take of a processor does not count.
 inline double thread_ns() { return 1e9 * thread_seconds(); }
 
-/// A counter that costs little to read, of constant rate.
-inline std::uint64_t ticks() {
-#if defined(__x86_64__)
-  return __builtin_ia32_rdtsc();
-#else
-  return static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
-#endif
-}
+using navjit::ticks;
 
 /// How long a tick is; measured once, in some 20 ms.
 inline double ns_per_tick() {
