@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/grid.hpp"
-#include "analysis/nest.hpp"
-#include "analysis/pattern.hpp"
-#include "analysis/rings.hpp"
-#include "analysis/slabs.hpp"
+#include "analysis/patterns/grid.hpp"
+#include "analysis/patterns/nest.hpp"
+#include "analysis/patterns/pattern.hpp"
+#include "analysis/patterns/rings.hpp"
+#include "analysis/patterns/slabs.hpp"
 #include "geometry/solids/extent.hpp"
 #include "navjit/vector.hpp"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "analysis/grid.hpp"
-#include "analysis/pattern.hpp"
+#include "analysis/patterns/grid.hpp"
+#include "analysis/patterns/pattern.hpp"
 #include "geometry/solids/kernels.hpp"
 #include "tests/support/worlds.hpp"
 

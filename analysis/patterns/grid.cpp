@@ -1,4 +1,4 @@
-#include "analysis/grid.hpp"
+#include "analysis/patterns/grid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "analysis/slabs.hpp"
+#include "analysis/patterns/slabs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "analysis/grid.hpp"
+#include "analysis/patterns/grid.hpp"
 #include "analysis/plan.hpp"
 #include "geometry/navigation/generic.hpp"
 #include "geometry/solids/extent.hpp"

@@ -1,4 +1,4 @@
-#include "analysis/rings.hpp"
+#include "analysis/patterns/rings.hpp"
 
 #include <algorithm>
 #include <cmath>

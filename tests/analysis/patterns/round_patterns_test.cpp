@@ -8,10 +8,10 @@
 #include <numbers>
 
 #include "analysis/axial_extent.hpp"
-#include "analysis/nest.hpp"
-#include "analysis/pattern.hpp"
+#include "analysis/patterns/nest.hpp"
+#include "analysis/patterns/pattern.hpp"
+#include "analysis/patterns/rings.hpp"
 #include "analysis/plan.hpp"
-#include "analysis/rings.hpp"
 #include "geometry/solids/kernels.hpp"
 #include "navjit/vector.hpp"
 #include "tests/support/worlds.hpp"

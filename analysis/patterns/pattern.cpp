@@ -1,11 +1,11 @@
-#include "analysis/pattern.hpp"
+#include "analysis/patterns/pattern.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "analysis/nest.hpp"
-#include "analysis/rings.hpp"
+#include "analysis/patterns/nest.hpp"
+#include "analysis/patterns/rings.hpp"
 
 namespace navjit {
 namespace {

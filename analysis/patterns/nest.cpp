@@ -1,4 +1,4 @@
-#include "analysis/nest.hpp"
+#include "analysis/patterns/nest.hpp"
 
 #include <algorithm>
 #include <cmath>
