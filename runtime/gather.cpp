@@ -12,8 +12,15 @@ constexpr std::size_t fresh_kept = 64;     ///< per volume and look
 
 void gather(Specialisation& spec) {
   const detail::Counts counts = spec.shared->counts();
-  for (std::size_t v = 0; v < spec.steps.size(); ++v)
-    spec.steps[v] = counts.steps(static_cast<VolumeId>(v));
+  spec.active = false;
+  for (std::size_t v = 0; v < spec.steps.size(); ++v) {
+    const std::uint64_t steps = counts.steps(static_cast<VolumeId>(v));
+    spec.active |= steps != spec.steps[v];
+    spec.steps[v] = steps;
+  }
+  const double now = spec.seconds();
+  if (spec.active) spec.active_s += now - spec.looked_at;
+  spec.looked_at = now;
   for (const auto& profile : counts.profiles) {
     for (Sample sample; profile->take(sample);) {
       if (sample.mother != Sample::no_volume) spec.steps_below[sample.mother] += Profile::period;

@@ -73,7 +73,7 @@ void try_out(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry
       trial.before_owner = spec.arena;
     }
   }
-  spec.trials.begin(volume, std::move(trial), spec.seconds());
+  spec.trials.begin(volume, std::move(trial), spec.active_s);
 }
 
 void forget_trial(Specialisation& spec, VolumeId volume) {
@@ -91,8 +91,10 @@ void show_candidates(Specialisation& spec) {
 }
 
 void judge(Specialisation& spec) {
+  // Who does not navigate, but waits or computes, makes no stretch of a trial.
+  if (!spec.active) return;
   if (!spec.trials.open()) {
-    for (const auto& [volume, trial] : spec.trials.begin_again(spec.seconds())) {
+    for (const auto& [volume, trial] : spec.trials.begin_again(spec.active_s)) {
       // While it may be shown the table owns it.
       if (trial->out) {
         spec.shared->table.install(volume, trial->candidate, trial->candidate_owner);
@@ -105,7 +107,7 @@ void judge(Specialisation& spec) {
   // favours neither side.
   const unsigned over = spec.stretches++ % 4;
   if (over % 2 == 1) {
-    for (const auto& [volume, trial] : spec.trials.decide(spec.seconds())) {
+    for (const auto& [volume, trial] : spec.trials.decide(spec.active_s)) {
       conclude(spec, volume, *trial);
     }
     if (!spec.trials.open()) show_candidates(spec);

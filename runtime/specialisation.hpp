@@ -53,6 +53,9 @@ struct Specialisation {
   ModuleList module_list;                ///< modules of this run
   std::string module_list_name;
   std::vector<std::uint64_t> steps;  ///< by volume, at the last look
+  bool active = false;               ///< steps were made between the last two looks
+  double looked_at = 0;              ///< when, s
+  double active_s = 0;               ///< between looks with steps: the clock of trials
   /// By volume: steps made in its daughters, as sampled. Many of those end with a relocation in it.
   std::vector<std::uint64_t> steps_below;
   std::vector<double> execution_counts;  ///< by volume; of all of equal structure in the first

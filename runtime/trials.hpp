@@ -59,7 +59,8 @@ struct Trial {
 /// Not for several threads.
 class Trials {
  public:
-  /// A candidate was installed at time `now`, s; what is known of an earlier one is forgotten.
+  /// A candidate was installed at time `now`, s of navigation; what is known of an earlier one is
+  /// forgotten.
   void begin(VolumeId volume, Trial trial, double now);
   /// The volume has another navigator, which is not to be tried.
   void end(VolumeId volume);

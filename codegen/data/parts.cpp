@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "geometry/bvh/clustering.hpp"
 #include "geometry/bvh/rounding.hpp"
 #include "geometry/solids/extent.hpp"
 
@@ -302,15 +303,33 @@ const CompactNeighbourList* make_neighbour_lists(const Source& source) {
   return lists;
 }
 
-const BoxBlock* make_boxes(const Source& source, const std::vector<Extent>& boxes) {
-  auto* blocks = source.arena.array<BoxBlock>((boxes.size() + box_lanes - 1) / box_lanes);
-  for (std::size_t b = 0; b * box_lanes < boxes.size(); ++b) {
-    blocks[b] = block_of([&](std::size_t lane) {
-      const std::size_t k = b * box_lanes + lane;
-      return k < boxes.size() ? &boxes[k] : nullptr;
+NearBoxes make_near_boxes(const Source& source) {
+  const std::vector<Extent>& boxes = source.plan.tree_boxes;
+  const bvh::Clusters clusters = bvh::cluster_by_surface(boxes, box_lanes);
+  const std::size_t count = clusters.size();
+  auto* blocks = source.arena.array<BoxBlock>(count);
+  auto* daughters = source.arena.array<Index[box_lanes]>(count);
+  std::vector<Extent> around(count);
+  for (std::size_t b = 0; b < count; ++b) {
+    const std::span members(clusters.order.data() + clusters.begin[b],
+                            clusters.begin[b + 1] - clusters.begin[b]);
+    blocks[b] = block_of(
+        [&](std::size_t lane) { return lane < members.size() ? &boxes[members[lane]] : nullptr; });
+    around[b] = boxes[members[0]];
+    for (std::size_t lane = 0; lane < box_lanes; ++lane) {
+      // Where there is no box, any daughter will do.
+      daughters[b][lane] = members[lane < members.size() ? lane : 0];
+      around[b] = merged(around[b], boxes[daughters[b][lane]]);
+    }
+  }
+  auto* groups = source.arena.array<BoxBlock>((count + box_lanes - 1) / box_lanes);
+  for (std::size_t g = 0; g * box_lanes < count; ++g) {
+    groups[g] = block_of([&](std::size_t lane) {
+      const std::size_t b = g * box_lanes + lane;
+      return b < count ? &around[b] : nullptr;
     });
   }
-  return blocks;
+  return {groups, blocks, daughters, static_cast<unsigned>(count)};
 }
 
 }  // namespace navjit::codegen

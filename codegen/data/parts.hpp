@@ -70,7 +70,7 @@ void make(const Source& source, kernels::SearchRings<Index>& search);
 
 /// The daughters' neighbour lists; null if the scene does not use it.
 const kernels::CompactNeighbourList* make_neighbour_lists(const Source& source);
-/// Boxes of all daughters in file order, eight to a block.
-const kernels::BoxBlock* make_boxes(const Source& source, const std::vector<Extent>& boxes);
+/// Boxes of all daughters, for safety.
+kernels::NearBoxes make_near_boxes(const Source& source);
 
 }  // namespace navjit::codegen

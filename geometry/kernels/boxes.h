@@ -106,6 +106,13 @@ inline Floats root_of_lanes(Floats x) {
 #endif
 }
 
+/// The first lane that has the least number.
+inline unsigned least_lane(Floats x) {
+  float least = x[0];
+  for (int i = 1; i < box_lanes; ++i) least = x[i] < least ? x[i] : least;
+  return static_cast<unsigned>(__builtin_ctz(lanes_of(x <= all_lanes(least))));
+}
+
 /// Distances of a point from boxes, as the generic navigator has them, bit by bit
 /// (bvh::BoxTree::near).
 struct BoxDistances {
@@ -168,6 +175,56 @@ inline double safety_among_boxes(const BoxBlock* blocks, unsigned count, const V
   for (unsigned m = 0; m < count; ++m) {
     if (m == nearest || lanes_of(squares[m] <= all_lanes(enough)) == 0) continue;
     ask(m, from.distances(squares[m]));
+  }
+  return safety;
+}
+
+/// Daughters for safety: blocks of those that are close together, and boxes around whole blocks.
+struct NearBoxes {
+  const BoxBlock* groups;                  ///< lane l of group g is around block g * box_lanes + l
+  const BoxBlock* blocks;                  ///< null: none
+  const unsigned (*daughters)[box_lanes];  ///< by block
+  unsigned count;                          ///< of blocks
+};
+
+/// `safety` or the smallest max(bound, away(k)) of the daughters, where that is less. `bound` is
+/// the distance to the daughter's box: with it the answer does not depend on who is asked. Of each
+/// group the nearest block is asked first, which spares most others.
+template <class Away>
+inline double safety_near_boxes(const NearBoxes& boxes, const Vec3<double>& p, double safety,
+                                Away away) {
+  const BoxDistances from(p);
+  const auto ask = [&](unsigned m) {
+    const Floats distance = BoxDistances::distances(from.squares(boxes.blocks[m]));
+    for (unsigned lanes = lanes_of(distance < all_lanes(strictly_above(safety))); lanes != 0;
+         lanes &= lanes - 1) {
+      const unsigned lane = static_cast<unsigned>(__builtin_ctz(lanes));
+      const double bound = static_cast<double>(distance[lane]);
+      if (!(bound < safety)) continue;
+      safety = smaller(larger(away(boxes.daughters[m][lane]), bound), safety);
+    }
+  };
+  if (boxes.count == 1) {
+    ask(0);
+    return safety;
+  }
+  // Rounded up, so that no box that is nearer is left out; what is offered is asked above.
+  const auto enough = [&] { return all_lanes(strictly_above(safety * safety * (1 + 0x1p-18))); };
+  for (unsigned first = 0; first < boxes.count; first += box_lanes) {
+    const Floats squares = from.squares(boxes.groups[first / box_lanes]);
+    const unsigned there =
+        boxes.count - first < box_lanes ? (1U << (boxes.count - first)) - 1 : ~0U;
+    unsigned lanes = lanes_of(squares <= enough()) & there;
+    if (lanes == 0) continue;
+    if ((lanes & (lanes - 1)) != 0) {
+      const unsigned nearest = least_lane(squares);
+      ask(first + nearest);
+      lanes &= lanes_of(squares <= enough()) & ~(1U << nearest);
+    }
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const unsigned lane = static_cast<unsigned>(__builtin_ctz(lanes));
+      if (squares[lane] <= enough()[0]) ask(first + lane);
+    }
   }
   return safety;
 }

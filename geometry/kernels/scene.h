@@ -30,9 +30,7 @@ struct Scene {
   Search search;
   const CompactNeighbourList* lists;  ///< by daughter; null: not used
   const unsigned* neighbours;         ///< of daughters, as `lists` counts them
-  /// Of daughters, for safety, in file order; null: every one is asked.
-  const BoxBlock* boxes;
-  unsigned box_blocks;
+  NearBoxes boxes;  ///< of daughters, for safety; without blocks every one is asked
 };
 
 /// Into the daughter just pushed, and further down.
@@ -165,9 +163,9 @@ template <class S>
   const Vec3<double> p = s.frame.point(stack->levels[stack->depth], x, y, z);
   double safety = safety_to_out(s.mother, p);
   if constexpr (Daughters::any) {
-    if (s.boxes != nullptr) {
-      safety = safety_among_boxes(s.boxes, s.box_blocks, p, safety,
-                                  [&](unsigned k) { return s.daughters.away(k, p); });
+    if (s.boxes.blocks != nullptr) {
+      safety =
+          safety_near_boxes(s.boxes, p, safety, [&](unsigned k) { return s.daughters.away(k, p); });
     } else {
       for (unsigned k = 0; k < s.daughters.count; ++k) {
         safety = smaller(larger(s.daughters.away(k, p), 0.0), safety);

@@ -59,7 +59,7 @@ Solid make_arb8(std::string name, double hz, std::span<const PlanarPoint, 8> giv
   Extent e{{p[0].x, p[0].y, -hz}, {p[0].x, p[0].y, hz}};
   for (const PlanarPoint& q : p) {
     detail::require_finite({q.x, q.y}, name);
-    e = detail::merged(e, {{q.x, q.y, -hz}, {q.x, q.y, hz}});
+    e = merged(e, {{q.x, q.y, -hz}, {q.x, q.y, hz}});
   }
   const double size = std::max(e.max.x - e.min.x, e.max.y - e.min.y);
   const auto twice_area = [&](int i) {

@@ -70,7 +70,7 @@ Solid make_placed(std::string name, const Solid& solid, const SolidFrame& frame)
 }
 
 Solid make_union(std::string name, const Solid& a, const Solid& b) {
-  const Extent e = detail::merged(a.extent, b.extent);
+  const Extent e = merged(a.extent, b.extent);
   return make_boolean<kernels::AnyUnion<double>>(std::move(name), SolidKind::union_of, a, b, e,
                                                  true);
 }

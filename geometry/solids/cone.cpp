@@ -22,9 +22,8 @@ Solid make_cone(std::string name, double rmin1, double rmax1, double rmin2, doub
   const kernels::Cone<double> shape{hz, centred_face(rmax1, rmax2, hz),
                                     centred_face(rmin1, rmin2, hz), rmin1 > 0 || rmin2 > 0 ? 1 : 0,
                                     detail::make_wedge(start_phi, delta_phi, name)};
-  const Extent extent =
-      detail::merged(detail::sector_extent(rmin1, rmax1, start_phi, delta_phi, -hz, hz),
-                     detail::sector_extent(rmin2, rmax2, start_phi, delta_phi, -hz, hz));
+  const Extent extent = merged(detail::sector_extent(rmin1, rmax1, start_phi, delta_phi, -hz, hz),
+                               detail::sector_extent(rmin2, rmax2, start_phi, delta_phi, -hz, hz));
   return detail::make_solid(std::move(name), SolidKind::cone, shape, extent);
 }
 

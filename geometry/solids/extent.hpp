@@ -23,4 +23,10 @@ inline Extent inflated(const Extent& e, double margin) {
           {e.max.x + margin, e.max.y + margin, e.max.z + margin}};
 }
 
+/// The smallest box around two.
+inline Extent merged(const Extent& a, const Extent& b) {
+  return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y), std::min(a.min.z, b.min.z)},
+          {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y), std::max(a.max.z, b.max.z)}};
+}
+
 }  // namespace navjit

@@ -183,7 +183,7 @@ Solid make_extruded(std::string name, std::span<const PlanarPoint> given,
   };
   if (sections.size() == 2 && !crossing && convex(polygon)) {
     Extent e{corners[0], corners[0]};
-    for (const Vec3& p : corners) e = detail::merged(e, {p, p});
+    for (const Vec3& p : corners) e = merged(e, {p, p});
     std::vector<kernels::Plane<double>> planes{{0, 0, -1, sections[0].z},
                                                {0, 0, 1, -sections[1].z}};
     for (int i = 0; i < n; ++i) {

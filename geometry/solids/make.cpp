@@ -22,11 +22,6 @@ kernels::ConicalFace<double> conical_face(double r_low, double r_high, double le
   return {cosine * r_low, rise / slant, cosine};
 }
 
-Extent merged(const Extent& a, const Extent& b) {
-  return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y), std::min(a.min.z, b.min.z)},
-          {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y), std::max(a.max.z, b.max.z)}};
-}
-
 void require(bool condition, const std::string& solid_name, const char* what) {
   if (!condition) throw GeometryError("solid '" + solid_name + "': " + what);
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "geometry/solids/extent.hpp"
 #include "geometry/solids/solid.hpp"
 
 namespace navjit::detail {
@@ -20,9 +21,6 @@ UnitVector unit_vector(double angle);
 
 /// The conical face through radius r_low at z = 0 and r_high at z = length > 0.
 kernels::ConicalFace<double> conical_face(double r_low, double r_high, double length);
-
-/// The smallest box around two.
-Extent merged(const Extent& a, const Extent& b);
 
 /// The wedge for [start, start + delta], rad. A delta within 1e-9 of a full turn is a full turn;
 /// sines and cosines of right angles are exact.

@@ -15,7 +15,7 @@ Solid make_tet(std::string name, const Vec3& a, const Vec3& b, const Vec3& c, co
   Extent e{a, a};
   for (const Vec3& p : corners) {
     detail::require_finite({p.x, p.y, p.z}, name);
-    e = detail::merged(e, {p, p});
+    e = merged(e, {p, p});
   }
   const double size = std::max({e.max.x - e.min.x, e.max.y - e.min.y, e.max.z - e.min.z});
   std::vector<kernels::Plane<double>> planes;

@@ -14,7 +14,7 @@ Solid polycone(std::string name, detail::Sections&& sections, std::span<const ZP
     return detail::sector_extent(plane.rmin, plane.rmax, start_phi, delta_phi, plane.z, plane.z);
   };
   Extent extent = extent_of(planes.front());
-  for (const ZPlane& plane : planes) extent = detail::merged(extent, extent_of(plane));
+  for (const ZPlane& plane : planes) extent = merged(extent, extent_of(plane));
   return {std::move(name), SolidKind::polycone, std::shared_ptr<const void>(holder, &holder->shape),
           extent};
 }

@@ -50,7 +50,7 @@ Solid polyhedra(std::string name, detail::Sections&& sections, std::span<const Z
     for (const ZPlane& plane : planes) {
       for (const double r : {plane.rmin * edge_factor, plane.rmax * edge_factor}) {
         const Vec3 corner{r * edge.x, r * edge.y, plane.z};
-        e = detail::merged(e, {corner, corner});
+        e = merged(e, {corner, corner});
       }
     }
   }

@@ -16,7 +16,7 @@ Solid make_scaled(std::string name, const Solid& solid, double x, double y, doub
   const Vec3 a{solid.extent.min.x * x, solid.extent.min.y * y, solid.extent.min.z * z};
   const Vec3 b{solid.extent.max.x * x, solid.extent.max.y * y, solid.extent.max.z * z};
   return {std::move(name), SolidKind::scaled, std::shared_ptr<const void>(holder, &holder->shape),
-          detail::merged({a, a}, {b, b})};
+          merged({a, a}, {b, b})};
 }
 
 }  // namespace navjit

@@ -51,7 +51,7 @@ Solid make_trap(std::string name, double hz, double theta, double phi, double hy
                            {x - slant2 - hx3, y - hy2, hz},    {x - slant2 + hx3, y - hy2, hz},
                            {x + slant2 - hx4, y + hy2, hz},    {x + slant2 + hx4, y + hy2, hz}};
   Extent e{corners[0], corners[0]};
-  for (const Vec3& c : corners) e = detail::merged(e, {c, c});
+  for (const Vec3& c : corners) e = merged(e, {c, c});
   const double scale = std::max({e.max.x - e.min.x, e.max.y - e.min.y, e.max.z - e.min.z});
   detail::require(std::isfinite(scale), name, "the trap is too large");
   const auto side = [&](int i, int j, int k, int l) {
