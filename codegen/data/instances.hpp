@@ -61,7 +61,7 @@ const kernels::DispatchEntry* bind(const Geometry& geometry, const ScenePlan& pl
     scene.neighbours = arena.copy(s.neighbours);
   }
   if (plan.safety == SafetyFrom::boxes) {
-    scene.boxes = make_near_boxes(source);
+    scene.boxes = make_near_boxes(plan.tree_boxes, arena);
   }
   const auto safety = plan.safety == SafetyFrom::generic ? generic_safety() : &safety_of<S>;
   record.entry = {&step_of<S>, &relocate_of<S>, safety, &scene};

@@ -303,12 +303,11 @@ const CompactNeighbourList* make_neighbour_lists(const Source& source) {
   return lists;
 }
 
-NearBoxes make_near_boxes(const Source& source) {
-  const std::vector<Extent>& boxes = source.plan.tree_boxes;
+NearBoxes make_near_boxes(std::span<const Extent> boxes, Arena& arena) {
   const bvh::Clusters clusters = bvh::cluster_by_surface(boxes, box_lanes);
   const std::size_t count = clusters.size();
-  auto* blocks = source.arena.array<BoxBlock>(count);
-  auto* daughters = source.arena.array<Index[box_lanes]>(count);
+  auto* blocks = arena.array<BoxBlock>(count);
+  auto* daughters = arena.array<Index[box_lanes]>(count);
   std::vector<Extent> around(count);
   for (std::size_t b = 0; b < count; ++b) {
     const std::span members(clusters.order.data() + clusters.begin[b],
@@ -322,7 +321,7 @@ NearBoxes make_near_boxes(const Source& source) {
       around[b] = merged(around[b], boxes[daughters[b][lane]]);
     }
   }
-  auto* groups = source.arena.array<BoxBlock>((count + box_lanes - 1) / box_lanes);
+  auto* groups = arena.array<BoxBlock>((count + box_lanes - 1) / box_lanes);
   for (std::size_t g = 0; g * box_lanes < count; ++g) {
     groups[g] = block_of([&](std::size_t lane) {
       const std::size_t b = g * box_lanes + lane;

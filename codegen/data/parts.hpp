@@ -71,6 +71,6 @@ void make(const Source& source, kernels::SearchRings<Index>& search);
 /// The daughters' neighbour lists; null if the scene does not use it.
 const kernels::CompactNeighbourList* make_neighbour_lists(const Source& source);
 /// Boxes of all daughters, for safety.
-kernels::NearBoxes make_near_boxes(const Source& source);
+kernels::NearBoxes make_near_boxes(std::span<const Extent> boxes, Arena& arena);
 
 }  // namespace navjit::codegen
