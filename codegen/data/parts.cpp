@@ -294,8 +294,8 @@ const CompactNeighbourList* make_neighbour_lists(const Source& source) {
   for (std::size_t k = 0; k < s.of.size(); ++k) {
     const NeighbourLists::Of& of = s.of[k];
     const Extent& b = of.box;
-    lists[k] = {{bvh::float_above(b.min.x), bvh::float_above(b.min.y), bvh::float_above(b.min.z)},
-                {bvh::float_below(b.max.x), bvh::float_below(b.max.y), bvh::float_below(b.max.z)},
+    lists[k] = {{b.min.x, b.min.y, b.min.z},
+                {b.max.x, b.max.y, b.max.z},
                 of.first,
                 of.listed() ? of.count : CompactNeighbourList::unlisted,
                 of.mother_contains};

@@ -5,9 +5,10 @@
 namespace navjit::kernels {
 
 /// Of a daughter: a box within which tracks leave it, and the neighbours, the only ones that can
-/// contain such a point (navjit::NeighbourLists). Half a cache line.
-struct CompactNeighbourList {
-  float low[3], high[3];  ///< rounded inwards
+/// contain such a point (navjit::NeighbourLists). A cache line. In single precision the box would
+/// not hold the points on its own faces, where tracks leave it.
+struct alignas(64) CompactNeighbourList {
+  double low[3], high[3];
   unsigned first;
   unsigned short count;
   unsigned short mother_contains;  ///< all of the box
