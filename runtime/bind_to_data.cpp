@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "analysis/plan.hpp"
 #include "codegen/data/bind.hpp"
@@ -22,6 +23,7 @@ constexpr double most_ms = 20;
 /// Per volume, for verification, beside those that were recorded: the code is that of the library,
 /// what may be wrong is the data.
 constexpr std::size_t states_made_up = 64;
+constexpr std::size_t states_made_up_for_one_of_many = 8;
 /// Of all steps, for a scene to be bound: with the many that share the rest of a run little could
 /// be won. A guess.
 constexpr double least_share = 0.0005;
@@ -108,6 +110,53 @@ void bind_to_data(Specialisation& spec, VolumeId volume) {
   scene.swapped_at_s = spec.seconds();
 }
 
+/// A leaf beside many like it: its code is that of others, and so is what it wins.
+void bind_one_of_many(Specialisation& spec, VolumeId volume) {
+  if (!spec.bound.insert(volume).second) return;
+  const Geometry& geometry = spec.shared->geometry;
+  const ScenePlan plan = plan_scene(geometry, spec.facts, volume);
+  const kernels::DispatchEntry* entry = codegen::bind_to_data(geometry, plan, *spec.arena);
+  const std::vector<Sample> states =
+      spec.sampler.states(volume, states_made_up_for_one_of_many, volume + 1);
+  std::string problem = verify(geometry, spec.shared->table.context(), *entry, volume, states);
+  if (spec.shared->faults.fail_verification) problem = "injected failure";
+  if (!problem.empty()) {
+    note_failure(spec, volume, problem);
+    return;
+  }
+  spec.shared->table.install(volume, entry, spec.arena);
+  try_out(spec, volume, entry, spec.arena);
+  const std::lock_guard lock(spec.mutex);
+  SceneReport& scene = spec.scenes[volume];
+  scene.binding = Binding::data;
+  scene.swapped_at_s = spec.seconds();
+}
+
+/// Leaves that are each rare and together hot, in mothers that are bound: wires of many lengths,
+/// crystals of many shapes. What leaves an unbound one is relocated generically, in a mother where
+/// that may take far longer than all else. Ones that are in several mothers are not counted.
+std::vector<VolumeId> many_rare_leaves(const Specialisation& spec, std::uint64_t least) {
+  const Geometry& geometry = spec.shared->geometry;
+  const auto mother_of = [&](VolumeId v) { return spec.facts.only_mothers[v]; };
+  std::vector<std::uint64_t> steps(geometry.size(), 0);  // in leaves, by mother
+  for (VolumeId v = 0; v < geometry.size(); ++v) {
+    if (spec.steps[v] > 0 && mother_of(v) && geometry.scene(v).daughters.empty()) {
+      steps[*mother_of(v)] += spec.steps[v];
+    }
+  }
+  std::vector<VolumeId> leaves;
+  for (VolumeId mother = 0; mother < geometry.size(); ++mother) {
+    if (steps[mother] < least || !spec.bound.contains(mother)) continue;
+    for (const Daughter& d : geometry.scene(mother).daughters) {
+      if (geometry.scene(d.volume).daughters.empty() && mother_of(d.volume) == mother &&
+          !spec.bound.contains(d.volume)) {
+        leaves.push_back(d.volume);
+      }
+    }
+  }
+  return leaves;
+}
+
 bool bind_hot_to_data(Specialisation& spec) {
   std::vector<VolumeId> hot;
   std::uint64_t all = 0;
@@ -127,6 +176,10 @@ bool bind_hot_to_data(Specialisation& spec) {
   for (const VolumeId volume : hot) {
     if (spec.stopping() || steady_seconds() > until) return true;
     bind_to_data(spec, volume);
+  }
+  for (const VolumeId volume : many_rare_leaves(spec, least)) {
+    if (spec.stopping() || steady_seconds() > until) return true;
+    bind_one_of_many(spec, volume);
   }
   return false;
 }
