@@ -8,6 +8,7 @@
 #include "analysis/patterns/pattern.hpp"
 #include "analysis/patterns/rings.hpp"
 #include "analysis/patterns/slabs.hpp"
+#include "analysis/patterns/wires.hpp"
 #include "geometry/solids/extent.hpp"
 #include "navjit/vector.hpp"
 
@@ -79,6 +80,16 @@ bool is_regular(const std::string& pattern) {
   return pattern.find(" slabs along ") != std::string::npos || pattern.starts_with("grid");
 }
 
+/// Slabs have a shorter walk for boxes along the axes, and steps of wires in one plane are as fast
+/// as with rows of wires, whose safety is faster where there are too many to look at all. Grids go
+/// to the cell straight away.
+bool slabs_or_grid_serve(const Geometry& geometry, const ScenePlan& plan) {
+  const bool plain = may_be_grid(plan), boxes = plan.classes[0].kind() == SolidKind::box;
+  if (plan.pattern.starts_with("grid")) return plain;
+  return plan.pattern.find(" slabs along ") != std::string::npos &&
+         ((plain && boxes) || geometry.scene(plan.volume).daughters.size() <= most_boxes_near);
+}
+
 /// Patterns about an axis or a centre.
 bool choose_round(const Geometry& geometry, std::optional<Candidates> forced, double margin,
                   ScenePlan& plan) {
@@ -135,16 +146,28 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
   for (const Extent& box : boxes) largest = std::max(largest, largest_coordinate(box));
   // Daughters may stick out of their mother.
   const double round_margin = 2 * geometry.tolerance() + 1e-9 * largest;
-  if (boxes.size() <= most_boxes && !is_regular(plan.pattern)) {
-    std::string round = describe_round_pattern(world, world.volumes[plan.volume].solid,
-                                               scene.daughters, round_margin);
-    if (!round.empty()) plan.pattern = std::move(round);
-  }
   const bool boxes_possible = boxes.size() <= most_boxes && largest <= largest_float_scene;
   const auto make_boxes = [&] {
     const double inflate = margin + float_margin(largest);
     for (const Extent& box : boxes) plan.boxes.push_back(inflated(box, inflate));
   };
+  const auto make_wires = [&] {
+    if (forced ? *forced != Candidates::wires : slabs_or_grid_serve(geometry, plan)) return false;
+    auto wires = find_wires(world, world.volumes[plan.volume].solid, scene.daughters, round_margin);
+    if (!wires || (wires->others.size() > 2 && largest > largest_float_scene)) return false;
+    plan.candidates = Candidates::wires;
+    if (!is_regular(plan.pattern)) plan.pattern = describe_wires(*wires);
+    plan.wires = std::move(*wires);
+    if (plan.wires.others.size() > 2) make_boxes();
+    plan.mean_candidates = 1;
+    return true;
+  };
+  if (make_wires()) return;
+  if (boxes.size() <= most_boxes && !is_regular(plan.pattern)) {
+    std::string round = describe_round_pattern(world, world.volumes[plan.volume].solid,
+                                               scene.daughters, round_margin);
+    if (!round.empty()) plan.pattern = std::move(round);
+  }
   const auto make_round = [&] {
     if (!boxes_possible || !choose_round(geometry, forced, round_margin, plan)) return false;
     make_boxes();
@@ -208,12 +231,18 @@ void choose_safety(const Geometry& geometry, ScenePlan& plan) {
   switch (scene.search) {
     case Search::none:
     case Search::all:
+      if (plan.candidates == Candidates::wires) return;
       plan.safety = SafetyFrom::all;
       return;
     case Search::linear_boxes:
     case Search::bvh:
-      if (scene.daughters.size() > most_boxes_near) return;
-      plan.safety = SafetyFrom::boxes;
+      if (plan.candidates == Candidates::wires) {
+        if (!plan.wires.safety_known) return;
+        plan.safety = SafetyFrom::wires;
+      } else {
+        if (scene.daughters.size() > most_boxes_near) return;
+        plan.safety = SafetyFrom::boxes;
+      }
       for (const Daughter& d : scene.daughters) {
         const Extent box =
             placed_extent(geometry.world().volumes[d.volume].solid, d.transformation);

@@ -135,7 +135,8 @@ bool worth_compiling(const Geometry& geometry, const ScenePlan& plan, std::strin
     if (why != nullptr) *why = reason;
     return false;
   };
-  if (plan.candidates == Candidates::tree) return no("its search is bound to data alone");
+  if (plan.candidates == Candidates::tree || plan.candidates == Candidates::wires)
+    return no("its search is bound to data alone");
   const std::size_t daughters = geometry.scene(plan.volume).daughters.size();
   // Lone daughters of many cells, tested one after the other, are no faster than the generic
   // navigator's tree.
@@ -206,6 +207,13 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
       }
       out << " " << plan.rings.others.size() << " besides";
       break;
+    case Candidates::wires:
+      out << "the next across:";
+      for (const WireBundle& bundle : plan.wires.bundles) {
+        for (const WireRow& row : bundle.rows) out << " " << row.members.size() << " in a row,";
+      }
+      out << " " << plan.wires.others.size() << " besides";
+      break;
     case Candidates::tree:
       out << "by the hierarchy of boxes";
       break;
@@ -225,6 +233,7 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
   out << "  safety       "
       << (plan.safety == SafetyFrom::all     ? "every daughter's"
           : plan.safety == SafetyFrom::boxes ? "by boxes, eight at once"
+          : plan.safety == SafetyFrom::wires ? "the wires that are near"
                                              : "generic")
       << "\n";
   if (plan.neighbour_lists) {

@@ -81,6 +81,35 @@ struct Rings {
   std::vector<std::uint32_t> others;  ///< daughters in no ring
 };
 
+/// Parallel wires in a row, by their places across it: u along the row, n along its normal.
+struct WireRow {
+  double at = 0;                       ///< n of the row's middle, mm
+  double half_u = 0, half_n = 0;       ///< of a rectangle that holds any of the wires about its u
+                                       ///< and the row's n, with the margin, mm
+  double radius = 0;                   ///< and of a circle
+  std::vector<std::uint32_t> members;  ///< daughter indices, by position along the row
+  std::vector<double> u;               ///< of the wires' middles, by position, mm
+  double origin = 0, width = 0;        ///< of cells along the row, mm
+  std::vector<std::uint32_t> first;    ///< by cell, and one more: the first position in it
+};
+
+/// Wires of one direction.
+struct WireBundle {
+  std::array<double, 3> across{}, normal{}, along{};  ///< unit vectors of u, n, and of the wires
+  std::vector<WireRow> rows;                          ///< ascending in n
+  bool round = false;                                 ///< all wires are tubes
+  /// Whether rays in the mother come beyond the ends of all wires, and these with the margin, mm.
+  bool ends = false;
+  double low = 0, high = 0;
+};
+
+struct Wires {
+  std::vector<WireBundle> bundles;
+  std::vector<std::uint32_t> others;  ///< daughters that are in no row
+  /// Whether distances across bound what each wire's safety_to_in gives.
+  bool safety_known = false;
+};
+
 enum class Candidates : std::uint8_t {
   none,   ///< no daughters
   all,    ///< every daughter, spelled out
@@ -88,6 +117,7 @@ enum class Candidates : std::uint8_t {
   slabs,  ///< those next along an axis
   nest,   ///< those next in radius
   rings,  ///< those of the sectors that the ray passes
+  wires,  ///< those next across, in rows; bound to data only
   grid,   ///< those of the cells that the ray passes
   boxes,  ///< of those, the ones whose boxes it passes
   tree,   ///< by the generic navigator's hierarchy of boxes; bound to data only
@@ -97,6 +127,7 @@ enum class SafetyFrom : std::uint8_t {
   generic,  ///< left to the generic navigator
   all,      ///< mother and every daughter
   boxes,    ///< mother and the daughters whose boxes are near
+  wires,    ///< mother, the wires that are near across, and what is beside them
 };
 
 /// Daughters that are tested by the same code: the same solid, or solids of one kind that a table
@@ -126,6 +157,7 @@ struct ScenePlan {
   Slabs slabs;
   Nest nest;
   Rings rings;
+  Wires wires;
   SafetyFrom safety = SafetyFrom::generic;
   std::vector<Extent> tree_boxes;  ///< for safety: by daughter, as the generic navigator inflates
   /// Steps from within a daughter, and those along faces where oblique_only, are left to the

@@ -283,6 +283,7 @@ std::string SceneText::search() const {
   text += tables() + daughter_tests();
   switch (plan_.candidates) {
     case Candidates::none:
+    case Candidates::wires:
     case Candidates::tree:
       break;
     case Candidates::lanes:

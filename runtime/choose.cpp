@@ -40,6 +40,7 @@ void apply_overrides(Specialisation& spec) {
                                             : variant == Variant::lanes ? Candidates::lanes
                                             : variant == Variant::nest  ? Candidates::nest
                                             : variant == Variant::rings ? Candidates::rings
+                                            : variant == Variant::wires ? Candidates::wires
                                             : variant == Variant::grid  ? Candidates::grid
                                             : variant == Variant::tree  ? Candidates::tree
                                                                         : Candidates::boxes;

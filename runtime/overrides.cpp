@@ -14,6 +14,8 @@ bool parse_variant(std::string_view text, Variant& variant) {
     variant = Variant::nest;
   } else if (text == "rings") {
     variant = Variant::rings;
+  } else if (text == "wires") {
+    variant = Variant::wires;
   } else if (text == "grid") {
     variant = Variant::grid;
   } else if (text == "boxes") {
@@ -41,7 +43,7 @@ std::map<VolumeId, Variant> parse_overrides(const World& world, std::string_view
     const std::size_t equals = entry.rfind('=');
     Variant variant;
     if (equals == std::string_view::npos || !parse_variant(entry.substr(equals + 1), variant)) {
-      complain(entry, "NAME=off, all, lanes, nest, rings, grid, boxes or tree is needed");
+      complain(entry, "NAME=off, all, lanes, nest, rings, wires, grid, boxes or tree is needed");
       continue;
     }
     const std::string_view name = entry.substr(0, equals);

@@ -15,13 +15,14 @@ enum class Variant : std::uint8_t {
   lanes,  ///< specialised, all daughters four at once; boxes where they are not a few boxes
   nest,   ///< specialised, candidates next in radius; boxes where that is no pattern
   rings,  ///< specialised, candidates by sectors; boxes where that is no pattern
+  wires,  ///< bound to data, candidates next across, in rows; boxes where that is no pattern
   grid,   ///< specialised, candidates from cells
   boxes,  ///< specialised, candidates from cells and blocks of boxes
   tree,   ///< bound to data, candidates from the hierarchy of boxes; all where there is none
 };
 
 /// Parses "NAME=VARIANT,NAME=VARIANT": logical volumes by name ("*" for every one; later entries
-/// override earlier ones), variants off, all, lanes, nest, rings, grid, boxes, tree. What
+/// override earlier ones), variants off, all, lanes, nest, rings, wires, grid, boxes, tree. What
 /// cannot be understood is left out and described, one line each, in `complaints`.
 std::map<VolumeId, Variant> parse_overrides(const World& world, std::string_view text,
                                             std::string* complaints);

@@ -35,13 +35,14 @@ std::string structure_of(const Geometry& geometry, const ScenePlan& plan) {
   text += scene.solid.kind == SolidKind::box    ? "box"
           : scene.solid.kind == SolidKind::tube ? "tube"
                                                 : "solid";
-  static constexpr const char* searches[] = {"",           ", all of",       ", all of",
-                                             ", slabs of", ", nest of",      ", rings of",
-                                             ", grid of",  ", boxes around", ", tree of"};
+  static constexpr const char* searches[] = {
+      "",           ", all of",   ", all of",  ", slabs of",     ", nest of",
+      ", rings of", ", wires of", ", grid of", ", boxes around", ", tree of"};
   text += searches[static_cast<int>(plan.candidates)];
   if (scene.daughters.empty()) return text;
   const bool round = plan.candidates == Candidates::nest || plan.candidates == Candidates::rings;
-  return text + (!round && all_boxes(scene)                      ? " boxes"
+  const bool wires = plan.candidates == Candidates::wires;
+  return text + (!round && !wires && all_boxes(scene)            ? " boxes"
                  : !round && all_of_kind(scene, SolidKind::tube) ? " tubes"
                                                                  : " solids");
 }

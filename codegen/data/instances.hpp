@@ -63,7 +63,11 @@ const kernels::DispatchEntry* bind(const Geometry& geometry, const ScenePlan& pl
   if (plan.safety == SafetyFrom::boxes) {
     scene.boxes = make_near_boxes(plan.tree_boxes, arena);
   }
-  const auto safety = plan.safety == SafetyFrom::generic ? generic_safety() : &safety_of<S>;
+  // Another search may be bound in the place of the one that the plan's safety is for.
+  const bool left_to_generic =
+      plan.safety == SafetyFrom::generic ||
+      (plan.safety == SafetyFrom::wires && plan.candidates != Candidates::wires);
+  const auto safety = left_to_generic ? generic_safety() : &safety_of<S>;
   record.entry = {&step_of<S>, &relocate_of<S>, safety, &scene};
   return &record.entry;
 }
@@ -86,6 +90,11 @@ const kernels::DispatchEntry* bind_search(const Geometry& geometry, const SceneP
       return bind<Frame, Mother, Daughters, SearchTree>(geometry, plan, arena);
     case Candidates::nest:
       return bind<Frame, Mother, AnyDaughters, kernels::SearchNest<Index>>(geometry, plan, arena);
+    case Candidates::wires: {
+      using Wires =
+          std::conditional_t<std::is_same_v<Daughters, TubeDaughters>, Daughters, AnyDaughters>;
+      return bind<Frame, Mother, Wires, kernels::SearchWires<Index>>(geometry, plan, arena);
+    }
     case Candidates::rings:
       return bind<Frame, Mother, AnyDaughters, kernels::SearchRings<Index>>(geometry, plan, arena);
   }

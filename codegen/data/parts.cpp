@@ -288,6 +288,54 @@ void make(const Source& source, SearchRings<Index>& search) {
   search.axis = r.axis;
 }
 
+void make(const Source& source, SearchWires<Index>& search) {
+  const Wires& w = source.plan.wires;
+  Arena& arena = source.arena;
+  auto* bundles = arena.array<kernels::WireBundle<Index>>(w.bundles.size());
+  for (std::size_t i = 0; i < w.bundles.size(); ++i) {
+    const navjit::WireBundle& from = w.bundles[i];
+    auto* rows = arena.array<kernels::WireRow<Index>>(from.rows.size());
+    for (std::size_t r = 0; r < from.rows.size(); ++r) {
+      const navjit::WireRow& row = from.rows[r];
+      rows[r] = {row.at,
+                 row.half_u,
+                 row.half_n,
+                 row.radius,
+                 static_cast<int>(row.members.size()),
+                 arena.copy(row.u),
+                 arena.copy(row.members),
+                 row.origin,
+                 1 / row.width,
+                 static_cast<int>(row.first.size() - 1),
+                 arena.copy(row.first)};
+    }
+    kernels::WireBundle<Index>& to = bundles[i];
+    std::copy(from.across.begin(), from.across.end(), to.across);
+    std::copy(from.normal.begin(), from.normal.end(), to.normal);
+    std::copy(from.along.begin(), from.along.end(), to.along);
+    to.count = static_cast<unsigned>(from.rows.size());
+    to.rows = rows;
+    to.ends = from.ends;
+    to.low = from.low;
+    to.high = from.high;
+    to.round = from.round;
+  }
+  search.bundles = bundles;
+  search.count = static_cast<unsigned>(w.bundles.size());
+  search.beside = make_beside(source, w.others);
+  search.others = arena.copy(w.others);
+  search.other_count = static_cast<unsigned>(w.others.size());
+  if (source.plan.safety != SafetyFrom::wires) return;
+  const std::vector<Extent>& boxes = source.plan.tree_boxes;
+  auto* made = arena.array<FloatBox>(boxes.size());
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    const Extent& e = boxes[k];
+    made[k] = {{bvh::float_below(e.min.x), bvh::float_below(e.min.y), bvh::float_below(e.min.z)},
+               {bvh::float_above(e.max.x), bvh::float_above(e.max.y), bvh::float_above(e.max.z)}};
+  }
+  search.boxes = made;
+}
+
 const CompactNeighbourList* make_neighbour_lists(const Source& source) {
   const NeighbourLists& s = source.scene.neighbour_lists;
   auto* lists = source.arena.array<CompactNeighbourList>(s.of.size());

@@ -67,6 +67,7 @@ void make(const Source& source, kernels::SearchBoxes<Index>& search);
 void make(const Source& source, SearchTree& search);
 void make(const Source& source, kernels::SearchNest<Index>& search);
 void make(const Source& source, kernels::SearchRings<Index>& search);
+void make(const Source& source, kernels::SearchWires<Index>& search);
 
 /// The daughters' neighbour lists; null if the scene does not use it.
 const kernels::CompactNeighbourList* make_neighbour_lists(const Source& source);

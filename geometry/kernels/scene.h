@@ -164,7 +164,9 @@ template <class S>
   const Vec3<double> p = s.frame.point(stack->levels[stack->depth], x, y, z);
   double safety = safety_to_out(s.mother, p);
   if constexpr (Daughters::any) {
-    if (s.boxes.blocks != nullptr) {
+    if constexpr (requires { s.search.safety_among(s.daughters, p, safety); }) {
+      safety = s.search.safety_among(s.daughters, p, safety);
+    } else if (s.boxes.blocks != nullptr) {
       safety =
           safety_near_boxes(s.boxes, p, safety, [&](unsigned k) { return s.daughters.away(k, p); });
     } else {

@@ -1,4 +1,4 @@
-// The searches among a scene's daughters, each a filter (slabs, nest, rings, grid, boxes) in
+// The searches among a scene's daughters, each a filter (slabs, nest, rings, wires, grid, boxes) in
 // front of the daughters' own kernels:
 //   find(d, p, v, blocked, tol)     the last daughter in file order, other than `blocked`, that
 //                                   holds the point; -1 for none
@@ -267,6 +267,54 @@ struct SearchRings {
                        along_axis({v.inverse_x, v.inverse_y, v.inverse_z}, axis)};
     for (unsigned n = 0; n < count; ++n) walk_ring(rings[n], ray, visit, reach);
     return nearest.hit;
+  }
+};
+
+/// Parallel wires in rows, of a few directions.
+template <class Index>
+struct SearchWires {
+  const WireBundle<Index>* bundles;
+  unsigned count;
+  Beside<Index> beside;
+  const Index* others;  ///< what is beside the wires, by number
+  unsigned other_count;
+  const FloatBox* boxes;  ///< by daughter; null: the generic navigator answers for safety
+
+  template <class Daughters>
+  [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
+                                  const Direction<double>& v, int blocked, double tol) const {
+    LastThatHolds<Daughters> last{d, p, v, blocked, tol};
+    const auto visit = [&](unsigned k) { last(k); };
+    beside.at(p, visit);
+    for (unsigned n = 0; n < count; ++n) visit_wires_at(bundles[n], p, visit);
+    return last.found;
+  }
+  template <class Daughters>
+  [[gnu::always_inline]] int nearest(const Daughters& d, const Vec3<double>& p,
+                                     const Direction<double>& v, double& best, double limit,
+                                     unsigned, double tol) const {
+    NearestAhead<Daughters> nearest{d, p, v, best, limit, tol};
+    const auto visit = [&](unsigned k) { nearest(k); };
+    const auto reach = [&] { return smaller(limit, best); };
+    beside.along(p, v, visit, reach);
+    for (unsigned n = 0; n < count; ++n) walk_wires(bundles[n], p, v, visit, reach);
+    return nearest.hit;
+  }
+  /// `safety` or the least of the daughters', as the generic navigator has it: no less than the
+  /// distance to the daughter's box.
+  template <class Daughters>
+  [[gnu::always_inline]] double safety_among(const Daughters& d, const Vec3<double>& p,
+                                             double safety) const {
+    const BoxDistance from(p);
+    const auto ask = [&](unsigned k, double least) {
+      const double bound = from(boxes[k]);
+      return bound < least ? smaller(larger(d.away(k, p), bound), least) : least;
+    };
+    for (unsigned n = 0; n < count; ++n) safety = safety_among_wires(bundles[n], p, safety, ask);
+    for (unsigned i = 0; i < other_count; ++i) {
+      safety = ask(static_cast<unsigned>(others[i]), safety);
+    }
+    return safety;
   }
 };
 

@@ -9,6 +9,7 @@
 #include "geometry/kernels/slabs.h"
 #include "geometry/kernels/nest.h"
 #include "geometry/kernels/rings.h"
+#include "geometry/kernels/wires.h"
 #include "geometry/kernels/frames.h"
 #include "geometry/kernels/daughters.h"
 #include "geometry/kernels/searches.h"

@@ -16,6 +16,7 @@
 #include "runtime/states.hpp"
 #include "runtime/verify.hpp"
 #include "tests/support/traces.hpp"
+#include "tests/support/wires.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace navjit {
@@ -33,12 +34,13 @@ RuntimeOptions data_alone(JitMode jit) {
 }
 
 /// Traces and safeties are the same, and nearly all steps were made by data-bound navigators.
-void expect_same_answers(const std::shared_ptr<const World>& world, std::uint64_t seed, int rays) {
+void expect_same_answers(const std::shared_ptr<const World>& world, std::uint64_t seed,
+                         const std::vector<Ray>& rays) {
   Runtime generic(world, data_alone(JitMode::off)), bound(world, data_alone(JitMode::wait));
   Navigator a = generic.navigator(), b = bound.navigator();
   std::mt19937_64 random(seed);
   std::uint64_t of_length_zero = 0;
-  for (const Ray& ray : rays_through(*world, seed, rays)) {
+  for (const Ray& ray : rays) {
     const auto right = trace(a, ray, world->tolerance), got = trace(b, ray, world->tolerance);
     for (const tests::Row& row : got) of_length_zero += row.length == 0 ? 1 : 0;
     ASSERT_TRUE(same_bits(right, got))
@@ -71,14 +73,18 @@ void expect_same_answers(const std::shared_ptr<const World>& world, std::uint64_
   EXPECT_EQ(bound.report().modules, 0U);
 }
 
+void expect_same_answers(const std::shared_ptr<const World>& world, std::uint64_t seed, int rays) {
+  expect_same_answers(world, seed, rays_through(*world, seed, rays));
+}
+
 /// Forces all scenes to a search as long as it lives.
 struct Forced {
   explicit Forced(const char* variant) { setenv(overrides_variable, variant, 1); }
   ~Forced() { unsetenv(overrides_variable); }
 };
 
-const char* const searches[] = {"",        "*=all",  "*=lanes", "*=nest",
-                                "*=rings", "*=grid", "*=boxes", "*=tree"};
+const char* const searches[] = {"",        "*=all",  "*=lanes", "*=nest", "*=rings",
+                                "*=wires", "*=grid", "*=boxes", "*=tree"};
 
 TEST(BoundToData, MixedWorldAlikeWithEachSearch) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
@@ -121,6 +127,74 @@ TEST(BoundToData, OverlapsAlike) {
     const Forced forced(search);
     expect_same_answers(shared, 6, 400);
   }
+}
+
+/// A chamber of wires, placed twice, once turned.
+World chambers(const tests::Stringing& s, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 400, 200, 200));
+  const VolumeId chamber = tests::add_volume(world, "chamber", make_box("chamber", 90, 90, 90));
+  tests::string_wires(world, chamber, s, random);
+  tests::place(world, world.top, chamber, {-180, 0, 0});
+  tests::place(world, world.top, chamber, {180, 0, 0}, {0.4, -0.9, 0.3});
+  finish(world);
+  return world;
+}
+
+TEST(BoundToData, ChambersOfWiresAlike) {
+  std::size_t safeties = 0;
+  for (const auto& [name, s] : tests::stringings()) {
+    SCOPED_TRACE(name);
+    const auto world = std::make_shared<const World>(chambers(s, 9));
+    std::mt19937_64 random(10);
+    std::vector<Ray> rays = rays_through(*world, 11, 200);
+    for (int i = 0; i < 400; ++i) {
+      const auto [p, d] = tests::ray_among_wires(random, s, i);
+      rays.push_back({p + Vec3{-180, 0, 0}, d});
+    }
+    const Forced forced("chamber=wires");
+    expect_same_answers(world, 12, rays);
+    const Geometry geometry(world);
+    WorldFacts facts = analyse_world(geometry);
+    facts.forced_candidates[1] = Candidates::wires;
+    const ScenePlan plan = plan_scene(geometry, facts, 1);
+    ASSERT_EQ(plan.candidates, Candidates::wires);
+    EXPECT_EQ(codegen::structure_of(geometry, plan),
+              s.bars ? "box, wires of solids" : "box, wires of tubes");
+    EXPECT_FALSE(worth_compiling(geometry, plan));
+    safeties += plan.safety == SafetyFrom::wires ? 1 : 0;
+  }
+  EXPECT_GE(safeties, 12U);
+}
+
+/// Each wire is rare, and all of them together are hot.
+TEST(BoundToData, WiresOfManyLengthsAreBoundTogether) {
+  tests::Stringing s;
+  s.wires = 1200;
+  s.pitch = 0.1;
+  s.radius = 0.04;
+  const auto world = std::make_shared<const World>(chambers(s, 13));
+  RuntimeOptions options = data_alone(JitMode::on);
+  Runtime runtime(world, options);
+  Navigator navigator = runtime.navigator();
+  std::mt19937_64 random(14);
+  for (int i = 0; i < 8000; ++i) {
+    const auto [p, d] = tests::ray_among_wires(random, s, 0);
+    trace(navigator, {p + Vec3{-180, 0, 0}, d}, world->tolerance);
+  }
+  runtime.wait_until_idle();
+  std::size_t bound = 0, seen = 0;
+  std::uint64_t most = 0;
+  for (const SceneReport& scene : runtime.report().scenes) {
+    if (!scene.volume.starts_with("wire")) continue;
+    ++seen;
+    most = std::max(most, scene.steps);
+    bound += scene.binding == Binding::data ? 1 : 0;
+  }
+  EXPECT_EQ(bound, seen);
+  EXPECT_GT(seen, 500U);
+  EXPECT_LT(most, 500U) << "none is hot by itself";
 }
 
 TEST(BoundToData, ShippedDetectorsAlike) {

@@ -21,9 +21,11 @@ TEST(Overrides, AreParsedAndComplainedAbout) {
   EXPECT_EQ(o.at(1), Variant::off);
   EXPECT_EQ(o.at(2), Variant::all);
   EXPECT_EQ(std::count(complaints.begin(), complaints.end(), '\n'), 3) << complaints;
-  const auto round = parse_overrides(world, "stack=nest,plate=lanes,plate=rings", nullptr);
+  const auto round =
+      parse_overrides(world, "stack=nest,plate=lanes,plate=rings,world=wires", nullptr);
   EXPECT_EQ(round.at(1), Variant::nest);
   EXPECT_EQ(round.at(2), Variant::rings);
+  EXPECT_EQ(round.at(0), Variant::wires);
   const auto every = parse_overrides(world, "*=off,stack=grid", nullptr);
   EXPECT_EQ(every.size(), world.volumes.size());
   EXPECT_EQ(every.at(0), Variant::off);

@@ -14,6 +14,7 @@
 #include "analysis/plan.hpp"
 #include "geometry/solids/kernels.hpp"
 #include "navjit/vector.hpp"
+#include "tests/analysis/patterns/arrangement.hpp"
 #include "tests/support/worlds.hpp"
 
 // clang-format off
@@ -24,11 +25,13 @@
 namespace navjit {
 namespace {
 
-using tests::random_direction;
+using tests::Arrangement;
+using tests::expect_complete;
+using tests::Tally;
 using tests::uniform;
 
 constexpr double pi = std::numbers::pi, inf = INFINITY;
-constexpr double tolerance = 1e-9, margin = 1e-6;
+constexpr double tolerance = tests::pattern_tolerance, margin = 1e-6;
 
 const std::array<std::array<int, 3>, 3> across_and_along{{{1, 2, 0}, {2, 0, 1}, {0, 1, 2}}};
 
@@ -114,101 +117,6 @@ TEST(AxialExtent, HoldsEveryPointOfASolid) {
   EXPECT_GT(points, 30000U);
   EXPECT_GT(limited, 100U);
   EXPECT_GT(segments, 50U);
-}
-
-/// A mother with daughters about an axis.
-struct Arrangement {
-  World world;
-  std::unique_ptr<Geometry> geometry;
-  explicit Arrangement(const Solid& mother) { tests::add_volume(world, "mother", mother); }
-  void add(const Solid& solid, Vec3 at = {0, 0, 0}, Vec3 angles = {0, 0, 0}) {
-    const VolumeId v = tests::add_volume(world, "d" + std::to_string(world.volumes.size()), solid);
-    tests::place(world, 0, v, at, angles);
-  }
-  void finished(std::mt19937_64& random) {
-    std::shuffle(world.volumes[0].daughters.begin(), world.volumes[0].daughters.end(), random);
-    finish(world);
-    geometry = std::make_unique<Geometry>(std::make_shared<const World>(world));
-  }
-  std::span<const Daughter> daughters() const { return geometry->scene(0).daughters; }
-  const Solid& mother() const { return geometry->world().volumes[0].solid; }
-};
-
-double distance(const Daughter& d, const Vec3& p, const Direction& v) {
-  return distance_to_in(d.solid, to_local(d.transformation, p), to_local(d.transformation, v),
-                        tolerance);
-}
-
-struct Ray {
-  Vec3 position, direction;
-};
-
-/// Rays from anywhere, from surfaces, along the axis, through it, and along tangents and edges.
-Ray random_ray(std::mt19937_64& random, const Arrangement& a, double half, int i) {
-  Vec3 p{uniform(random, -half, half), uniform(random, -half, half), uniform(random, -half, half)};
-  Vec3 d = random_direction(random);
-  const Daughter& of = a.daughters()[random() % a.daughters().size()];
-  if (i % 4 == 1) {  // where a ray meets a daughter
-    const double t = distance(of, p, kernels::make_direction(d.x, d.y, d.z));
-    if (t < inf) p += t * d;
-    if (i % 8 == 1) d = random_direction(random);
-  }
-  if (i % 7 == 0) d = {0, 0, i % 2 == 0 ? 1.0 : -1.0};
-  if (i % 11 == 0) p = {0, 0, p.z};
-  const double rho = std::hypot(p.x, p.y);
-  if (i % 5 == 0 && rho > 0) {  // along a radius, in or out, or a tangent
-    d = i % 10 == 0 ? Vec3{p.y / rho, -p.x / rho, 0} : Vec3{p.x / rho, p.y / rho, 0};
-    if (i % 3 == 0) d = -1.0 * d;
-  }
-  if (i % 13 == 0) {  // from a daughter's corner
-    const Extent e = a.geometry->world().volumes[of.volume].solid.extent;
-    p = to_outer(of.transformation, i % 2 == 0 ? e.min : e.max);
-  }
-  return {p, d};
-}
-
-struct Tally {
-  std::size_t asked = 0, all = 0, met = 0;
-};
-
-/// `walk` finds the nearest daughter as all of them together do, `at` all that hold a point.
-template <class Walk, class At>
-void expect_complete(const Arrangement& a, std::mt19937_64& random, double half, Walk walk, At at,
-                     Tally& tally) {
-  const auto daughters = a.daughters();
-  for (int i = 0; i < 600; ++i) {
-    const Ray ray = random_ray(random, a, half, i);
-    const Vec3& p = ray.position;
-    const Direction v = kernels::make_direction(ray.direction.x, ray.direction.y, ray.direction.z);
-    const double limit = i % 3 == 0 ? uniform(random, 0, half) : i % 3 == 1 ? 4 * half : inf;
-    double nearest = inf, best = inf;
-    for (const Daughter& d : daughters) nearest = std::min(nearest, distance(d, p, v));
-    if (nearest > limit) nearest = inf;
-    std::vector<char> offered(daughters.size(), 0);
-    walk(
-        p, v,
-        [&](unsigned k) {
-          offered[k] = 1;
-          ++tally.asked;
-          best = std::min(best, distance(daughters[k], p, v));
-        },
-        [&] { return std::min(best, limit); });
-    if (best > limit) best = inf;
-    ASSERT_EQ(best, nearest) << "ray " << i << " from " << p.x << ' ' << p.y << ' ' << p.z
-                             << " along " << v.x << ' ' << v.y << ' ' << v.z;
-    // Of those that are equally near the first in the file has to be among what was offered.
-    for (std::size_t k = 0; k < daughters.size() && best < inf; ++k) {
-      ASSERT_TRUE(offered[k] || distance(daughters[k], p, v) != nearest) << "ray " << i;
-    }
-    tally.all += daughters.size();
-    tally.met += best < inf ? 1 : 0;
-    std::fill(offered.begin(), offered.end(), 0);
-    at(p, [&](unsigned k) { offered[k] = 1; });
-    for (std::size_t k = 0; k < daughters.size(); ++k) {
-      const Vec3 q = to_local(daughters[k].transformation, p);
-      ASSERT_TRUE(offered[k] || inside(daughters[k].solid, q, tolerance) == Side::outside);
-    }
-  }
 }
 
 void expect_complete_nest(const Arrangement& a, std::mt19937_64& random, double half,
