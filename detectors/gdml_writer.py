@@ -98,6 +98,10 @@ class Gdml:
         lines += ["      " + text.replace(MOTHER, name) for text in placements]
         self._add("structure", "\n".join(lines) + f"\n    </{kind}>")
 
+    def raw(self, section, text):
+        """An element that has no method of its own: a loop."""
+        self._add(section, text)
+
     def text(self, world):
         lines = ['<?xml version="1.0" encoding="UTF-8"?>', f"<!-- {self.comment} -->",
                  '<gdml xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" '

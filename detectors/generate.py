@@ -4,6 +4,7 @@
 import pathlib
 
 import absorber
+import argon
 import barrel
 import scenes
 import shashlik
@@ -11,7 +12,7 @@ import shashlik
 
 def main():
     here = pathlib.Path(__file__).resolve().parent
-    for module in (shashlik, barrel, absorber, scenes):
+    for module in (shashlik, barrel, absorber, scenes, argon):
         path = here / f"{module.__name__}.gdml"
         path.write_text(module.build(), encoding="utf-8")
         print(f"{path.name}: {path.stat().st_size} bytes")
