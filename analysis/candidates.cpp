@@ -21,8 +21,12 @@ constexpr std::size_t spell_out_limit = 4;
 /// So many boxes at the most are all tested, four at once.
 constexpr std::size_t most_lanes = 8;
 
-/// With more daughters than this, tables of boxes would be most of the code.
-constexpr std::size_t most_boxes = 4096;
+/// With 20,000 daughters boxes are 1.5 times as fast as the hierarchy of boxes (docs/scenes.md);
+/// beyond this nothing was measured.
+constexpr std::size_t most_boxes = 32768;
+
+/// Among more daughters no rings are looked for: that takes the square of their number.
+constexpr std::size_t most_about_an_axis = 4096;
 
 /// All boxes are looked at for safety. With 65 to 70 daughters that takes as long as the generic
 /// navigator's tree (docs/scenes.md); up to where it may is a guess.
@@ -163,13 +167,15 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     return true;
   };
   if (make_wires()) return;
-  if (boxes.size() <= most_boxes && !is_regular(plan.pattern)) {
+  if (boxes.size() <= most_about_an_axis && !is_regular(plan.pattern)) {
     std::string round = describe_round_pattern(world, world.volumes[plan.volume].solid,
                                                scene.daughters, round_margin);
     if (!round.empty()) plan.pattern = std::move(round);
   }
   const auto make_round = [&] {
-    if (!boxes_possible || !choose_round(geometry, forced, round_margin, plan)) return false;
+    if (boxes.size() > most_about_an_axis || !boxes_possible ||
+        !choose_round(geometry, forced, round_margin, plan))
+      return false;
     make_boxes();
     plan.mean_candidates = 1;
     return true;

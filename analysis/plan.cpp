@@ -17,6 +17,9 @@ const char* const axis_names[] = {"x", "y", "z", "the centre"};
 /// were too many.
 constexpr std::size_t most_without_boxes = 64;
 
+/// With more daughters than this, tables of boxes would be most of the code.
+constexpr std::size_t most_boxes_in_code = 4096;
+
 /// Each class of daughters is code of its own, each number of a solid a constant: beyond this the
 /// compiler takes longer than any run would gain.
 constexpr std::size_t most_classes = 64;
@@ -138,6 +141,8 @@ bool worth_compiling(const Geometry& geometry, const ScenePlan& plan, std::strin
   if (plan.candidates == Candidates::tree || plan.candidates == Candidates::wires)
     return no("its search is bound to data alone");
   const std::size_t daughters = geometry.scene(plan.volume).daughters.size();
+  if (plan.candidates == Candidates::boxes && daughters > most_boxes_in_code)
+    return no("too many daughters for tables of boxes");
   // Lone daughters of many cells, tested one after the other, are no faster than the generic
   // navigator's tree.
   if (plan.candidates == Candidates::grid && daughters > most_without_boxes &&

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
+#include <set>
 
 #include "analysis/plan.hpp"
 #include "codegen/data/bind.hpp"
@@ -134,27 +134,31 @@ void bind_one_of_many(Specialisation& spec, VolumeId volume) {
 
 /// Leaves that are each rare and together hot, in mothers that are bound: wires of many lengths,
 /// crystals of many shapes. What leaves an unbound one is relocated generically, in a mother where
-/// that may take far longer than all else. Ones that are in several mothers are not counted.
+/// that may take far longer than all else.
 std::vector<VolumeId> many_rare_leaves(const Specialisation& spec, std::uint64_t least) {
   const Geometry& geometry = spec.shared->geometry;
-  const auto mother_of = [&](VolumeId v) { return spec.facts.only_mothers[v]; };
-  std::vector<std::uint64_t> steps(geometry.size(), 0);  // in leaves, by mother
+  const auto is_one = [&](VolumeId v) {
+    return geometry.scene(v).daughters.empty() && !spec.bound.contains(v);
+  };
+  std::uint64_t all = 0;
   for (VolumeId v = 0; v < geometry.size(); ++v) {
-    if (spec.steps[v] > 0 && mother_of(v) && geometry.scene(v).daughters.empty()) {
-      steps[*mother_of(v)] += spec.steps[v];
+    if (spec.steps[v] > 0 && is_one(v)) all += spec.steps[v];
+  }
+  std::set<VolumeId> leaves;
+  if (all < least) return {};
+  for (const VolumeId mother : spec.bound) {
+    std::set<VolumeId> met;
+    std::uint64_t steps = 0;
+    const auto daughters = geometry.scene(mother).daughters;
+    for (const Daughter& d : daughters) {
+      if (spec.steps[d.volume] == 0 || !is_one(d.volume)) continue;
+      if (met.insert(d.volume).second) steps += spec.steps[d.volume];
+    }
+    for (const Daughter& d : daughters) {
+      if (steps >= least && is_one(d.volume)) leaves.insert(d.volume);
     }
   }
-  std::vector<VolumeId> leaves;
-  for (VolumeId mother = 0; mother < geometry.size(); ++mother) {
-    if (steps[mother] < least || !spec.bound.contains(mother)) continue;
-    for (const Daughter& d : geometry.scene(mother).daughters) {
-      if (geometry.scene(d.volume).daughters.empty() && mother_of(d.volume) == mother &&
-          !spec.bound.contains(d.volume)) {
-        leaves.push_back(d.volume);
-      }
-    }
-  }
-  return leaves;
+  return {leaves.begin(), leaves.end()};
 }
 
 bool bind_hot_to_data(Specialisation& spec) {

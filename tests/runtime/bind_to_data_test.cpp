@@ -129,15 +129,18 @@ TEST(BoundToData, OverlapsAlike) {
   }
 }
 
-/// A chamber of wires, placed twice, once turned.
+/// A chamber of wires, placed twice, once turned, and another one with the same wires.
 World chambers(const tests::Stringing& s, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   World world;
-  world.top = tests::add_volume(world, "world", make_box("world", 400, 200, 200));
+  world.top = tests::add_volume(world, "world", make_box("world", 700, 200, 200));
   const VolumeId chamber = tests::add_volume(world, "chamber", make_box("chamber", 90, 90, 90));
+  const VolumeId other = tests::add_volume(world, "other", make_box("other", 90, 90, 90));
   tests::string_wires(world, chamber, s, random);
+  world.volumes[other].daughters = world.volumes[chamber].daughters;
   tests::place(world, world.top, chamber, {-180, 0, 0});
   tests::place(world, world.top, chamber, {180, 0, 0}, {0.4, -0.9, 0.3});
+  tests::place(world, world.top, other, {520, 0, 0}, {1.4, -0.9, 0.3});
   finish(world);
   return world;
 }
@@ -153,7 +156,7 @@ TEST(BoundToData, ChambersOfWiresAlike) {
       const auto [p, d] = tests::ray_among_wires(random, s, i);
       rays.push_back({p + Vec3{-180, 0, 0}, d});
     }
-    const Forced forced("chamber=wires");
+    const Forced forced("chamber=wires,other=wires");
     expect_same_answers(world, 12, rays);
     const Geometry geometry(world);
     WorldFacts facts = analyse_world(geometry);

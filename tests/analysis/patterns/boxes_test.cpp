@@ -169,5 +169,24 @@ TEST(Plan, HollowDaughtersAreNotWhereTheirHolesAre) {
   EXPECT_GT(empty, 0U);
 }
 
+TEST(Plan, FindsThousandsOfUnlikeDaughtersByBoxes) {
+  std::mt19937_64 random(9);
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 100, 100, 100));
+  const VolumeId box = tests::add_volume(world, "box", make_box("box", 1, 0.5, 0.7)),
+                 tube = tests::add_volume(world, "tube", make_tube("tube", 0, 1, 0.5, 0, 7));
+  for (int i = 0; i < 5000; ++i) {
+    const auto at = [&] { return tests::uniform(random, -98, 98); };
+    tests::place(world, world.top, i % 2 == 0 ? box : tube, {at(), at(), at()}, {at(), at(), at()});
+  }
+  finish(world);
+  const Geometry geometry(std::make_shared<const World>(std::move(world)));
+  const ScenePlan plan = plan_scene(geometry, analyse_world(geometry), 0);
+  EXPECT_EQ(plan.candidates, Candidates::boxes);
+  EXPECT_EQ(plan.boxes.size(), 5000U);
+  EXPECT_LT(plan.mean_candidates, 20);
+  EXPECT_FALSE(worth_compiling(geometry, plan)) << "too much text";
+}
+
 }  // namespace
 }  // namespace navjit
