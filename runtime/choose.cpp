@@ -36,14 +36,7 @@ void apply_overrides(Specialisation& spec) {
         spec.scenes.erase(equal);
         spec.bound.erase(equal);
       }
-      spec.facts.forced_candidates[first] = variant == Variant::all     ? Candidates::all
-                                            : variant == Variant::lanes ? Candidates::lanes
-                                            : variant == Variant::nest  ? Candidates::nest
-                                            : variant == Variant::rings ? Candidates::rings
-                                            : variant == Variant::wires ? Candidates::wires
-                                            : variant == Variant::grid  ? Candidates::grid
-                                            : variant == Variant::tree  ? Candidates::tree
-                                                                        : Candidates::boxes;
+      spec.facts.forced_candidates[first] = *candidates_of(variant);
     }
   }
   if (!complaints.empty()) spec.shared->log->warn("{}: {}", overrides_variable, complaints);

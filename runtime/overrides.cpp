@@ -1,39 +1,56 @@
 #include "runtime/overrides.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace navjit {
 namespace {
 
-bool parse_variant(std::string_view text, Variant& variant) {
-  if (text == "off") {
-    variant = Variant::off;
-  } else if (text == "all") {
-    variant = Variant::all;
-  } else if (text == "lanes") {
-    variant = Variant::lanes;
-  } else if (text == "nest") {
-    variant = Variant::nest;
-  } else if (text == "rings") {
-    variant = Variant::rings;
-  } else if (text == "wires") {
-    variant = Variant::wires;
-  } else if (text == "grid") {
-    variant = Variant::grid;
-  } else if (text == "boxes") {
-    variant = Variant::boxes;
-  } else if (text == "tree") {
-    variant = Variant::tree;
-  } else {
-    return false;
+/// A line for each way that scenes can be forced to.
+struct Name {
+  std::string_view text;
+  Variant variant;
+  std::optional<Candidates> candidates;
+};
+constexpr Name names[] = {{"off", Variant::off, {}},
+                          {"all", Variant::all, Candidates::all},
+                          {"lanes", Variant::lanes, Candidates::lanes},
+                          {"nest", Variant::nest, Candidates::nest},
+                          {"rings", Variant::rings, Candidates::rings},
+                          {"wires", Variant::wires, Candidates::wires},
+                          {"grid", Variant::grid, Candidates::grid},
+                          {"boxes", Variant::boxes, Candidates::boxes},
+                          {"tree", Variant::tree, Candidates::tree}};
+
+std::optional<Variant> parse_variant(std::string_view text) {
+  for (const Name& name : names) {
+    if (name.text == text) return name.variant;
   }
-  return true;
+  return {};
+}
+
+/// "NAME=off, all, ... or tree is needed".
+std::string what_is_needed() {
+  std::string text = "NAME=";
+  for (const Name& name : names) {
+    if (&name != &names[0]) text += &name == std::end(names) - 1 ? " or " : ", ";
+    text += name.text;
+  }
+  return text + " is needed";
 }
 
 }  // namespace
 
+std::optional<Candidates> candidates_of(Variant variant) {
+  return std::find_if(std::begin(names), std::end(names),
+                      [&](const Name& name) { return name.variant == variant; })
+      ->candidates;
+}
+
 std::map<VolumeId, Variant> parse_overrides(const World& world, std::string_view text,
                                             std::string* complaints) {
   std::map<VolumeId, Variant> result;
-  const auto complain = [&](std::string_view entry, const char* what) {
+  const auto complain = [&](std::string_view entry, const std::string& what) {
     if (complaints != nullptr) *complaints += "'" + std::string(entry) + "': " + what + "\n";
   };
   while (!text.empty()) {
@@ -41,16 +58,17 @@ std::map<VolumeId, Variant> parse_overrides(const World& world, std::string_view
     const std::string_view entry = text.substr(0, comma);
     text = comma == std::string_view::npos ? std::string_view{} : text.substr(comma + 1);
     const std::size_t equals = entry.rfind('=');
-    Variant variant;
-    if (equals == std::string_view::npos || !parse_variant(entry.substr(equals + 1), variant)) {
-      complain(entry, "NAME=off, all, lanes, nest, rings, wires, grid, boxes or tree is needed");
+    std::optional<Variant> variant;
+    if (equals != std::string_view::npos) variant = parse_variant(entry.substr(equals + 1));
+    if (!variant) {
+      complain(entry, what_is_needed());
       continue;
     }
     const std::string_view name = entry.substr(0, equals);
     bool found = false;
     for (VolumeId v = 0; v < world.volumes.size(); ++v) {
       if (name != "*" && world.volumes[v].name != name) continue;
-      result[v] = variant;
+      result[v] = *variant;
       found = true;
     }
     if (!found) complain(entry, "no logical volume has this name");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,9 @@ enum class Variant : std::uint8_t {
   boxes,  ///< specialised, candidates from cells and blocks of boxes
   tree,   ///< bound to data, candidates from the hierarchy of boxes; all where there is none
 };
+
+/// The search that the variant forces; nothing for off.
+std::optional<Candidates> candidates_of(Variant variant);
 
 /// Parses "NAME=VARIANT,NAME=VARIANT": logical volumes by name ("*" for every one; later entries
 /// override earlier ones), variants off, all, lanes, nest, rings, wires, grid, boxes, tree. What
