@@ -7,14 +7,15 @@ namespace navjit::codegen {
 namespace {
 
 constexpr std::array order{
-    "convex",  "box",          "trd",          "trap",      "wedge",   "tube",   "cone",   "orb",
-    "sphere",  "sections",     "polycone",     "polyhedra", "hull",    "facets", "pairs",  "torus",
-    "quadric", "twisted_tube", "twisted_trap", "arb8",      "cuttube", "scaled", "boolean"};
+    "convex", "box",      "trd",          "trap",         "wedge", "tube",    "cone",   "orb",
+    "sphere", "sections", "polycone",     "polyhedra",    "hull",  "facets",  "pairs",  "prism",
+    "torus",  "quadric",  "twisted_tube", "twisted_trap", "arb8",  "cuttube", "scaled", "boolean"};
 constexpr std::array box{"convex", "box"};
 constexpr std::array trd{"convex", "trd"};
 constexpr std::array trap{"convex", "trap"};
 constexpr std::array hull{"convex", "trap", "hull"};
 constexpr std::array facets{"convex", "facets"};
+constexpr std::array prism{"convex", "facets", "pairs", "prism"};
 constexpr std::array arb8{"convex", "pairs", "quadric", "arb8"};
 constexpr std::array cut_tube{"convex", "trap", "wedge", "tube", "cuttube"};
 constexpr std::array scaled{"convex", "scaled"};
@@ -49,6 +50,8 @@ std::span<const char* const> kernels_of(SolidKind kind) {
       return hull;
     case SolidKind::facets:
       return facets;
+    case SolidKind::prism:
+      return prism;
     case SolidKind::arb8:
       return arb8;
     case SolidKind::cut_tube:
@@ -102,6 +105,8 @@ std::string shape_type(SolidKind kind) {
       return "Hull<double>";
     case SolidKind::facets:
       return "Facets<double>";
+    case SolidKind::prism:
+      return "Prism<double>";
     case SolidKind::arb8:
       return "Arb8<double>";
     case SolidKind::cut_tube:

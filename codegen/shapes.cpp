@@ -19,6 +19,7 @@ std::string element_type(const kernels::SideNormal<double>&) { return "SideNorma
 std::string element_type(const kernels::Plane<double>&) { return "Plane<double>"; }
 std::string element_type(const kernels::Vec3<double>&) { return "Vec3<double>"; }
 std::string element_type(const kernels::Facet&) { return "Facet"; }
+std::string element_type(const kernels::PlanarCorner<double>&) { return "PlanarCorner<double>"; }
 std::string element_type(const kernels::FacetBox<double>&) { return "FacetBox<double>"; }
 
 /// Writes the fields of a shape as an initialiser; arrays become constants of their own.

@@ -45,6 +45,8 @@ decltype(auto) visit(const AnySolid<Real>& s, F&& f) {
       return f(*static_cast<const Hull<Real>*>(s.shape));
     case SolidKind::facets:
       return f(*static_cast<const Facets<Real>*>(s.shape));
+    case SolidKind::prism:
+      return f(*static_cast<const Prism<Real>*>(s.shape));
     case SolidKind::arb8:
       return f(*static_cast<const Arb8<Real>*>(s.shape));
     case SolidKind::cut_tube:

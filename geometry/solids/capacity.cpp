@@ -65,6 +65,7 @@ double volume(const kernels::Trap<double>& s) {
 
 double volume(const kernels::Hull<double>& s) { return detail::hull_volume(s); }
 double volume(const kernels::Facets<double>& s) { return detail::facets_volume(s); }
+double volume(const kernels::Prism<double>& s) { return detail::prism_volume(s); }
 
 double volume(const kernels::CutTube<double>& s) {
   // The integral of the height over the sector: linear in x and y.

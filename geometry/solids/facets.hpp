@@ -1,6 +1,7 @@
-// Bodies of planes and of triangles. Private to geometry/solids.
+// Bodies of planes, of triangles and upright prisms. Private to geometry/solids.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "geometry/solids/make.hpp"
@@ -11,6 +12,12 @@ namespace navjit::detail {
 Solid make_hull(std::string name, std::vector<kernels::Plane<double>> planes, const Extent& extent);
 /// The volume behind the planes, mm^3.
 double hull_volume(const kernels::Hull<double>& hull);
+
+/// The upright prism over a polygon: its corners anticlockwise, none on a line with its neighbours,
+/// no edge crossing another. The corners' own z do not matter.
+Solid make_prism(std::string name, std::span<const Vec3> corners, double z_low, double z_high);
+/// mm^3.
+double prism_volume(const kernels::Prism<double>& s);
 
 /// The plane through three points, with its normal towards the side from which they run
 /// anticlockwise; all zero if they are on a line.

@@ -124,6 +124,24 @@ void visit_fields(const Facets<Real>& s, V&& visit) {
 }
 
 template <class Real, class V>
+void visit_fields(const PlanarCorner<Real>& s, V&& visit) {
+  visit("x", s.x);
+  visit("y", s.y);
+}
+
+template <class Real, class V>
+void visit_fields(const Prism<Real>& s, V&& visit) {
+  visit("corners", s.corners, s.count);
+  visit("count", s.count);
+  visit("z_low", s.z_low);
+  visit("z_high", s.z_high);
+  visit("x_low", s.x_low);
+  visit("x_high", s.x_high);
+  visit("y_low", s.y_low);
+  visit("y_high", s.y_high);
+}
+
+template <class Real, class V>
 void visit_fields(const TwistedFace<Real>& s, V&& visit) {
   visit("a", s.a);
   visit("b", s.b);

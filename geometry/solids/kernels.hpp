@@ -19,6 +19,7 @@
 #include "geometry/kernels/polycone.h"
 #include "geometry/kernels/polyhedra.h"
 #include "geometry/kernels/pairs.h"
+#include "geometry/kernels/prism.h"
 #include "geometry/kernels/torus.h"
 #include "geometry/kernels/quadric.h"
 #include "geometry/kernels/twisted_tube.h"

@@ -18,6 +18,8 @@ const char* kind_name(SolidKind kind) {
       return "hull";
     case SolidKind::facets:
       return "facets";
+    case SolidKind::prism:
+      return "prism";
     case SolidKind::arb8:
       return "arb8";
     case SolidKind::cut_tube:

@@ -86,6 +86,19 @@ class WideSolid {
             wide_array(s.facets, s.facet_count),   s.facet_count,
             wide_array(s.boxes, s.box_count),      s.box_count};
   }
+  kernels::PlanarCorner<Real> wide(const kernels::PlanarCorner<double>& s) {
+    return {wide(s.x), wide(s.y)};
+  }
+  kernels::Prism<Real> wide(const kernels::Prism<double>& s) {
+    return {wide_array(s.corners, s.count),
+            s.count,
+            wide(s.z_low),
+            wide(s.z_high),
+            wide(s.x_low),
+            wide(s.x_high),
+            wide(s.y_low),
+            wide(s.y_high)};
+  }
   kernels::TwistedFace<Real> wide(const kernels::TwistedFace<double>& s) {
     return {wide(s.a), wide(s.b), wide(s.c), wide(s.d), wide(s.e), wide(s.f), wide(s.g)};
   }

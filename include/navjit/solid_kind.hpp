@@ -14,6 +14,7 @@ enum class SolidKind : std::uint8_t {
   trap,
   hull,
   facets,
+  prism,
   arb8,
   cut_tube,
   orb,

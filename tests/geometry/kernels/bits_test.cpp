@@ -35,6 +35,9 @@ constexpr V corners[] = {{-0.9, -0.8, -0.7}, {1.1, -0.6, -0.5}, {0.2, 1.2, -0.6}
 constexpr Facet triangles[] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 constexpr FacetBox<double> boxes[] = {{-0.9, -0.8, -0.7, 1.1, 1.2, 1.3, 0, 4, 1}};
 constexpr Facets<double> facets{corners, 4, triangles, 4, boxes, 1};
+constexpr PlanarCorner<double> outline[] = {
+    {-0.9, -0.8}, {1.1, -0.6}, {0.9, 0.8}, {0.2, -0.1}, {-0.7, 0.9}};
+constexpr Prism<double> prism{outline, 5, -0.7, 0.9, -0.9, 1.1, -0.8, 0.9};
 constexpr Arb8<double> arb8{0.8,
                             1.2,
                             1.2,
@@ -106,6 +109,14 @@ Facets<Real> hidden(const Facets<Real>& s) {
   copy.corners = opaque(&own[0]);
   return copy;
 }
+template <class Real>
+Prism<Real> hidden(const Prism<Real>& s) {
+  static PlanarCorner<Real> own[5];
+  std::copy_n(s.corners, 5, own);
+  Prism<Real> copy = opaque(s);
+  copy.corners = opaque(&own[0]);
+  return copy;
+}
 template <class Shape>
 Shape hidden(const Shape& s) {
   return opaque(s);
@@ -138,6 +149,7 @@ TEST(KernelBits, AreThoseOfLiteralShapes) {
   compare<trap>();
   compare<hull>();
   compare<facets>();
+  compare<prism>();
   compare<arb8>();
   compare<cut_tube>();
   compare<orb>();

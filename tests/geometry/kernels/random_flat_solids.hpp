@@ -51,6 +51,35 @@ inline SolidCase random_extruded(Random& random) {
   return {make_extruded("xtru", polygon, sections), extruded_distance(polygon, sections), 6 * s};
 }
 
+/// A comb with up to seven teeth, turned by any angle or by none.
+inline SolidCase random_prism(Random& random) {
+  const double s = random.scale(1e-3, 1e4);
+  const int teeth = random.integer(2, 7);
+  std::vector<Corner> polygon{{s, s * random.uniform(-1.5, -0.8)}};
+  for (int i = 0; i < teeth; ++i) {
+    const double low = s * (2.0 * i / teeth - 1), width = s * random.uniform(0.2, 1.5) / teeth;
+    const double top = s * random.uniform(0, 1), bottom = -0.5 * s;
+    const double lean = random.chance(0.5) ? 0 : 0.1 * s / teeth;
+    const double right = -low, left = right - width;
+    polygon.push_back({right, bottom});
+    polygon.push_back({right - lean, top});
+    polygon.push_back({left + lean, top});
+    polygon.push_back({left, bottom});
+  }
+  polygon.push_back({-s, polygon[0].y});
+  const double phi = random.chance(0.5) ? 0 : random.uniform(0, 7), c = std::cos(phi),
+               sine = std::sin(phi);
+  for (Corner& p : polygon) p = {c * p.x - sine * p.y, sine * p.x + c * p.y};
+  if (random.chance(0.5)) std::reverse(polygon.begin(), polygon.end());
+  const double z = s * random.uniform(-1, 1), dx = s * random.uniform(-1, 1);
+  const std::vector<ExtrudedSection> sections{{z, dx, 0, 0.7},
+                                              {z + s * random.scale(0.05, 2), dx, 0, 0.7}};
+  SolidCase made{make_extruded("prism", polygon, sections), extruded_distance(polygon, sections),
+                 6 * s};
+  EXPECT_EQ(made.solid.kind, SolidKind::prism);
+  return made;
+}
+
 inline SolidCase random_tet(Random& random) {
   const double s = random.scale(1e-3, 1e4);
   for (;;) {
@@ -270,6 +299,7 @@ inline SolidCase random_scaled(Random& random) {
 }
 
 constexpr Maker flat_makers[] = {{"extruded", random_extruded},
+                                 {"prism", random_prism},
                                  {"tet", random_tet},
                                  {"para", random_para},
                                  {"tessellated", random_tessellated},

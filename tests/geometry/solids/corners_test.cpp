@@ -76,7 +76,13 @@ TEST(Corners, VolumesAreThoseOfTextbooks) {
 
 TEST(Corners, KindsAreTheSimplestThatServe) {
   EXPECT_EQ(make_extruded("s", square, prism).kind, SolidKind::hull);
-  EXPECT_EQ(make_extruded("s", corner, prism).kind, SolidKind::facets);
+  EXPECT_EQ(make_extruded("s", corner, prism).kind, SolidKind::prism);
+  EXPECT_EQ(make_extruded("s", corner, Sections{{0, 0, 0, 1}, {1, 0, 0, 1}, {3, 0, 0, 1}}).kind,
+            SolidKind::prism);
+  EXPECT_EQ(make_extruded("s", corner, Sections{{0, 0, 0, 1}, {1, 1, 0, 1}}).kind,
+            SolidKind::facets);
+  EXPECT_EQ(make_extruded("s", corner, Sections{{0, 0, 0, 1}, {1, 0, 0, 2}}).kind,
+            SolidKind::facets);
   EXPECT_EQ(make_arb8("s", 1, upright).kind, SolidKind::hull);
   PlanarPoint twisted[8];
   std::copy(std::begin(upright), std::end(upright), twisted);

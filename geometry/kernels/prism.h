@@ -1,0 +1,256 @@
+// An upright prism: a polygon, convex or not, that does not cross itself, between two faces across
+// z. Seen along z a ray crosses edges, each as often as its ends are on different sides of the ray:
+// a corner counts the same for both of its edges, so that entries and exits always cancel and no
+// ray is lost through a corner (as for `Facets`, of which this is the case in a plane).
+//
+// A crossing is behind the start if its path is not positive, or if the start is within the
+// tolerance of its edge. What is not behind is ahead, and tells by itself whether the start is in
+// the polygon: as many exits ahead as entries, or more.
+namespace navjit::kernels {
+
+template <class Real>
+struct PlanarCorner {
+  Real x, y;
+};
+
+template <class Real>
+struct Prism {
+  const PlanarCorner<Real>* corners;  ///< anticlockwise
+  int count;
+  Real z_low, z_high;
+  Real x_low, x_high, y_low, y_high;  ///< the box around the polygon
+};
+
+/// The square of the distance of (x, y) from the edge that ends at corner i.
+template <class Real>
+Real edge_distance2(const Prism<Real>& s, int i, Real x, Real y) {
+  const PlanarCorner<Real>&a = s.corners[i == 0 ? s.count - 1 : i - 1], &b = s.corners[i];
+  const Real ux = b.x - a.x, uy = b.y - a.y, wx = x - a.x, wy = y - a.y;
+  const Real length2 = ux * ux + uy * uy, along = ux * wx + uy * wy;
+  if (!(along > 0)) return wx * wx + wy * wy;
+  if (!(along < length2)) return (x - b.x) * (x - b.x) + (y - b.y) * (y - b.y);
+  const Real across = ux * wy - uy * wx;
+  return across * across / length2;
+}
+
+/// The number of the nearest edge, and the square of the distance from it.
+template <class Real>
+struct NearestEdge {
+  int edge;
+  Real distance2;
+};
+template <class Real>
+NearestEdge<Real> nearest_edge(const Prism<Real>& s, Real x, Real y) {
+  NearestEdge<Real> nearest{0, infinity<Real>()};
+  for (int i = 0; i < s.count; ++i) {
+    const Real distance2 = edge_distance2(s, i, x, y);
+    if (distance2 < nearest.distance2) nearest = {i, distance2};
+  }
+  return nearest;
+}
+
+/// How far (x, y) is outside of the box around the polygon.
+template <class Real>
+Real outside_box(const Prism<Real>& s, Real x, Real y) {
+  return larger(larger(s.x_low - x, x - s.x_high), larger(s.y_low - y, y - s.y_high));
+}
+
+/// A ray seen along z. `parallel`: it runs along z, and (u, v) is any direction.
+template <class Real>
+struct PlanarRay {
+  Real x, y, u, v;
+  bool parallel;
+};
+template <class Real>
+PlanarRay<Real> seen_along_z(const Vec3<Real>& p, const Direction<Real>& v) {
+  const bool parallel = is_along(v.x) & is_along(v.y);
+  return {p.x, p.y, parallel ? Real(1) : v.x, parallel ? Real(0) : v.y, parallel};
+}
+
+/// The edge that ends at corner i, if the ray runs along it, within the tolerance of it: there it
+/// is in the solid.
+template <class Real>
+bool runs_along(const Prism<Real>& s, int i, const PlanarRay<Real>& ray, Real tol) {
+  const PlanarCorner<Real>&a = s.corners[i == 0 ? s.count - 1 : i - 1], &b = s.corners[i];
+  const Real ux = b.x - a.x, uy = b.y - a.y, length = square_root(ux * ux + uy * uy);
+  if (!is_along((uy * ray.u - ux * ray.v) / length)) return false;
+  return absolute(ux * (ray.y - a.y) - uy * (ray.x - a.x)) <= tol * length;
+}
+
+/// For a ray along an edge: the same ray moved into the solid, clear of the tolerance.
+template <class Real>
+[[gnu::noinline, gnu::cold]] PlanarRay<Real> moved_inside(const Prism<Real>& s, PlanarRay<Real> ray,
+                                                          Real tol) {
+  for (int i = 0; i < s.count; ++i) {
+    if (!runs_along(s, i, ray, tol)) continue;
+    const PlanarCorner<Real>&a = s.corners[i == 0 ? s.count - 1 : i - 1], &b = s.corners[i];
+    const Real ux = b.x - a.x, uy = b.y - a.y, length = square_root(ux * ux + uy * uy);
+    const Real by = 3 * tol + Real(4e-16) * (absolute(ray.x) + absolute(ray.y));
+    ray.x -= by * uy / length;
+    ray.y += by * ux / length;
+    break;
+  }
+  return ray;
+}
+
+/// The crossings ahead, kept from the path `from` on, as crossings_ahead has them for facets.
+template <class Real>
+Crossings<Real> edges_ahead(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol, Real from) {
+  Crossings<Real> c;
+  c.total = 0;
+  c.count = 0;
+  c.beyond = infinity<Real>();
+  const Real length2 = ray.u * ray.u + ray.v * ray.v;
+  const auto side_of = [&](const PlanarCorner<Real>& at) {
+    return ray.u * (at.y - ray.y) - ray.v * (at.x - ray.x);
+  };
+  const PlanarCorner<Real>* before = s.corners + (s.count - 1);
+  Real side_before = side_of(*before);
+  for (int i = 0; i < s.count; ++i) {
+    const PlanarCorner<Real>* at = s.corners + i;
+    const Real side = side_of(*at);
+    if ((side > 0) != (side_before > 0)) {
+      const auto along = [&](const PlanarCorner<Real>& corner) {
+        return ray.u * (corner.x - ray.x) + ray.v * (corner.y - ray.y);
+      };
+      const Real begin = along(*before), end = along(*at);
+      const Real path = begin + (end - begin) * (side_before / (side_before - side));
+      if (path > 0 && edge_distance2(s, i, ray.x, ray.y) > tol * tol) {
+        // Leftwards of the ray: what is inside lies behind the edge.
+        const int turn = side > 0 ? -1 : 1;
+        c.total += turn;
+        const Real t = path / length2;
+        if (t >= from) keep_crossing(c, t, turn);
+      }
+    }
+    before = at;
+    side_before = side;
+  }
+  return c;
+}
+
+/// The ray to ask edges_ahead about: itself, unless it runs along an edge.
+template <class Real>
+PlanarRay<Real> clear_of_edges(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol) {
+  // Both ends of such an edge are within the tolerance of the ray's line, roughly.
+  const auto off = [&](const PlanarCorner<Real>& at) {
+    return absolute(ray.u * (at.y - ray.y) - ray.v * (at.x - ray.x));
+  };
+  const Real near = 4 * tol * (absolute(ray.u) + absolute(ray.v));
+  bool near_before = off(s.corners[s.count - 1]) <= near, any = false;
+  for (int i = 0; i < s.count; ++i) {
+    const bool near_at = off(s.corners[i]) <= near;
+    any |= near_at & near_before;
+    near_before = near_at;
+  }
+  return __builtin_expect(any, 0) ? moved_inside(s, ray, tol) : ray;
+}
+
+/// Whether the polygon holds the start of the ray.
+template <class Real>
+bool holds_start(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol) {
+  if (outside_box(s, ray.x, ray.y) > tol) return false;
+  if (ray.parallel && nearest_edge(s, ray.x, ray.y).distance2 <= tol * tol) return true;
+  return edges_ahead(s, clear_of_edges(s, ray, tol), tol, infinity<Real>()).total < 0;
+}
+
+template <class Real>
+Side inside(const Prism<Real>& s, const Vec3<Real>& p, Real tol) {
+  const Side along_z = worse(Side::inside, larger(p.z - s.z_high, s.z_low - p.z), tol);
+  if (along_z == Side::outside || outside_box(s, p.x, p.y) > tol) return Side::outside;
+  if (nearest_edge(s, p.x, p.y).distance2 <= tol * tol) return Side::surface;
+  const PlanarRay<Real> any{p.x, p.y, Real(1), Real(0), false};
+  return edges_ahead(s, any, tol, infinity<Real>()).total < 0 ? along_z : Side::outside;
+}
+
+template <class Real>
+bool contains(const Prism<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  if (beyond_face(p.z - s.z_high, v.z, tol) || beyond_face(s.z_low - p.z, -v.z, tol)) return false;
+  return holds_start(s, seen_along_z(p, v), tol);
+}
+
+/// The path to the first crossing ahead where the polygon ends; infinity if it does not.
+template <class Real>
+Real path_out_of_polygon(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol,
+                         Crossings<Real> c) {
+  int depth = -c.total;
+  for (;;) {
+    for (int i = 0; i < c.count; ++i) {
+      depth += c.turn[i];
+      if (depth <= 0) return c.t[i];
+    }
+    if (!(c.beyond < infinity<Real>())) return infinity<Real>();
+    c = edges_ahead(s, ray, tol, c.beyond);
+  }
+}
+
+/// The first path, `slab.enter` or more and before `slab.until`, where the ray is in the polygon.
+template <class Real>
+Real path_into_polygon(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol,
+                       Crossings<Real> c, const Span<Real>& slab) {
+  int depth = -c.total;
+  Real begin = larger(slab.enter, Real(0));
+  for (;;) {
+    for (int i = 0; i < c.count; ++i) {
+      if (depth > 0 && begin < c.t[i]) return begin < slab.until ? begin : infinity<Real>();
+      begin = larger(c.t[i], begin);
+      depth += c.turn[i];
+    }
+    if (!(c.beyond < infinity<Real>())) break;
+    c = edges_ahead(s, ray, tol, c.beyond);
+  }
+  return depth > 0 && begin < slab.until ? begin : infinity<Real>();
+}
+
+template <class Real>
+Real distance_to_in(const Prism<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Span<Real> slab = slab_span(s.z_low, s.z_high, p, v, tol);
+  if (!is_ahead(slab)) return infinity<Real>();
+  const PlanarRay<Real> seen = seen_along_z(p, v);
+  if (seen.parallel) {
+    if (!holds_start(s, seen, tol)) return infinity<Real>();
+    return starts_in(slab) ? distance_from_within(s, p, tol) : slab.enter;
+  }
+  const PlanarRay<Real> ray = clear_of_edges(s, seen, tol);
+  const Crossings<Real> c = edges_ahead(s, ray, tol, Real(0));
+  if (c.total < 0 && starts_in(slab) && !(outside_box(s, seen.x, seen.y) > tol)) {
+    return distance_from_within(s, p, tol);
+  }
+  return path_into_polygon(s, ray, tol, c, slab);
+}
+
+template <class Real>
+Real distance_to_out(const Prism<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                     Real tol) {
+  Real leave = leave_face(p.z - s.z_high, v.z, tol, infinity<Real>());
+  leave = leave_face(s.z_low - p.z, -v.z, tol, leave);
+  if (!(leave > 0)) return Real(0);
+  const PlanarRay<Real> seen = seen_along_z(p, v);
+  if (seen.parallel) return holds_start(s, seen, tol) ? leave : Real(0);
+  const PlanarRay<Real> ray = clear_of_edges(s, seen, tol);
+  const Crossings<Real> c = edges_ahead(s, ray, tol, Real(0));
+  return c.total < 0 ? smaller(path_out_of_polygon(s, ray, tol, c), leave) : Real(0);
+}
+
+/// Whether the polygon holds the point, without any tolerance.
+template <class Real>
+bool is_in_polygon(const Prism<Real>& s, Real x, Real y) {
+  if (outside_box(s, x, y) > 0) return false;
+  return edges_ahead(s, PlanarRay<Real>{x, y, Real(1), Real(0), false}, Real(0), infinity<Real>())
+             .total < 0;
+}
+
+template <class Real>
+Real safety_to_in(const Prism<Real>& s, const Vec3<Real>& p) {
+  const Real z = larger(larger(s.z_low - p.z, p.z - s.z_high), Real(0));
+  if (is_in_polygon(s, p.x, p.y)) return z;
+  return square_root(nearest_edge(s, p.x, p.y).distance2 + z * z);
+}
+template <class Real>
+Real safety_to_out(const Prism<Real>& s, const Vec3<Real>& p) {
+  const Real z = smaller(s.z_high - p.z, p.z - s.z_low);
+  if (!(z > 0) || !is_in_polygon(s, p.x, p.y)) return Real(0);
+  return smaller(square_root(nearest_edge(s, p.x, p.y).distance2), z);
+}
+
+}  // namespace navjit::kernels

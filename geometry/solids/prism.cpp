@@ -1,0 +1,44 @@
+#include "geometry/solids/facets.hpp"
+
+namespace navjit::detail {
+namespace {
+
+struct Holder {
+  std::vector<kernels::PlanarCorner<double>> corners;
+  kernels::Prism<double> shape;
+};
+
+}  // namespace
+
+double prism_volume(const kernels::Prism<double>& s) {
+  const kernels::PlanarCorner<double>& o = s.corners[0];
+  double twice_area = 0;
+  for (int i = 2; i < s.count; ++i) {
+    const kernels::PlanarCorner<double>&a = s.corners[i - 1], &b = s.corners[i];
+    twice_area += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+  }
+  return twice_area / 2 * (s.z_high - s.z_low);
+}
+
+Solid make_prism(std::string name, std::span<const Vec3> corners, double z_low, double z_high) {
+  const auto holder = std::make_shared<Holder>();
+  Extent e{corners[0], corners[0]};
+  for (const Vec3& p : corners) {
+    holder->corners.push_back({p.x, p.y});
+    e = merged(e, {p, p});
+  }
+  e.min.z = z_low;
+  e.max.z = z_high;
+  holder->shape = {holder->corners.data(),
+                   static_cast<int>(holder->corners.size()),
+                   z_low,
+                   z_high,
+                   e.min.x,
+                   e.max.x,
+                   e.min.y,
+                   e.max.y};
+  return {std::move(name), SolidKind::prism, std::shared_ptr<const void>(holder, &holder->shape),
+          e};
+}
+
+}  // namespace navjit::detail
