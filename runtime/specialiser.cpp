@@ -82,6 +82,8 @@ void Specialiser::run() {
 
 void Specialiser::look_until_stopped() {
   if (spec_.maker) install_remembered(spec_);
+  constexpr double longest_pause = 4;
+  double pause = 1;  // in units of poll_ms
   std::unique_lock lock(spec_.mutex);
   while (!spec_.stopping()) {
     lock.unlock();
@@ -102,9 +104,12 @@ void Specialiser::look_until_stopped() {
     const bool idle = batch.empty() && !more_to_bind;
     if (idle) idle_look_ = looks_;
     spec_.wake.notify_all();
+    // The longer nothing happens, the less often it looks.
+    const bool quiet = idle && !spec_.trials.open() && waiting_for_idle_ == 0;
+    pause = quiet ? std::min(2 * pause, longest_pause) : 1;
     if (idle) {
       spec_.wake.wait_for(lock, std::chrono::duration<double, std::milli>(
-                                    spec_.shared->options.specialiser.poll_ms));
+                                    pause * spec_.shared->options.specialiser.poll_ms));
     }
   }
 }
@@ -112,10 +117,13 @@ void Specialiser::look_until_stopped() {
 void Specialiser::wait_until_idle() {
   if (!thread_.joinable()) return;
   std::unique_lock lock(spec_.mutex);
+  ++waiting_for_idle_;
+  spec_.wake.notify_all();
   // Two looks from now the counts of this moment were seen; what is due on them comes first.
   spec_.wake.wait(lock, [&, target = looks_ + 2] {
     return ended_ || spec_.stopping() || idle_look_ >= target;
   });
+  --waiting_for_idle_;
 }
 
 void Specialiser::specialise_all() {

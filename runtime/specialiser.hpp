@@ -38,6 +38,7 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
   bool ended_ = false;           ///< the thread uses nothing any more
   std::uint64_t looks_ = 0;      ///< completed passes over the profile
   std::uint64_t idle_look_ = 0;  ///< the last that found nothing to do
+  int waiting_for_idle_ = 0;     ///< threads
 
   std::thread thread_;
 };
