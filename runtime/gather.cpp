@@ -23,10 +23,11 @@ void gather(Specialisation& spec) {
   spec.looked_at = now;
   for (const auto& profile : counts.profiles) {
     for (Sample sample; profile->take(sample);) {
-      if (sample.mother != Sample::no_volume) spec.steps_below[sample.mother] += Profile::period;
       if (sample.ticks > 0) {
         spec.trials.record(sample.volume, sample.used, static_cast<double>(sample.ticks));
       }
+      if (sample.safety) continue;
+      if (sample.mother != Sample::no_volume) spec.steps_below[sample.mother] += Profile::period;
       auto& fresh = spec.fresh[sample.volume];
       if (fresh.size() < fresh_kept) fresh.push_back(sample);
       auto& kept = spec.samples[sample.volume];

@@ -77,11 +77,21 @@ double Navigator::safety(const State& from, const Vec3& point) {
   require_finite(point, "the point");
   restore_unless_at(from);
   const NavigationStack& stack = own_->stack;
+  const kernels::StackLevel& level = stack.levels[stack.depth];
+  const bool recorded = own_->profile.safety_due();
   own_->read_side->enter();
-  const kernels::DispatchEntry& entry =
-      *kernels::dispatch_entry_of(context_, stack.levels[stack.depth].volume);
+  const kernels::DispatchEntry& entry = *kernels::dispatch_entry_of(context_, level.volume);
+  const std::uint64_t start = recorded ? ticks() : 0;
   const double safety = entry.safety(&stack, context_, entry.data, point.x, point.y, point.z);
+  const std::uint64_t took = recorded ? ticks() - start : 0;
   own_->read_side->leave();
+  if (recorded) {
+    Sample sample{level.touchable, level.volume, point, {0, 0, 0}, 0};
+    sample.used = &entry;
+    sample.ticks = took;
+    sample.safety = true;
+    own_->profile.record(sample);
+  }
   return safety;
 }
 

@@ -1,7 +1,7 @@
 // What is installed is tried in the run's own transport: scenes are switched between their
-// candidates and what was there before, for short stretches, and sampled steps are timed. What is
-// faster on recorded states, replayed, need not be faster where a run's caches and branches are
-// shared by all scenes.
+// candidates and what was there before, for short stretches, and sampled steps and safeties are
+// timed. What is faster on recorded states, replayed, need not be faster where a run's caches and
+// branches are shared by all scenes.
 #pragma once
 
 #include <map>
@@ -16,7 +16,8 @@ struct DispatchEntry;
 
 namespace navjit {
 
-/// Durations of sampled steps, in ticks.
+/// Durations of sampled steps and safeties, in ticks. As many of either as the run asks for: what
+/// counts is what all of them take.
 struct TickSum {
   double count = 0, sum = 0;
 
@@ -64,7 +65,7 @@ class Trials {
   void begin(VolumeId volume, Trial trial, double now);
   /// The volume has another navigator, which is not to be tried.
   void end(VolumeId volume);
-  /// A step in the volume took so long with that navigator.
+  /// A step in the volume, or its safety, took so long with that navigator.
   void record(VolumeId volume, const kernels::DispatchEntry* used, double ticks);
   bool open() const { return open_ > 0; }
 

@@ -25,6 +25,7 @@ struct Sample {
   VolumeId mother = no_volume;                   ///< of the touchable, where it was recorded
   const kernels::DispatchEntry* used = nullptr;  ///< what made the step, if it was timed
   std::uint64_t ticks = 0;                       ///< that it took
+  bool safety = false;                           ///< the safety was asked, and no step made
 
   static constexpr VolumeId no_volume = ~VolumeId{0};
 };
@@ -50,9 +51,11 @@ class Profile {
   bool due() { return --countdown_ == 0; }
   /// By the owner: the next step is due, too.
   void come_again() { countdown_ = 1; }
+  /// By the owner, once a safety: true when it should be recorded.
+  bool safety_due() { return --safety_countdown_ == 0; }
   /// By the owner. A full queue drops the sample.
   void record(const Sample& sample) {
-    countdown_ = period;
+    (sample.safety ? safety_countdown_ : countdown_) = period;
     const std::uint32_t head = head_.load(std::memory_order_relaxed);
     if (head - tail_.load(std::memory_order_acquire) == queue_.size()) return;
     queue_[head % queue_.size()] = sample;
@@ -86,7 +89,7 @@ class Profile {
  private:
   std::size_t size_;
   std::unique_ptr<std::atomic<std::uint64_t>[]> steps_, bail_outs_;
-  std::uint32_t countdown_ = 1;
+  std::uint32_t countdown_ = 1, safety_countdown_ = 1;
   std::array<Sample, 1024> queue_;
   std::atomic<std::uint32_t> head_{0}, tail_{0};
   std::atomic<bool> finished_{false};
