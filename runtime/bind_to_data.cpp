@@ -181,9 +181,12 @@ bool bind_hot_to_data(Specialisation& spec) {
     if (spec.stopping() || steady_seconds() > until) return true;
     bind_to_data(spec, volume);
   }
-  for (const VolumeId volume : many_rare_leaves(spec, least)) {
+  // Once it is due, all of it is, though less and less of it is left.
+  if (spec.leaves_due.empty()) spec.leaves_due = many_rare_leaves(spec, least);
+  while (!spec.leaves_due.empty()) {
     if (spec.stopping() || steady_seconds() > until) return true;
-    bind_one_of_many(spec, volume);
+    bind_one_of_many(spec, spec.leaves_due.back());
+    spec.leaves_due.pop_back();
   }
   return false;
 }

@@ -42,6 +42,7 @@ struct Specialisation {
   StateSampler sampler;
   std::shared_ptr<codegen::Arena> arena = std::make_shared<codegen::Arena>();  ///< bound data
   std::set<VolumeId> bound;  ///< volumes that need not, or must not, be bound to data (again)
+  std::vector<VolumeId> leaves_due;  ///< rare ones that are to be bound together
   /// By volume: another way to bind it, to be tried once the first was judged.
   std::map<VolumeId, const kernels::DispatchEntry*> second_choices;
   Trials trials;
