@@ -25,11 +25,6 @@ constexpr std::size_t most_boxes_in_code = 4096;
 constexpr std::size_t most_classes = 64;
 constexpr std::size_t most_numbers = 4000;
 
-/// Kernels that cost so much more than a slab test that their box goes first.
-bool costly(SolidKind kind) {
-  return kind != SolidKind::box && kind != SolidKind::tube && kind != SolidKind::cone;
-}
-
 std::vector<DaughterClass> classify(const Geometry& geometry, const Scene& scene) {
   std::vector<DaughterClass> classes;
   std::map<std::pair<std::string, bool>, std::size_t> known;
@@ -44,7 +39,7 @@ std::vector<DaughterClass> classify(const Geometry& geometry, const Scene& scene
     DaughterClass c;
     c.shapes.push_back({d.solid, geometry.world().volumes[d.volume].solid.extent});
     c.rotated = d.transformation.rotated;
-    c.box_first = costly(d.solid.kind);
+    c.box_first = is_costly(d.solid.kind);
     c.members.push_back(k);
     classes.push_back(std::move(c));
   }
@@ -109,6 +104,10 @@ bool has_boxes_along_axes(const Scene& scene, const ScenePlan& plan) {
 }
 
 }  // namespace
+
+bool is_costly(SolidKind kind) {
+  return kind != SolidKind::box && kind != SolidKind::tube && kind != SolidKind::cone;
+}
 
 ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId volume) {
   const Scene& scene = geometry.scene(volume);

@@ -14,4 +14,7 @@ bool worth_compiling(const Geometry& geometry, const ScenePlan& plan, std::strin
 /// The plan in lines of text for `navjit inspect`.
 std::string describe(const Geometry& geometry, const ScenePlan& plan);
 
+/// Kernels that cost so much more than a slab test that their box goes first.
+bool is_costly(SolidKind kind);
+
 }  // namespace navjit

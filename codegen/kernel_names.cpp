@@ -32,7 +32,14 @@ constexpr std::array twisted_tube{"convex", "pairs", "quadric", "twisted_tube"};
 constexpr std::array twisted_trap{"convex", "pairs", "twisted_trap"};
 constexpr std::array boolean{"convex", "boolean"};
 
+constexpr std::array of_scenes{"grid",       "boxes",   "four_boxes",   "slabs",
+                               "nest",       "rings",   "wires",        "navigation_stack",
+                               "navigation", "frames",  "bound_solids", "constants",
+                               "daughters",  "classes", "searches"};
+
 }  // namespace
+
+std::span<const char* const> scene_kernels() { return of_scenes; }
 
 std::span<const char* const> kernels_of(SolidKind kind) {
   switch (kind) {

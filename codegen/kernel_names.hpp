@@ -16,6 +16,9 @@ std::string shape_type(SolidKind kind);
 /// All kernel files of solids, in the order in which they have to appear.
 std::span<const char* const> kernel_order();
 
+/// Kernel files of what scenes are made of beside solids, but for the scene itself; in order.
+std::span<const char* const> scene_kernels();
+
 /// Whether a kernel file is small enough to be inlined at every call.
 bool inlines_everywhere(std::string_view kernel);
 

@@ -1,12 +1,11 @@
 #include "codegen/module.hpp"
 
+#include <cstring>
 #include <map>
-#include <set>
 
 #include "codegen/kernel_names.hpp"
 #include "codegen/kernel_texts.hpp"
-#include "codegen/scene_text.hpp"
-#include "codegen/shapes.hpp"
+#include "codegen/scene_types.hpp"
 #include "codegen/text.hpp"
 
 namespace navjit::codegen {
@@ -71,73 +70,94 @@ std::map<VolumeId, Parts> choose_parts(const Geometry& geometry, const WorldFact
   return parts;
 }
 
+constexpr std::size_t table_alignment = 64;
+struct alignas(table_alignment) TableLine {
+  std::byte bytes[table_alignment];
+};
+
+constexpr const char* inlined =
+    "#pragma clang attribute push(__attribute__((always_inline)), apply_to = function)\n";
+constexpr const char* as_it_is = "#pragma clang attribute pop\n";
+
+/// The text of all kernels that scenes of these shapes are made of.
+std::string kernels_for(const Shapes& shapes) {
+  std::string text = "#pragma clang diagnostic ignored \"-Winvalid-offsetof\"\n";
+  const auto add = [&](std::string_view kernel, bool small) {
+    text += (small ? inlined : "") + std::string(kernel_text(kernel)) + (small ? as_it_is : "");
+  };
+  for (const char* head : {"vectors", "prelude"}) add(head, true);
+  for (const char* kernel : kernel_order()) {
+    // Constants fold only into kernels that are inlined; the large ones would be inlined into each
+    // other again and again.
+    if (shapes.kernels().contains(kernel)) add(kernel, inlines_everywhere(kernel));
+  }
+  for (const char* kernel : scene_kernels()) add(kernel, true);
+  add("scene", false);
+  return text;
+}
+
+/// Functions that can be looked up, for one scene.
+std::string entry_functions(const Entry& entry, const std::string& scene) {
+  const std::string data = "const Context* context, const void* data, double x, double y, double z";
+  std::string text = "extern \"C\" double " + entry.step + "(NavigationStack* stack, " + data +
+                     ", double limit) {\n  return step_in<" + scene +
+                     ">(data, stack, context, x, y, z, limit);\n}\n" + "extern \"C\" void " +
+                     entry.relocate + "(NavigationStack* stack, " + data +
+                     ", int blocked) {\n  relocate_in<" + scene +
+                     ">(data, stack, context, x, y, z, blocked);\n}\n";
+  if (entry.safety.empty()) return text;
+  return text + "extern \"C\" double " + entry.safety + "(const NavigationStack* stack, " + data +
+         ") {\n  return safety_in<" + scene + ">(data, stack, x, y, z);\n}\n";
+}
+
 }  // namespace
 
 Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<const VolumeId> hot) {
   Plans plans(geometry, facts);
   const std::map<VolumeId, Parts> parts = choose_parts(geometry, facts, hot, plans);
-  Shapes shapes;
   Neighbours neighbours;
   for (const auto& [volume, part] : parts) {
     if (part.enter) neighbours.enter.insert(volume);
     if (part.reenter) neighbours.reenter.insert(volume);
   }
-  std::string declarations, bodies;
   Module module;
+  const auto arena = std::make_shared<Arena>();
+  std::vector<std::byte> data;
+  Shapes shapes;
+  std::string declarations, types, functions;
   for (const auto& [volume, part] : parts) {
     const ScenePlan& plan = plans.of(volume);
-    const SceneText text{geometry, facts, plan, neighbours, shapes};
-    const std::string id = std::to_string(volume);
-    const std::string& name = geometry.world().volumes[volume].name;
-    bodies += "\n// --- " + identifier(name) + ": " + identifier(plan.pattern) + "\n\n";
-    if (part.enter) declarations += text.enter_declaration();
-    if (part.reenter) declarations += text.reenter_declaration();
-    if (part.step || part.enter || part.reenter) bodies += text.search();
-    if (part.enter) bodies += text.enter();
-    if (part.reenter) bodies += text.reenter();
-    if (part.step) {
-      const std::string step = "navjit_step_" + id + "_" + identifier(name);
-      const std::string relocate = "navjit_relocate_" + id + "_" + identifier(name);
-      bodies += text.step(step) + text.relocate(relocate);
-      std::string safety;
-      if (plan.safety != SafetyFrom::generic) {
-        safety = "navjit_safety_" + id + "_" + identifier(name);
-        bodies += text.safety(safety);
-      }
-      for (const VolumeId equal : facts.equals[volume]) {
-        module.entries.push_back({equal, step, relocate, safety});
-      }
+    const SceneParts scene = parts_of_scene(geometry, plan, Numbers::constants, shapes);
+    const SceneTables tables = make_tables({geometry, plan, geometry.scene(volume), *arena}, scene);
+    const std::size_t at = (data.size() + table_alignment - 1) / table_alignment * table_alignment;
+    data.resize(at + tables.bytes);
+    std::memcpy(data.data() + at, tables.data, tables.bytes);
+    const std::string name = scene_name(volume);
+    const std::string label = identifier(geometry.world().volumes[volume].name);
+    declarations += "struct " + name + ";\n";
+    types += "\n// --- " + label + ": " + identifier(plan.pattern) + "\n\n" +
+             scene_types(geometry, facts, plan, scene, tables, neighbours, at, name, shapes);
+    if (!part.step) continue;
+    const std::string suffix = std::to_string(volume) + "_" + label;
+    Entry entry{volume, "navjit_step_" + suffix, "navjit_relocate_" + suffix,
+                plan.safety == SafetyFrom::generic ? "" : "navjit_safety_" + suffix};
+    functions += entry_functions(entry, name);
+    for (const VolumeId equal : facts.equals[volume]) {
+      entry.volume = equal;
+      module.entries.push_back(entry);
     }
   }
-  std::string& source = module.source;
-  source += "// Navigators for ";
-  source += std::to_string(hot.size()) + " scenes. Generated: do not edit.\n";
-  const std::string push =
-      "#pragma clang attribute push(__attribute__((always_inline)), apply_to = function)\n";
-  const std::string pop = "#pragma clang attribute pop\n";
-  source += push;
-  for (const char* head : {"vectors", "prelude"}) source += kernel_text(head);
-  source += pop;
-  for (const char* kernel : kernel_order()) {
-    if (!shapes.kernels().contains(kernel)) continue;
-    // Constants fold only into kernels that are inlined; the large ones would be inlined into each
-    // other again and again.
-    const bool small = inlines_everywhere(kernel);
-    source += (small ? push : "") + std::string(kernel_text(kernel)) + (small ? pop : "");
-  }
-  source += push;
-  source += kernel_text("grid");
-  source += kernel_text("boxes");
-  source += kernel_text("slabs");
-  if (shapes.kernels().contains("box")) source += kernel_text("four_boxes");
-  source += kernel_text("nest");
-  source += kernel_text("rings");
-  source += kernel_text("navigation_stack");
-  source += kernel_text("navigation");
-  source += "#pragma clang attribute pop\n\nnamespace navjit::kernels {\n\n";
-  source += "constexpr double tolerance = " + number(geometry.tolerance()) + ";\n";
-  source += shapes.definitions() + declarations + bodies;
-  source += "\n}  // namespace navjit::kernels\n";
+  auto* place = arena->array<TableLine>((data.size() + sizeof(TableLine) - 1) / sizeof(TableLine));
+  if (!data.empty()) std::memcpy(place, data.data(), data.size());
+  module.data = place;
+  module.owner = arena;
+  module.source = "// Navigators for " + std::to_string(hot.size()) +
+                  " scenes. Generated: do not edit.\n" + kernels_for(shapes) +
+                  "\nnamespace navjit::kernels {\nnamespace {\n\nusing Tolerance = "
+                  "ConstantNumber<" +
+                  number(geometry.tolerance()) + ">;\n" + shapes.definitions() + declarations +
+                  types + "\n}  // namespace\n\n" + functions +
+                  "\n}  // namespace navjit::kernels\n";
   return module;
 }
 

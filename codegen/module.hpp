@@ -1,12 +1,13 @@
 // ScenePlans in, the text of one module out: header-free C++ with the kernels it needs.
 #pragma once
 
-#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "analysis/plan.hpp"
+#include "codegen/data/arena.hpp"
 
 namespace navjit::codegen {
 
@@ -22,6 +23,9 @@ struct Entry {
 struct Module {
   std::string source;
   std::vector<Entry> entries;
+  /// What the functions are handed as their data: tables of all scenes, which use the Geometry.
+  const void* data = nullptr;
+  std::shared_ptr<const Arena> owner;  ///< of the data
 };
 
 /// Generates navigators for `hot` volumes and all of equal structure. Where scenes feed each other

@@ -5,6 +5,7 @@
 #include "analysis/solid_key.hpp"
 #include "codegen/kernel_names.hpp"
 #include "codegen/text.hpp"
+#include "codegen/typed_solid.hpp"
 #include "geometry/solids/fields.hpp"
 
 namespace navjit::codegen {
@@ -64,14 +65,6 @@ struct LiteralWriter {
   }
 };
 
-/// A moved box is no dearer than the test of its box.
-bool boxed(const kernels::AnyOperand<double>& operand) {
-  if (operand.boxed == 0) return false;
-  if (operand.solid.kind != SolidKind::placed) return true;
-  const auto& placed = *static_cast<const kernels::AnyPlaced<double>*>(operand.solid.shape);
-  return placed.rotated != 0 || placed.solid.kind != SolidKind::box;
-}
-
 }  // namespace
 
 void Shapes::need(SolidKind kind) {
@@ -81,7 +74,7 @@ void Shapes::need(SolidKind kind) {
 std::string Shapes::type(const AnySolid<double>& solid) {
   need(solid.kind);
   const auto operand = [&](const kernels::AnyOperand<double>& s) {
-    return boxed(s) ? "Boxed<double, " + type(s.solid) + ">" : type(s.solid);
+    return keeps_box(s) ? "Boxed<double, " + type(s.solid) + ">" : type(s.solid);
   };
   const auto pair = [&](const char* name, const auto& a, const auto& b) {
     return std::string(name) + "<" + operand(a) + ", " + operand(b) + ">";
@@ -137,7 +130,7 @@ std::string Shapes::literal(const AnySolid<double>& solid) {
 }
 
 std::string Shapes::operand_literal(const kernels::AnyOperand<double>& operand) {
-  if (!boxed(operand)) return literal(operand.solid);
+  if (!keeps_box(operand)) return literal(operand.solid);
   std::string text = "{" + literal(operand.solid) + ", 1, {";
   for (const double x : operand.low) text += number(x) + ", ";
   text += "}, {";

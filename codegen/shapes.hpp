@@ -14,20 +14,20 @@ class Shapes {
  public:
   /// The name of a constant that holds the shape; defines it on first use.
   std::string constant(const kernels::AnySolid<double>& solid);
-  /// A kind of which there are shapes that are no constants: in tables.
-  void need(SolidKind kind);
+  /// The type of a solid, in namespace navjit::kernels.
+  std::string type(const kernels::AnySolid<double>& solid);
   /// The definitions so far, in order of use.
   const std::string& definitions() const { return definitions_; }
   /// Names of the kernel files that the shapes need.
   const std::set<std::string>& kernels() const { return kernels_; }
 
  private:
-  std::string type(const kernels::AnySolid<double>& solid);
+  void need(SolidKind kind);
   std::string literal(const kernels::AnySolid<double>& solid);
   std::string operand_literal(const kernels::AnyOperand<double>& operand);
 
-  std::map<std::string, std::string> constants_;  ///< name by solid_key
-  std::set<std::string> kernels_;
+  std::map<std::string, std::string> constants_;    ///< name by solid_key
+  std::set<std::string> kernels_{"convex", "box"};  ///< boxes are in the tables of daughters
   std::string definitions_;
   int arrays_ = 0;
 };

@@ -13,11 +13,6 @@ std::string number(double value) {
   return text;
 }
 
-std::string float_number(float value) {
-  if (std::isinf(value)) return value > 0 ? "__builtin_inff()" : "-__builtin_inff()";
-  return number(static_cast<double>(value)) + "f";
-}
-
 std::string identifier(std::string_view name) {
   std::string out;
   for (const char c : name.substr(0, 60)) {

@@ -24,11 +24,13 @@ constexpr double try_again_after = 16;
 /// A module's code, and the records that point into it.
 struct Installed {
   jit::Code code;
+  std::shared_ptr<const codegen::Arena> tables;
   std::vector<kernels::DispatchEntry> records;
 };
 
 /// The functions of an entry; null where the code has them not. A safety need not be there.
-kernels::DispatchEntry find_entry(const jit::Code& code, const codegen::Entry& entry) {
+kernels::DispatchEntry find_entry(const jit::Code& code, const codegen::Entry& entry,
+                                  const void* data) {
   const auto step = code.function<std::remove_pointer_t<kernels::StepFunction>>(entry.step);
   const auto relocate =
       code.function<std::remove_pointer_t<kernels::RelocateFunction>>(entry.relocate);
@@ -36,7 +38,8 @@ kernels::DispatchEntry find_entry(const jit::Code& code, const codegen::Entry& e
   return {step ? *step : nullptr, relocate ? *relocate : nullptr,
           entry.safety.empty() ? generic::dispatch_entry.safety
           : safety             ? *safety
-                               : nullptr};
+                               : nullptr,
+          data};
 }
 
 /// Verifies, times and installs one scene; `problem` says what was wrong with it.
@@ -100,7 +103,7 @@ bool install(Specialisation& spec, const codegen::Module& module, jit::Code code
              double start) {
   const double compile_ms = (steady_seconds() - start) * 1e3;
   const std::size_t code_bytes = code.report().code_bytes;
-  auto installed = std::make_shared<Installed>(Installed{std::move(code), {}});
+  auto installed = std::make_shared<Installed>(Installed{std::move(code), module.owner, {}});
   bool all_good = true;
   installed->records.reserve(module.entries.size());  // pointers to records are published
   for (const codegen::Entry& entry : module.entries) {
@@ -112,7 +115,7 @@ bool install(Specialisation& spec, const codegen::Module& module, jit::Code code
     report.compile_ms = compile_ms / static_cast<double>(module.entries.size());
     report.origin = cached ? CodeOrigin::cache : CodeOrigin::compiler;
     std::string problem = "the generated function is missing";
-    const kernels::DispatchEntry record = find_entry(installed->code, entry);
+    const kernels::DispatchEntry record = find_entry(installed->code, entry, module.data);
     if (record.step == nullptr || record.relocate == nullptr || record.safety == nullptr ||
         !install_scene(spec, entry.volume, installed->records.emplace_back(record), installed,
                        spec.shared->options.specialiser.keep_only_faster, report, problem)) {

@@ -2,8 +2,10 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <exception>
 #include <set>
+#include <span>
 #include <string_view>
 
 #include "cache/sha256.hpp"
@@ -56,6 +58,23 @@ std::string unsuitable(void* library, const Geometry& geometry) {
   }
   const std::string missing = missing_feature(features);
   return missing.empty() ? "" : "it needs a processor with " + missing;
+}
+
+/// The module that the library was made from, whose tables its code is handed.
+Expected<codegen::Module> module_of(void* library, const Geometry& geometry) {
+  const auto* count = symbol<unsigned>(library, "navjit_plugin_hot_count");
+  const auto* hot = symbol<VolumeId>(library, "navjit_plugin_hot");
+  const auto* source = symbol<char>(library, "navjit_plugin_source");
+  if (count == nullptr || hot == nullptr || source == nullptr || *count > 2 * geometry.size() ||
+      std::any_of(hot, hot + *count, [&](VolumeId v) { return v >= geometry.size(); })) {
+    return Failure{"it is no complete plugin"};
+  }
+  codegen::Module module =
+      codegen::generate(geometry, analyse_world(geometry), std::span(hot, *count));
+  if (module_fingerprint(module) != source) {
+    return Failure{"its scenes are not those of this detector: specialise again"};
+  }
+  return module;
 }
 
 }  // namespace
@@ -124,6 +143,9 @@ Expected<std::shared_ptr<const Plugin>> Plugin::load_checked(const std::string& 
       safeties == nullptr || *count > geometry.size()) {
     return fail("it is no complete plugin");
   }
+  const Expected<codegen::Module> module = module_of(library, geometry);
+  if (!module) return fail(module.failure().message);
+  plugin->tables_ = module->owner;
   std::set<VolumeId> seen;
   for (unsigned i = 0; i < *count; ++i) {
     if (volumes[i] >= geometry.size() || !seen.insert(volumes[i]).second || steps[i] == nullptr ||
@@ -132,7 +154,7 @@ Expected<std::shared_ptr<const Plugin>> Plugin::load_checked(const std::string& 
     }
     const kernels::SafetyFunction safety =
         safeties[i] != nullptr ? safeties[i] : generic::dispatch_entry.safety;
-    plugin->entries_.push_back({volumes[i], {steps[i], relocates[i], safety}});
+    plugin->entries_.push_back({volumes[i], {steps[i], relocates[i], safety, module->data}});
   }
   return std::shared_ptr<const Plugin>(std::move(plugin));
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cache/trust.hpp"
+#include "codegen/data/arena.hpp"
 #include "geometry/navigation/geometry.hpp"
 #include "navjit/detail/expected.hpp"
 
@@ -38,6 +39,7 @@ class Plugin {
 
   cache::File file_;  ///< stays open: the system's loader knows the library by this descriptor
   void* library_;
+  std::shared_ptr<const codegen::Arena> tables_;
   std::vector<Entry> entries_;
 };
 

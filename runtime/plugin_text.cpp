@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "codegen/module.hpp"
+#include "cache/sha256.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/plugin_features.hpp"
 
@@ -16,9 +16,15 @@ std::string constant(const std::string& type, const std::string& name, const std
 
 }  // namespace
 
+std::string module_fingerprint(const codegen::Module& module) {
+  return cache::hex(cache::sha256({module.source}));
+}
+
 std::string plugin_source(const Geometry& geometry, const WorldFacts& facts,
                           std::span<const VolumeId> volumes) {
   const codegen::Module module = codegen::generate(geometry, facts, volumes);
+  std::string hot;
+  for (const VolumeId volume : volumes) hot += std::to_string(volume) + ", ";
   std::string numbers, steps, relocates, safeties;
   for (const codegen::Entry& entry : module.entries) {
     numbers += std::to_string(entry.volume) + ", ";
@@ -36,6 +42,7 @@ std::string plugin_source(const Geometry& geometry, const WorldFacts& facts,
   text += constant("const unsigned", "format", std::to_string(plugin_format));
   text += constant("const unsigned", "abi", "navjit::kernels::abi_version");
   text += constant("const unsigned", "count", std::to_string(module.entries.size()));
+  text += constant("const unsigned", "hot_count", std::to_string(volumes.size()));
   const auto array = [&](const std::string& type, const std::string& name,
                          const std::string& value) {
     text += "extern __attribute__((visibility(\"default\"))) " + type + " navjit_plugin_" + name +
@@ -44,6 +51,8 @@ std::string plugin_source(const Geometry& geometry, const WorldFacts& facts,
   array("const char", "geometry", "\"" + geometry_fingerprint(geometry) + "\"");
   array("const char", "generator", "\"" + std::string(generator_fingerprint()) + "\"");
   array("const char", "features", features + "\n");
+  array("const char", "source", "\"" + module_fingerprint(module) + "\"");
+  array("const unsigned", "hot", "{" + hot + "}");
   array("const unsigned", "volumes", "{" + numbers + "}");
   text += "using namespace navjit::kernels;\n";
   array("const navjit::kernels::StepFunction", "steps", "{" + steps + "}");

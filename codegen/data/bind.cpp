@@ -36,10 +36,13 @@ std::string structure_of(const Geometry& geometry, const ScenePlan& plan) {
           : scene.solid.kind == SolidKind::tube ? "tube"
                                                 : "solid";
   static constexpr const char* searches[] = {
-      "",           ", all of",   ", all of",  ", slabs of",     ", nest of",
-      ", rings of", ", wires of", ", grid of", ", boxes around", ", tree of"};
+      "",           ", all of",   ", lanes of", ", slabs of",     ", nest of",
+      ", rings of", ", wires of", ", grid of",  ", boxes around", ", tree of"};
   text += searches[static_cast<int>(plan.candidates)];
   if (scene.daughters.empty()) return text;
+  if (plan.candidates == Candidates::lanes) {
+    text += scene.daughters.size() <= kernels::lanes_of_four ? " four" : " eight";
+  }
   const bool round = plan.candidates == Candidates::nest || plan.candidates == Candidates::rings;
   const bool wires = plan.candidates == Candidates::wires;
   return text + (!round && !wires && all_boxes(scene)            ? " boxes"

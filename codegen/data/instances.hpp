@@ -24,17 +24,17 @@ namespace detail {
 template <class S>
 [[gnu::flatten]] double step_of(NavigationStack* stack, const kernels::Context* context,
                                 const void* data, double x, double y, double z, double limit) {
-  return kernels::step_in(*static_cast<const S*>(data), stack, context, x, y, z, limit);
+  return kernels::step_in<S>(data, stack, context, x, y, z, limit);
 }
 template <class S>
 [[gnu::flatten]] void relocate_of(NavigationStack* stack, const kernels::Context* context,
                                   const void* data, double x, double y, double z, int blocked) {
-  kernels::relocate_in(*static_cast<const S*>(data), stack, context, x, y, z, blocked);
+  kernels::relocate_in<S>(data, stack, context, x, y, z, blocked);
 }
 template <class S>
 [[gnu::flatten]] double safety_of(const NavigationStack* stack, const kernels::Context*,
                                   const void* data, double x, double y, double z) {
-  return kernels::safety_in(*static_cast<const S*>(data), stack, x, y, z);
+  return kernels::safety_in<S>(data, stack, x, y, z);
 }
 
 kernels::SafetyFunction generic_safety();
@@ -55,14 +55,7 @@ const kernels::DispatchEntry* bind(const Geometry& geometry, const ScenePlan& pl
   make(source, scene.mother);
   make(source, scene.daughters);
   make(source, scene.search);
-  const NeighbourLists& s = source.scene.neighbour_lists;
-  if (!s.of.empty()) {
-    scene.lists = make_neighbour_lists(source);
-    scene.neighbours = arena.copy(s.neighbours);
-  }
-  if (plan.safety == SafetyFrom::boxes) {
-    scene.boxes = make_near_boxes(plan.tree_boxes, arena);
-  }
+  make_shared_tables(source, scene);
   // Another search may be bound in the place of the one that the plan's safety is for.
   const bool left_to_generic =
       plan.safety == SafetyFrom::generic ||
@@ -78,7 +71,13 @@ const kernels::DispatchEntry* bind_search(const Geometry& geometry, const SceneP
   switch (plan.candidates) {
     case Candidates::none:
     case Candidates::all:
+      break;
     case Candidates::lanes:
+      if constexpr (std::is_same_v<Daughters, kernels::BoxDaughters>) {
+        return geometry.scene(plan.volume).daughters.size() <= kernels::lanes_of_four
+                   ? bind<Frame, Mother, Daughters, Lanes<1>>(geometry, plan, arena)
+                   : bind<Frame, Mother, Daughters, Lanes<2>>(geometry, plan, arena);
+      }
       break;
     case Candidates::slabs:
       return bind<Frame, Mother, Daughters, kernels::SearchSlabs<Index>>(geometry, plan, arena);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "analysis/plan.hpp"
 #include "geometry/bvh/clustering.hpp"
 #include "geometry/bvh/rounding.hpp"
 #include "geometry/solids/extent.hpp"
@@ -16,10 +17,6 @@ using namespace kernels;
 template <class Shape>
 const Shape& shape_of(const kernels::AnySolid<double>& solid) {
   return *static_cast<const Shape*>(solid.shape);
-}
-
-bool is_leaf(const Source& source, VolumeId volume) {
-  return source.geometry.scene(volume).daughters.empty();
 }
 
 /// The solid with its numbers beside those of the scene, where that is all there is to it.
@@ -38,11 +35,6 @@ kernels::AnySolid<double> nearby(const Source& source, const kernels::AnySolid<d
       return solid;
     }
   });
-}
-
-/// Kernels that cost so much more than a slab test that their box goes first.
-bool costly(SolidKind kind) {
-  return kind != SolidKind::box && kind != SolidKind::tube && kind != SolidKind::cone;
 }
 
 /// Eight boxes; those for which there is none are empty.
@@ -101,6 +93,14 @@ Beside<Index> make_beside(const Source& source, const std::vector<std::uint32_t>
 
 }  // namespace
 
+Extent box_with_margin(const Geometry& geometry, const Daughter& daughter) {
+  // Far more than any rounding, far less than any dimension.
+  const Extent& e = geometry.world().volumes[daughter.volume].solid.extent;
+  const double tolerance = geometry.tolerance();
+  const double scale = std::max(1.0, largest_coordinate(e));
+  return inflated(e, 2 * tolerance + 1e-9 * std::max(scale, tolerance * 1e9));
+}
+
 void make(const Source&, UnrotatedFrame&) {}
 void make(const Source& source, TurnedFrame& frame) { frame.rotation = source.plan.frame.rotation; }
 void make(const Source&, AnyFrame&) {}
@@ -125,7 +125,7 @@ void make(const Source& source, BoxDaughters& daughters) {
     const double* t = from[k].transformation.translation;
     at[k] = {t[0],           t[1],           t[2],
              box.hx,         box.hy,         box.hz,
-             from[k].offset, from[k].volume, is_leaf(source, from[k].volume) ? 1U : 0U};
+             from[k].offset, from[k].volume, is_leaf(source.geometry, from[k].volume) ? 1U : 0U};
   }
   daughters = {at, static_cast<unsigned>(from.size())};
 }
@@ -153,7 +153,7 @@ void make_solids(const Source& source, SolidDaughters<Solid>& daughters) {
   for (std::size_t k = 0; k < from.size(); ++k) {
     const Daughter& d = from[k];
     const Transformation& t = d.transformation;
-    const bool boxed = costly(d.solid.kind);
+    const bool boxed = is_costly(d.solid.kind);
     at[k] = {t.translation[0],
              t.translation[1],
              t.translation[2],
@@ -161,15 +161,11 @@ void make_solids(const Source& source, SolidDaughters<Solid>& daughters) {
              as<Solid>(shapes.at(d.solid.shape)),
              d.offset,
              d.volume,
-             is_leaf(source, d.volume),
+             is_leaf(source.geometry, d.volume),
              boxed};
     if (!boxed) continue;
     if (boxes == nullptr) boxes = source.arena.array<navjit::Vec3[2]>(from.size());
-    // Far more than any rounding, far less than any dimension.
-    const Extent& e = source.geometry.world().volumes[d.volume].solid.extent;
-    const double tolerance = source.geometry.tolerance();
-    const double scale = std::max(1.0, largest_coordinate(e));
-    const Extent box = inflated(e, 2 * tolerance + 1e-9 * std::max(scale, tolerance * 1e9));
+    const Extent box = box_with_margin(source.geometry, d);
     boxes[k][0] = box.min;
     boxes[k][1] = box.max;
   }
@@ -183,6 +179,38 @@ void make(const Source& source, TubeDaughters& daughters) { make_solids(source, 
 
 void make(const Source&, NoSearch&) {}
 void make(const Source&, SearchAll&) {}
+
+void fill_fours(std::span<const Daughter> daughters, std::span<FourBoxes> fours) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < fours.size() * lanes_of_four; ++k) {
+    FourBoxes& four = fours[k / lanes_of_four];
+    const std::size_t lane = k % lanes_of_four;
+    const bool there = k < daughters.size();
+    const double* at = there ? daughters[k].transformation.translation : nullptr;
+    const Box<double> box = there ? shape_of<Box<double>>(daughters[k].solid)
+                                  : Box<double>{-infinite, -infinite, -infinite};
+    four.x[lane] = there ? at[0] : 0;
+    four.y[lane] = there ? at[1] : 0;
+    four.z[lane] = there ? at[2] : 0;
+    four.hx[lane] = box.hx;
+    four.hy[lane] = box.hy;
+    four.hz[lane] = box.hz;
+  }
+}
+
+namespace {
+
+template <int n>
+void make_lanes(const Source& source, Lanes<n>& search) {
+  auto* fours = source.arena.array<FourBoxes[n]>(1);
+  fill_fours(source.scene.daughters, *fours);
+  search.fours.at = fours;
+}
+
+}  // namespace
+
+void make(const Source& source, Lanes<1>& search) { make_lanes(source, search); }
+void make(const Source& source, Lanes<2>& search) { make_lanes(source, search); }
 
 void make(const Source& source, SearchSlabs<Index>& search) {
   const Slabs& s = source.plan.slabs;
@@ -336,16 +364,16 @@ void make(const Source& source, SearchWires<Index>& search) {
   search.boxes = made;
 }
 
-const CompactNeighbourList* make_neighbour_lists(const Source& source) {
-  const NeighbourLists& s = source.scene.neighbour_lists;
-  auto* lists = source.arena.array<CompactNeighbourList>(s.of.size());
-  for (std::size_t k = 0; k < s.of.size(); ++k) {
-    const NeighbourLists::Of& of = s.of[k];
+const kernels::NeighbourList* make_neighbour_lists(const Source& source) {
+  const NeighbourLists& from = source.scene.neighbour_lists;
+  auto* lists = source.arena.array<kernels::NeighbourList>(from.of.size());
+  for (std::size_t k = 0; k < from.of.size(); ++k) {
+    const NeighbourLists::Of& of = from.of[k];
     const Extent& b = of.box;
     lists[k] = {{b.min.x, b.min.y, b.min.z},
                 {b.max.x, b.max.y, b.max.z},
                 of.first,
-                of.listed() ? of.count : CompactNeighbourList::unlisted,
+                of.listed() ? of.count : kernels::NeighbourList::unlisted,
                 of.mother_contains};
   }
   return lists;

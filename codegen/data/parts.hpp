@@ -12,6 +12,8 @@ namespace navjit::codegen {
 
 using Index = unsigned;
 using AnyDaughters = kernels::SolidDaughters<kernels::QuickSolid>;
+template <int n>
+using Lanes = kernels::SearchLanes<kernels::FoursAt<n>>;
 using TubeDaughters = kernels::SolidDaughters<kernels::KnownSolid<kernels::Tube<double>>>;
 
 /// The daughters whose boxes the ray meets, by the generic navigator's hierarchy.
@@ -61,6 +63,8 @@ void make(const Source& source, AnyDaughters& daughters);
 void make(const Source& source, TubeDaughters& daughters);
 void make(const Source& source, kernels::NoSearch& search);
 void make(const Source& source, kernels::SearchAll& search);
+void make(const Source& source, Lanes<1>& search);
+void make(const Source& source, Lanes<2>& search);
 void make(const Source& source, kernels::SearchSlabs<Index>& search);
 void make(const Source& source, kernels::SearchGrid<Index>& search);
 void make(const Source& source, kernels::SearchBoxes<Index>& search);
@@ -69,9 +73,31 @@ void make(const Source& source, kernels::SearchNest<Index>& search);
 void make(const Source& source, kernels::SearchRings<Index>& search);
 void make(const Source& source, kernels::SearchWires<Index>& search);
 
-/// The daughters' neighbour lists; null if the scene does not use it.
-const kernels::CompactNeighbourList* make_neighbour_lists(const Source& source);
+/// Boxes, along the axes, in lanes of four; those for which there is none are empty.
+void fill_fours(std::span<const Daughter> daughters, std::span<kernels::FourBoxes> fours);
+/// The daughters' neighbour lists.
+const kernels::NeighbourList* make_neighbour_lists(const Source& source);
 /// Boxes of all daughters, for safety.
 kernels::NearBoxes make_near_boxes(std::span<const Extent> boxes, Arena& arena);
+
+/// The box of a daughter's solid, in its own frame, with a margin.
+Extent box_with_margin(const Geometry& geometry, const Daughter& daughter);
+/// Whether a volume has no daughters.
+inline bool is_leaf(const Geometry& geometry, VolumeId volume) {
+  return geometry.scene(volume).daughters.empty();
+}
+
+/// What all kinds of scenes have: neighbour lists and boxes.
+template <class Scene>
+void make_shared_tables(const Source& source, Scene& scene) {
+  const NeighbourLists& lists = source.scene.neighbour_lists;
+  if (!lists.of.empty()) {
+    scene.lists = make_neighbour_lists(source);
+    scene.neighbours = source.arena.copy(lists.neighbours);
+  }
+  if (source.plan.safety == SafetyFrom::boxes) {
+    scene.boxes = make_near_boxes(source.plan.tree_boxes, source.arena);
+  }
+}
 
 }  // namespace navjit::codegen

@@ -1,6 +1,7 @@
-// Daughters' solids of data-bound scenes: of any kind, and all of one kind.
+// Solids of data-bound scenes that may be of any kind.
 #pragma once
 
+#include "geometry/navigation/scene.hpp"
 #include "geometry/solids/any_solid.hpp"
 
 namespace navjit::kernels {
@@ -44,32 +45,6 @@ inline double safety_to_in(const QuickSolid& s, const Vec3<double>& p) {
 }
 inline double safety_to_out(const QuickSolid& s, const Vec3<double>& p) {
   return safety_to_out_any(s.any, p);
-}
-
-/// A solid that is known to be of this kind.
-template <class Shape>
-struct KnownSolid {
-  const Shape* shape;
-};
-
-template <class Shape>
-bool contains(const KnownSolid<Shape>& s, const Vec3<double>& p, const Direction<double>& v,
-              double tol) {
-  return contains(*s.shape, p, v, tol);
-}
-template <class Shape>
-double distance_to_in(const KnownSolid<Shape>& s, const Vec3<double>& p, const Direction<double>& v,
-                      double tol) {
-  return distance_to_in(*s.shape, p, v, tol);
-}
-template <class Shape>
-double distance_to_entry(const KnownSolid<Shape>& s, const Vec3<double>& p,
-                         const Direction<double>& v, double tol) {
-  return distance_to_entry(*s.shape, p, v, tol);
-}
-template <class Shape>
-double safety_to_in(const KnownSolid<Shape>& s, const Vec3<double>& p) {
-  return safety_to_in(*s.shape, p);
 }
 
 }  // namespace navjit::kernels

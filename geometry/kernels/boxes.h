@@ -139,46 +139,6 @@ struct BoxDistances {
   }
 };
 
-/// `safety` or the smallest max(bound, away(k)) of what is `count` blocks of daughters in file
-/// order, where that is less. `bound` is the distance to the box: with it the answer does not
-/// depend on who is asked. The block that is nearest is asked first, which spares most others.
-template <class Away>
-inline double safety_among_boxes(const BoxBlock* blocks, unsigned count, const Vec3<double>& p,
-                                 double safety, Away away) {
-  const BoxDistances from(p);
-  const auto ask = [&](unsigned m, Floats distance) {
-    for (unsigned lanes = lanes_of(distance < all_lanes(strictly_above(safety))); lanes != 0;
-         lanes &= lanes - 1) {
-      const unsigned lane = static_cast<unsigned>(__builtin_ctz(lanes));
-      const double bound = static_cast<double>(distance[lane]);
-      if (!(bound < safety)) continue;
-      safety = smaller(larger(away(m * box_lanes + lane), bound), safety);
-    }
-  };
-  constexpr unsigned most = 16;
-  if (count == 1 || count > most) {
-    for (unsigned m = 0; m < count; ++m) ask(m, from.distances(from.squares(blocks[m])));
-    return safety;
-  }
-  Floats squares[most], least = all_lanes(__FLT_MAX__);
-  for (unsigned m = 0; m < count; ++m) {
-    squares[m] = from.squares(blocks[m]);
-    least = smaller_lanes(squares[m], least);
-  }
-  float smallest = least[0];
-  for (int i = 1; i < box_lanes; ++i) smallest = least[i] < smallest ? least[i] : smallest;
-  unsigned nearest = 0;
-  while (nearest + 1 < count && lanes_of(squares[nearest] <= all_lanes(smallest)) == 0) ++nearest;
-  ask(nearest, from.distances(squares[nearest]));
-  // Rounded up, so that no box that is nearer is left out; what is offered is asked above.
-  const float enough = strictly_above(safety * safety * (1 + 0x1p-18));
-  for (unsigned m = 0; m < count; ++m) {
-    if (m == nearest || lanes_of(squares[m] <= all_lanes(enough)) == 0) continue;
-    ask(m, from.distances(squares[m]));
-  }
-  return safety;
-}
-
 /// Daughters for safety: blocks of those that are close together, and boxes around whole blocks.
 struct NearBoxes {
   const BoxBlock* groups;                  ///< lane l of group g is around block g * box_lanes + l

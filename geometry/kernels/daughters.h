@@ -19,6 +19,7 @@ struct BoxDaughter {
 
 struct BoxDaughters {
   static constexpr bool any = true;
+  static constexpr unsigned listed = 0;  ///< how many are types of their own
   const BoxDaughter* at;
   unsigned count;
 
@@ -70,6 +71,7 @@ struct SolidDaughter {
 template <class Solid>
 struct SolidDaughters {
   static constexpr bool any = true;
+  static constexpr unsigned listed = 0;  ///< how many are types of their own
   const SolidDaughter<Solid>* at;
   const Vec3<double> (*boxes)[2];  ///< corners of the solids' boxes, with a margin
   unsigned count;
@@ -140,10 +142,11 @@ struct SolidDaughters {
   }
 };
 
-/// Daughters without what is rare: the ray is_oblique, and distances may be negative where it
-/// starts within (distance_to_entry).
-template <class Daughters>
+/// Daughters without what is rare: distances may be negative where the ray starts within one
+/// (distance_to_entry). `is_oblique`: the ray is known to be.
+template <class Daughters, bool is_oblique>
 struct MostlyAhead {
+  static constexpr unsigned listed = Daughters::listed;
   const Daughters& all;
   unsigned count;
 
@@ -156,6 +159,17 @@ struct MostlyAhead {
                                          double tol) const {
     return all.entry(k, p, v, reach, tol);
   }
+  template <unsigned k>
+  [[gnu::always_inline]] double distance_one(const Vec3<double>& p, const Direction<double>& v,
+                                             double reach, double tol) const {
+    return all.template path_to_one<k, true>(p, v, reach, tol);
+  }
 };
+
+/// Whether the ray is known to be oblique by what daughters are asked through.
+template <class Daughters>
+constexpr bool knows_oblique = false;
+template <class Daughters>
+constexpr bool knows_oblique<MostlyAhead<Daughters, true>> = true;
 
 }  // namespace navjit::kernels

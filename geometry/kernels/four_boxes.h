@@ -49,7 +49,7 @@ inline Doubles distances_to_entry(const FourBoxes& s, const Vec3<double>& p,
   enter = before_x > tol ? before_x * rate_x : enter;
   enter = before_y > tol ? larger_of_four(before_y * rate_y, enter) : enter;
   enter = before_z > tol ? larger_of_four(before_z * rate_z, enter) : enter;
-  return (enter < until) & (until > 0) ? enter : four_of(infinity<double>());
+  return ((enter < until) & (until > 0)) ? enter : four_of(infinity<double>());
 }
 
 /// Folds daughters into the nearest so far, as one after the other would. `v` is_oblique.

@@ -7,7 +7,7 @@ namespace navjit::kernels {
 /// Of a daughter: a box within which tracks leave it, and the neighbours, the only ones that can
 /// contain such a point (navjit::NeighbourLists). A cache line. In single precision the box would
 /// not hold the points on its own faces, where tracks leave it.
-struct alignas(64) CompactNeighbourList {
+struct alignas(64) NeighbourList {
   double low[3], high[3];
   unsigned first;
   unsigned short count;
@@ -16,62 +16,175 @@ struct alignas(64) CompactNeighbourList {
   static constexpr unsigned short unlisted = 0xffff;
 };
 
-inline bool is_there(const CompactNeighbourList& a, const Vec3<double>& p) {
+inline bool is_there(const NeighbourList& a, const Vec3<double>& p) {
   return (p.x >= a.low[0]) & (p.x <= a.high[0]) & (p.y >= a.low[1]) & (p.y <= a.high[1]) &
          (p.z >= a.low[2]) & (p.z <= a.high[2]);
 }
 
-template <class Frame, class Mother, class Daughters, class Search>
-struct Scene {
-  using frame_type = Frame;
-  double tolerance;
-  Frame frame;
-  Mother mother;
-  Daughters daughters;
-  Search search;
-  const CompactNeighbourList* lists;  ///< by daughter; null: not used
-  const unsigned* neighbours;         ///< of daughters, as `lists` counts them
-  NearBoxes boxes;  ///< of daughters, for safety; without blocks every one is asked
+/// What becomes of steps that are rare: from within a daughter, along faces.
+enum class Rare {
+  out_of_line,  ///< made by code apart from the common step's
+  left_out,     ///< left to the generic navigator: much less code
+  taken,        ///< made by the one code there is, which takes every step
 };
 
-/// Into the daughter just pushed, and further down.
+/// Whether a table is there.
+enum class Has { maybe, yes, no };
+
+struct LeaveByStack;
+struct EnterByTable;
+
+/// The static members are what is assumed where no more is known; scenes of which more is known are
+/// derived from this, with members of their own of the same names.
+template <class Frame, class Mother, class Daughters, class Search, class Tolerance = double>
+struct Scene {
+  using frame_type = Frame;
+  using leave = LeaveByStack;
+  using enter = EnterByTable;
+  static constexpr Rare rare = Rare::out_of_line;
+  static constexpr bool oblique_only = true;  ///< rays along planes of the frame's axes are rare
+  static constexpr Has has_lists = Has::maybe, has_boxes = Has::maybe;
+  static constexpr bool shared_moves = false;  ///< relocation is called by others, too
+  static constexpr unsigned long at = 0;       ///< its place in the data of all that it calls
+
+  [[no_unique_address]] Tolerance tolerance;
+  [[no_unique_address]] Frame frame;
+  [[no_unique_address]] Mother mother;
+  [[no_unique_address]] Daughters daughters;
+  [[no_unique_address]] Search search;
+  const NeighbourList* lists;  ///< by daughter; null: not used
+  const unsigned* neighbours;  ///< of daughters, as `lists` counts them
+  NearBoxes boxes;             ///< of daughters, for safety; without blocks every one is asked
+};
+
 template <class S>
-[[gnu::always_inline]] inline void descend_into(const S& s, NavigationStack* stack,
-                                                const Context* context, unsigned k, double x,
-                                                double y, double z) {
-  const auto& d = s.daughters.at[k];
-  if (d.leaf) return;
-  relocate_in_table(stack, context, d.volume, x, y, z, -1);
+[[gnu::always_inline]] inline const S& scene_in(const void* data) {
+  return *reinterpret_cast<const S*>(static_cast<const char*>(data) + S::at);
 }
 
-/// The innermost level has been left: relocates in its mother.
-[[gnu::always_inline]] inline void leave_level(NavigationStack* stack, const Context* context,
-                                               double x, double y, double z) {
-  const unsigned left = stack->levels[stack->depth].daughter;
-  if (--stack->depth < 0) return;
-  relocate_in_table(stack, context, stack->levels[stack->depth].volume, x, y, z,
-                    static_cast<int>(left));
+template <class S>
+[[gnu::always_inline]] inline void go_down(const void* data, NavigationStack* stack,
+                                           const Context* context, double x, double y, double z);
+template <class S>
+[[gnu::always_inline]] inline void go_up(const void* data, NavigationStack* stack,
+                                         const Context* context, double x, double y, double z,
+                                         unsigned blocked);
+/// The same for several callers.
+template <class S>
+[[gnu::noinline]] void enter_scene(const void* data, NavigationStack* stack, const Context* context,
+                                   double x, double y, double z) {
+  go_down<S>(data, stack, context, x, y, z);
+}
+template <class S>
+[[gnu::noinline]] void reenter_scene(const void* data, NavigationStack* stack,
+                                     const Context* context, double x, double y, double z,
+                                     unsigned blocked) {
+  go_up<S>(data, stack, context, x, y, z, blocked);
 }
 
-/// The step, with the kernels' short ways (`rare` false), which are for rays along no face and take
-/// no start within a daughter, or with all that they can do. Nothing has changed where the result
-/// is negative.
+// The innermost level, daughter `left`, has been left: how to relocate in its mother.
+
+/// Whatever the mother is.
+struct LeaveByStack {
+  [[gnu::always_inline]] static void go(const void*, NavigationStack* stack, const Context* context,
+                                        double x, double y, double z, unsigned left) {
+    if (--stack->depth < 0) return;
+    relocate_in_table(stack, context, stack->levels[stack->depth].volume, x, y, z,
+                      static_cast<int>(left));
+  }
+};
+/// It is the world that was left.
+struct LeaveWorld {
+  [[gnu::always_inline]] static void go(const void*, NavigationStack* stack, const Context*, double,
+                                        double, double, unsigned) {
+    --stack->depth;
+  }
+};
+/// All placements are in one volume.
+template <unsigned mother>
+struct LeaveToVolume {
+  [[gnu::always_inline]] static void go(const void*, NavigationStack* stack, const Context* context,
+                                        double x, double y, double z, unsigned left) {
+    --stack->depth;
+    relocate_in_table(stack, context, mother, x, y, z, static_cast<int>(left));
+  }
+};
+/// And its scene's code is beside this.
+template <class S>
+struct LeaveToScene {
+  [[gnu::always_inline]] static void go(const void* data, NavigationStack* stack,
+                                        const Context* context, double x, double y, double z,
+                                        unsigned left) {
+    --stack->depth;
+    reenter_scene<S>(data, stack, context, x, y, z, left);
+  }
+};
+
+// Daughter `d` was just entered: how to relocate in it.
+
+struct EnterByTable {
+  template <class Daughter>
+  [[gnu::always_inline]] static void go(const void*, NavigationStack* stack, const Context* context,
+                                        const Daughter& d, double x, double y, double z) {
+    if (!d.leaf) relocate_in_table(stack, context, d.volume, x, y, z, -1);
+  }
+};
+/// No daughter has daughters.
+struct EnterLeaves {
+  template <class Daughter>
+  [[gnu::always_inline]] static void go(const void*, NavigationStack*, const Context*,
+                                        const Daughter&, double, double, double) {}
+};
+template <unsigned number, class S>
+struct VolumeOfScene {
+  static constexpr unsigned volume = number;
+  using scene = S;
+};
+/// Some volumes' scenes have their code beside this; `all`: of those that have daughters.
+template <bool leaves, bool all, class First, class... Others>
+struct EnterScenes {
+  template <class Daughter>
+  [[gnu::always_inline]] static void go(const void* data, NavigationStack* stack,
+                                        const Context* context, const Daughter& d, double x,
+                                        double y, double z) {
+    if (leaves && d.leaf) return;
+    if ((all && sizeof...(Others) == 0) || d.volume == First::volume) {
+      enter_scene<typename First::scene>(data, stack, context, x, y, z);
+    } else if constexpr (sizeof...(Others) > 0) {
+      EnterScenes<false, all, Others...>::go(data, stack, context, d, x, y, z);
+    } else {
+      relocate_in_table(stack, context, d.volume, x, y, z, -1);
+    }
+  }
+};
+
+template <class S>
+[[gnu::always_inline]] inline void enter_daughter(const void* data, const S& s,
+                                                  NavigationStack* stack, const Context* context,
+                                                  unsigned k, double x, double y, double z) {
+  s.daughters.template push<typename S::frame_type>(stack, k);
+  S::enter::go(data, stack, context, s.daughters.at[k], x, y, z);
+}
+
+/// The step. `rare`: with all that the kernels can do; else in their short ways, which take no
+/// start within a daughter. Nothing has changed where the result is negative.
 template <bool rare, class S>
-[[gnu::always_inline]] inline double try_step_in(const S& s, NavigationStack* stack,
+[[gnu::always_inline]] inline double try_step_in(const void* data, NavigationStack* stack,
                                                  const Context* context, const Vec3<double>& p,
                                                  const Direction<double>& v, double x, double y,
                                                  double z, double limit) {
+  const S& s = scene_in<S>(data);
   using Daughters = decltype(s.daughters);
-  double best = rare ? distance_to_out(s.mother, p, v, s.tolerance)
-                     : distance_to_exit(s.mother, p, v, s.tolerance);
+  const double tol = s.tolerance;
+  double best = rare ? distance_to_out(s.mother, p, v, tol) : distance_to_exit(s.mother, p, v, tol);
   [[maybe_unused]] int hit = -1;
   if constexpr (Daughters::any) {
     const unsigned left = stack->levels[stack->depth + 1].daughter;
     if constexpr (rare) {
-      hit = s.search.nearest(s.daughters, p, v, best, limit, left, s.tolerance);
+      hit = s.search.nearest(s.daughters, p, v, best, limit, left, tol);
     } else {
-      const MostlyAhead<Daughters> ahead{s.daughters, s.daughters.count};
-      hit = s.search.nearest(ahead, p, v, best, limit, left, s.tolerance);
+      const MostlyAhead<Daughters, S::oblique_only> ahead{s.daughters, s.daughters.count};
+      hit = s.search.nearest(ahead, p, v, best, limit, left, tol);
     }
   }
   if (__builtin_expect(!(best > 0), 0)) return -1.0;
@@ -85,90 +198,145 @@ template <bool rare, class S>
   z += best * stack->ray.given[2];
   if constexpr (Daughters::any) {
     if (hit >= 0) {
-      const auto k = static_cast<unsigned>(hit);
-      s.daughters.template push<typename S::frame_type>(stack, k);
-      descend_into(s, stack, context, k, x, y, z);
+      enter_daughter(data, s, stack, context, static_cast<unsigned>(hit), x, y, z);
       return best;
     }
   }
-  leave_level(stack, context, x, y, z);
+  S::leave::go(data, stack, context, x, y, z, stack->levels[stack->depth].daughter);
   return best;
 }
 
 /// Out of line, so that it takes no registers from the common step.
 template <class S>
-[[gnu::noinline, gnu::flatten]] double step_with_all_cases(const S& s, NavigationStack* stack,
+[[gnu::noinline, gnu::flatten]] double step_with_all_cases(const void* data, NavigationStack* stack,
                                                            const Context* context, double x,
                                                            double y, double z, double limit) {
+  const S& s = scene_in<S>(data);
   const StackLevel& level = stack->levels[stack->depth];
   const Vec3<double> p = s.frame.point(level, x, y, z);
   const Direction<double>& v = s.frame.ray(stack, level);
-  return try_step_in<true>(s, stack, context, p, v, x, y, z, limit);
+  return try_step_in<true, S>(data, stack, context, p, v, x, y, z, limit);
 }
 
 template <class S>
-[[gnu::always_inline]] inline double step_in(const S& s, NavigationStack* stack,
+[[gnu::always_inline]] inline double step_in(const void* data, NavigationStack* stack,
                                              const Context* context, double x, double y, double z,
                                              double limit) {
+  const S& s = scene_in<S>(data);
   const StackLevel& level = stack->levels[stack->depth];
   const Vec3<double> p = s.frame.point(level, x, y, z);
   const Direction<double>& v = s.frame.ray(stack, level);
-  if (__builtin_expect(s.frame.oblique(stack, level, v), 1)) {
-    const double length = try_step_in<false>(s, stack, context, p, v, x, y, z, limit);
-    if (__builtin_expect(length >= 0, 1)) return length;
+  if constexpr (S::rare == Rare::taken) {
+    return try_step_in<true, S>(data, stack, context, p, v, x, y, z, limit);
+  } else {
+    double length = -1;
+    if (!S::oblique_only || __builtin_expect(s.frame.oblique(stack, level, v), 1)) {
+      length = try_step_in<false, S>(data, stack, context, p, v, x, y, z, limit);
+      if (__builtin_expect(length >= 0, 1)) return length;
+    }
+    if constexpr (S::rare == Rare::out_of_line) {
+      return step_with_all_cases<S>(data, stack, context, x, y, z, limit);
+    }
+    return length;
   }
-  return step_with_all_cases(s, stack, context, x, y, z, limit);
 }
 
 template <class S>
-[[gnu::always_inline]] inline void relocate_in(const S& s, NavigationStack* stack,
+[[gnu::always_inline]] inline void go_down(const void* data, NavigationStack* stack,
+                                           const Context* context, double x, double y, double z) {
+  const S& s = scene_in<S>(data);
+  const StackLevel& level = stack->levels[stack->depth];
+  const int k = s.search.find(s.daughters, s.frame.point(level, x, y, z),
+                              s.frame.heading(stack, level), -1, s.tolerance);
+  if (k >= 0) enter_daughter(data, s, stack, context, static_cast<unsigned>(k), x, y, z);
+}
+
+/// The daughter, other than `blocked`, that holds a point where `blocked` was left; -1 for none.
+template <class S>
+[[gnu::always_inline]] inline int find_beside(const S& s, const NeighbourList& list, bool there,
+                                              const Vec3<double>& p, const Direction<double>& v,
+                                              unsigned blocked) {
+  const double tol = s.tolerance;
+  if (__builtin_expect(!there || list.count == NeighbourList::unlisted, 0)) {
+    return find_seldom(s.search, s.daughters, p.x, p.y, p.z, v.x, v.y, v.z,
+                       static_cast<int>(blocked), tol);
+  }
+  for (unsigned m = list.first; m != list.first + list.count; ++m) {
+    if (s.daughters.holds(s.neighbours[m], p, v, tol)) return static_cast<int>(s.neighbours[m]);
+  }
+  return -1;
+}
+
+template <class S>
+[[gnu::always_inline]] inline void go_up(const void* data, NavigationStack* stack,
+                                         const Context* context, double x, double y, double z,
+                                         unsigned blocked) {
+  const S& s = scene_in<S>(data);
+  const StackLevel& level = stack->levels[stack->depth];
+  const Vec3<double> p = s.frame.point(level, x, y, z);
+  const Direction<double>& v = s.frame.heading(stack, level);
+  const double tol = s.tolerance;
+  const bool listed =
+      S::has_lists == Has::yes || (S::has_lists == Has::maybe && s.lists != nullptr);
+  const bool there = listed && is_there(s.lists[blocked], p);
+  if (!(there && s.lists[blocked].mother_contains) && !contains(s.mother, p, v, tol)) {
+    S::leave::go(data, stack, context, x, y, z, level.daughter);
+    return;
+  }
+  const int k = listed ? find_beside(s, s.lists[blocked], there, p, v, blocked)
+                       : s.search.find(s.daughters, p, v, static_cast<int>(blocked), tol);
+  if (k >= 0) enter_daughter(data, s, stack, context, static_cast<unsigned>(k), x, y, z);
+}
+
+template <class S>
+[[gnu::always_inline]] inline void relocate_in(const void* data, NavigationStack* stack,
                                                const Context* context, double x, double y, double z,
                                                int blocked) {
-  using Daughters = decltype(s.daughters);
-  if constexpr (Daughters::any) {
-    const StackLevel& level = stack->levels[stack->depth];
-    const Vec3<double> p = s.frame.point(level, x, y, z);
-    const Direction<double>& v = s.frame.heading(stack, level);
-    int found = -1;
-    if (blocked < 0) {
-      found = s.search.find(s.daughters, p, v, -1, s.tolerance);
-    } else {
-      const CompactNeighbourList* list = s.lists == nullptr ? nullptr : s.lists + blocked;
-      const bool there = list != nullptr && is_there(*list, p);
-      if (!(there && list->mother_contains) && !contains(s.mother, p, v, s.tolerance)) {
-        leave_level(stack, context, x, y, z);
-        return;
-      }
-      if (there && list->count != CompactNeighbourList::unlisted) {
-        for (unsigned m = list->first; m != list->first + list->count; ++m) {
-          if (s.daughters.holds(s.neighbours[m], p, v, s.tolerance)) {
-            found = static_cast<int>(s.neighbours[m]);
-            break;
-          }
-        }
+  if constexpr (decltype(S::daughters)::any) {
+    const auto daughter = static_cast<unsigned>(blocked);
+    if constexpr (S::shared_moves) {
+      if (blocked < 0) {
+        enter_scene<S>(data, stack, context, x, y, z);
       } else {
-        found = s.search.find(s.daughters, p, v, blocked, s.tolerance);
+        reenter_scene<S>(data, stack, context, x, y, z, daughter);
+      }
+    } else {
+      if (blocked < 0) {
+        go_down<S>(data, stack, context, x, y, z);
+      } else {
+        go_up<S>(data, stack, context, x, y, z, daughter);
       }
     }
-    if (found < 0) return;
-    const auto k = static_cast<unsigned>(found);
-    s.daughters.template push<typename S::frame_type>(stack, k);
-    descend_into(s, stack, context, k, x, y, z);
+  }
+}
+
+/// Folds daughters from `k` on into a safety.
+template <unsigned k, class Daughters>
+[[gnu::always_inline]] inline double safety_to_listed(const Vec3<double>& p, double safety) {
+  if constexpr (k < Daughters::listed) {
+    safety = smaller(larger(Daughters::template away_one<k>(p), 0.0), safety);
+    return safety_to_listed<k + 1, Daughters>(p, safety);
+  } else {
+    return safety;
   }
 }
 
 template <class S>
-[[gnu::always_inline]] inline double safety_in(const S& s, const NavigationStack* stack, double x,
-                                               double y, double z) {
+[[gnu::always_inline]] inline double safety_in(const void* data, const NavigationStack* stack,
+                                               double x, double y, double z) {
+  const S& s = scene_in<S>(data);
   using Daughters = decltype(s.daughters);
   const Vec3<double> p = s.frame.point(stack->levels[stack->depth], x, y, z);
   double safety = safety_to_out(s.mother, p);
   if constexpr (Daughters::any) {
     if constexpr (requires { s.search.safety_among(s.daughters, p, safety); }) {
       safety = s.search.safety_among(s.daughters, p, safety);
-    } else if (s.boxes.blocks != nullptr) {
+    } else if (S::has_boxes == Has::yes ||
+               (S::has_boxes == Has::maybe && s.boxes.blocks != nullptr)) {
       safety =
           safety_near_boxes(s.boxes, p, safety, [&](unsigned k) { return s.daughters.away(k, p); });
+    } else if constexpr (Daughters::listed > 0) {
+      safety = safety_to_listed<0, Daughters>(p, safety);
     } else {
       for (unsigned k = 0; k < s.daughters.count; ++k) {
         safety = smaller(larger(s.daughters.away(k, p), 0.0), safety);

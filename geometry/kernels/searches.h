@@ -54,25 +54,108 @@ struct SearchAll {
   template <class Daughters>
   [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
                                   const Direction<double>& v, int blocked, double tol) const {
-    for (unsigned k = d.count; k-- > 0;) {
-      if (static_cast<int>(k) != blocked && d.holds(k, p, v, tol)) return static_cast<int>(k);
+    if constexpr (Daughters::listed > 0) {
+      return find_listed<Daughters::listed>(d, p, v, blocked, tol);
+    } else {
+      for (unsigned k = d.count; k-- > 0;) {
+        if (static_cast<int>(k) != blocked && d.holds(k, p, v, tol)) return static_cast<int>(k);
+      }
+      return -1;
     }
-    return -1;
   }
   template <class Daughters>
   [[gnu::always_inline]] int nearest(const Daughters& d, const Vec3<double>& p,
                                      const Direction<double>& v, double& best, double limit,
                                      unsigned, double tol) const {
     int hit = -1;
-    for (unsigned k = 0; k < d.count; ++k) {
-      const double t = d.distance(k, p, v, smaller(limit, best), tol);
-      if (t < best) {
-        best = t;
-        hit = static_cast<int>(k);
+    if constexpr (Daughters::listed > 0) {
+      nearest_listed<0>(d, p, v, best, limit, tol, hit);
+    } else {
+      for (unsigned k = 0; k < d.count; ++k) {
+        const double t = d.distance(k, p, v, smaller(limit, best), tol);
+        if (t < best) {
+          best = t;
+          hit = static_cast<int>(k);
+        }
       }
     }
     return hit;
   }
+
+ private:
+  /// The last of the first `n`.
+  template <unsigned n, class Daughters>
+  [[gnu::always_inline]] static int find_listed(const Daughters& d, const Vec3<double>& p,
+                                                const Direction<double>& v, int blocked,
+                                                double tol) {
+    if constexpr (n == 0) {
+      return -1;
+    } else {
+      constexpr int k = n - 1;
+      if (blocked != k && d.template holds_one<n - 1>(p, v, tol)) return k;
+      return find_listed<n - 1>(d, p, v, blocked, tol);
+    }
+  }
+  /// Of those from `k` on.
+  template <unsigned k, class Daughters>
+  [[gnu::always_inline]] static void nearest_listed(const Daughters& d, const Vec3<double>& p,
+                                                    const Direction<double>& v, double& best,
+                                                    double limit, double tol, int& hit) {
+    if constexpr (k < Daughters::listed) {
+      const double t = d.template distance_one<k>(p, v, smaller(limit, best), tol);
+      if (t < best) {
+        best = t;
+        hit = static_cast<int>(k);
+      }
+      nearest_listed<k + 1>(d, p, v, best, limit, tol, hit);
+    }
+  }
+};
+
+/// Out of line, and by numbers: what is seldom needed shall keep nothing in memory.
+template <class Search, class Daughters>
+[[gnu::noinline, gnu::cold]] int find_seldom(const Search& search, const Daughters& d, double x,
+                                             double y, double z, double u, double v, double w,
+                                             int blocked, double tol) {
+  return search.find(d, Vec3<double>{x, y, z}, make_heading<double>(u, v, w), blocked, tol);
+}
+
+/// Boxes along the axes alone, all of them, four at once. `Fours` says where they are.
+template <class Fours>
+struct SearchLanes {
+  [[no_unique_address]] Fours fours;
+
+  template <class Daughters>
+  [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
+                                  const Direction<double>& v, int blocked, double tol) const {
+    if (__builtin_expect(!is_oblique(v), 0)) {
+      return find_seldom(SearchAll{}, d, p.x, p.y, p.z, v.x, v.y, v.z, blocked, tol);
+    }
+    return last_box_at(fours.boxes(), p, v, tol, blocked);
+  }
+  template <class Daughters>
+  [[gnu::always_inline]] int nearest(const Daughters& d, const Vec3<double>& p,
+                                     const Direction<double>& v, double& best, double limit,
+                                     unsigned left, double tol) const {
+    if constexpr (knows_oblique<Daughters>) {
+      int hit = -1;
+      nearest_of_boxes(fours.boxes(), p, v, tol, best, hit);
+      return hit;
+    } else {
+      return SearchAll{}.nearest(d, p, v, best, limit, left, tol);
+    }
+  }
+};
+
+/// In memory.
+template <int n>
+struct FoursAt {
+  const FourBoxes (*at)[n];
+  const FourBoxes (&boxes() const)[n] { return *at; }
+};
+template <const auto& fours>
+struct ConstantFours {
+  static const auto& boxes() { return fours; }
 };
 
 inline double along_axis(const Vec3<double>& p, int axis) {
@@ -96,12 +179,67 @@ struct SearchSlabs {
   [[gnu::always_inline]] int nearest(const Daughters& d, const Vec3<double>& p,
                                      const Direction<double>& v, double& best, double limit,
                                      unsigned left, double tol) const {
-    const double along = along_axis({v.x, v.y, v.z}, axis),
-                 inverse = along_axis({v.inverse_x, v.inverse_y, v.inverse_z}, axis);
-    NearestAhead<Daughters> nearest{d, p, v, best, limit, tol};
-    walk_slabs(slabs, along_axis(p, axis), along, inverse, smaller(limit, best), left,
-               [&](unsigned k) { return nearest(k); });
-    return nearest.hit;
+    return nearest_by(*this, d, p, v, best, limit, left, tol);
+  }
+
+  const SearchSlabs& search() const { return *this; }
+  double along(const Direction<double>& v) const { return along_axis({v.x, v.y, v.z}, axis); }
+  double inverse(const Direction<double>& v) const {
+    return along_axis({v.inverse_x, v.inverse_y, v.inverse_z}, axis);
+  }
+
+  /// `self.search()` is one of these; what it is made from is handed on to what is out of line.
+  template <class Self, class Daughters>
+  [[gnu::always_inline]] static int nearest_by(const Self& self, const Daughters& d,
+                                               const Vec3<double>& p, const Direction<double>& v,
+                                               double& best, double limit, unsigned left,
+                                               double tol) {
+    const SearchSlabs& s = self.search();
+    const double at = along_axis(p, s.axis), along = s.along(v);
+    if constexpr (knows_oblique<Daughters>) {
+      // Mostly the first slab is the one; the loop over others would keep registers from it.
+      const int i = first_slab<true>(s.slabs, at, along, left);
+      if (i == end_of_slabs(s.slabs, along) ||
+          slab_is_beyond(s.slabs, i, at, along, s.inverse(v), smaller(limit, best))) {
+        return -1;
+      }
+      const unsigned k = s.slabs.daughter[i];
+      const double t = d.distance(k, p, v, smaller(limit, best), tol);
+      if (__builtin_expect(t < best, 1)) {
+        best = t;
+        return static_cast<int>(k);
+      }
+      const SlabFound found =
+          nearest_from(self, d, along < 0 ? i - 1 : i + 1, p.x, p.y, p.z, v.x, v.y, v.z,
+                       v.inverse_x, v.inverse_y, v.inverse_z, best, limit, tol);
+      best = found.best;
+      return found.hit;
+    } else {
+      NearestAhead<Daughters> nearest{d, p, v, best, limit, tol};
+      walk_slabs(s.slabs, at, along, s.inverse(v), smaller(limit, best), left,
+                 [&](unsigned k) { return nearest(k); });
+      return nearest.hit;
+    }
+  }
+
+ private:
+  struct SlabFound {
+    double best;
+    int hit;
+  };
+  template <class Self, class Daughters>
+  [[gnu::noinline, gnu::cold]] static SlabFound nearest_from(const Self& self, Daughters d, int i,
+                                                             double x, double y, double z, double u,
+                                                             double v, double w, double iu,
+                                                             double iv, double iw, double best,
+                                                             double limit, double tol) {
+    const SearchSlabs& s = self.search();
+    const Vec3<double> p{x, y, z};
+    const Direction<double> e{u, v, w, iu, iv, iw};
+    NearestAhead<Daughters> nearest{d, p, e, best, limit, tol};
+    walk_slabs_from(s.slabs, i, along_axis(p, s.axis), s.along(e), s.inverse(e),
+                    smaller(limit, best), [&](unsigned k) { return nearest(k); });
+    return {best, nearest.hit};
   }
 };
 
@@ -315,6 +453,86 @@ struct SearchWires {
       safety = ask(static_cast<unsigned>(others[i]), safety);
     }
     return safety;
+  }
+};
+
+// What is `known` of a search, and the tables that are not.
+
+template <class Index>
+[[gnu::always_inline]] inline SearchSlabs<Index> with_tables(SearchSlabs<Index> known,
+                                                             const SearchSlabs<Index>& tables) {
+  const SlabRow<Index>& t = tables.slabs;
+  SlabRow<Index>& s = known.slabs;
+  s.low = t.low;
+  s.high = t.high;
+  s.daughter = t.daughter;
+  s.position = t.position;
+  s.ascending = t.ascending;
+  s.descending = t.descending;
+  return known;
+}
+template <class Index>
+[[gnu::always_inline]] inline SearchGrid<Index> with_tables(SearchGrid<Index> known,
+                                                            const SearchGrid<Index>& tables) {
+  known.grid.first = tables.grid.first;
+  known.grid.members = tables.grid.members;
+  return known;
+}
+template <class Index>
+[[gnu::always_inline]] inline SearchBoxes<Index> with_tables(SearchBoxes<Index> known,
+                                                             const SearchBoxes<Index>& tables) {
+  known.grid.first = tables.grid.first;
+  known.grid.blocks = tables.grid.blocks;
+  known.grid.daughters = tables.grid.daughters;
+  return known;
+}
+template <class Index>
+[[gnu::always_inline]] inline Beside<Index> with_tables(Beside<Index> known,
+                                                        const Beside<Index>& tables) {
+  known.few = tables.few;
+  known.blocks = tables.blocks;
+  known.in_block = tables.in_block;
+  return known;
+}
+template <class Index>
+[[gnu::always_inline]] inline SearchNest<Index> with_tables(SearchNest<Index> known,
+                                                            const SearchNest<Index>& tables) {
+  known.shells.near2 = tables.shells.near2;
+  known.shells.far2 = tables.shells.far2;
+  known.shells.daughter = tables.shells.daughter;
+  known.beside = with_tables(known.beside, tables.beside);
+  return known;
+}
+template <class Index>
+[[gnu::always_inline]] inline SearchRings<Index> with_tables(SearchRings<Index> known,
+                                                             const SearchRings<Index>& tables) {
+  known.rings = tables.rings;
+  known.beside = with_tables(known.beside, tables.beside);
+  return known;
+}
+
+/// A search whose numbers are constants but for its tables.
+template <const auto& known>
+struct ConstantSearch {
+  decltype(with_tables(known, known)) tables;
+
+  [[gnu::always_inline]] auto search() const { return with_tables(known, tables); }
+
+  template <class Daughters>
+  [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
+                                  const Direction<double>& v, int blocked, double tol) const {
+    return search().find(d, p, v, blocked, tol);
+  }
+  template <class Daughters>
+  [[gnu::always_inline]] int nearest(const Daughters& d, const Vec3<double>& p,
+                                     const Direction<double>& v, double& best, double limit,
+                                     unsigned left, double tol) const {
+    using Search = decltype(search());
+    if constexpr (requires { &Search::search; }) {
+      return Search::nearest_by(*this, d, p, v, best, limit, left, tol);
+    } else {
+      return search().nearest(d, p, v, best, limit, left, tol);
+    }
   }
 };
 

@@ -1,5 +1,5 @@
-// Daughters that follow one another along an axis without overlapping, and the neighbours of
-// a daughter that is left. Only filters, as cells are: margins make them conservative.
+// Daughters that follow one another along an axis without overlapping. Only a filter, as cells are:
+// margins make it conservative.
 namespace navjit::kernels {
 
 /// Positions count along the axis; `low` and `high` carry the margin.
@@ -77,19 +77,6 @@ inline void visit_slabs_at(const SlabRow<Index>& s, double p, Visit visit) {
   for (int i = static_cast<int>(s.ascending[b]); i < s.count && s.low[i] <= p; ++i) {
     visit(static_cast<unsigned>(s.daughter[i]));
   }
-}
-
-/// Of a daughter: its box with a margin, which holds the points where tracks leave it, and its
-/// neighbours, the only ones that can contain such a point (navjit::NeighbourLists).
-struct NeighbourList {
-  double low[3], high[3];
-  unsigned first, count;
-  bool mother_contains;  ///< all of the box
-};
-
-inline bool is_there(const NeighbourList& a, const Vec3<double>& p) {
-  return (p.x >= a.low[0]) & (p.x <= a.high[0]) & (p.y >= a.low[1]) & (p.y <= a.high[1]) &
-         (p.z >= a.low[2]) & (p.z <= a.high[2]);
 }
 
 }  // namespace navjit::kernels

@@ -6,12 +6,16 @@
 // clang-format off
 #include "geometry/kernels/grid.h"
 #include "geometry/kernels/boxes.h"
+#include "geometry/kernels/four_boxes.h"
 #include "geometry/kernels/slabs.h"
 #include "geometry/kernels/nest.h"
 #include "geometry/kernels/rings.h"
 #include "geometry/kernels/wires.h"
 #include "geometry/kernels/frames.h"
+#include "geometry/kernels/bound_solids.h"
+#include "geometry/kernels/constants.h"
 #include "geometry/kernels/daughters.h"
+#include "geometry/kernels/classes.h"
 #include "geometry/kernels/searches.h"
 #include "geometry/kernels/scene.h"
 // clang-format on

@@ -119,8 +119,15 @@ TEST_F(PluginTest, WhatWasMadeForSomethingElseIsRefused) {
   const std::string other_abi = replaced(source_, "= navjit::kernels::abi_version", "= 4000000000");
   EXPECT_NE(refusal(make(other_abi)).find("another version of navjit"), std::string::npos);
   const std::string other_format =
-      replaced(source_, "navjit_plugin_format = 1", "navjit_plugin_format = 7");
+      replaced(source_, "navjit_plugin_format = " + std::to_string(plugin_format),
+               "navjit_plugin_format = 7");
   EXPECT_NE(refusal(make(other_format)).find("another version"), std::string::npos);
+  const std::string other_tables =
+      replaced(source_, "navjit_plugin_hot[] = {0, 1, ", "navjit_plugin_hot[] = {0, 0, ");
+  EXPECT_NE(refusal(make(other_tables)).find("its scenes are not those"), std::string::npos);
+  const std::string no_scene =
+      replaced(source_, "navjit_plugin_hot[] = {0, 1, ", "navjit_plugin_hot[] = {0, 1000000, ");
+  EXPECT_NE(refusal(make(no_scene)), "");
   const std::string other_processor = replaced(source_, "navjit_plugin_features[] = \"\"",
                                                "navjit_plugin_features[] = \"avx9000 \"");
   EXPECT_NE(refusal(make(other_processor)).find("a processor with avx9000"), std::string::npos);

@@ -100,7 +100,8 @@ class Swapper {
            entry.safety.empty()
                ? generic::dispatch_entry.safety
                : check(linked->code.function<std::remove_pointer_t<kernels::SafetyFunction>>(
-                     entry.safety))});
+                     entry.safety)),
+           module_.data});
     }
     // One scene, or now and then all of the module.
     const bool all = random() % 8 == 0;

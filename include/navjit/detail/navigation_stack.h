@@ -6,7 +6,7 @@
 #define NAVJIT_DETAIL_NAVIGATION_STACK_H
 namespace navjit::kernels {
 
-constexpr unsigned abi_version = 6;
+constexpr unsigned abi_version = 7;
 constexpr int stack_levels = 64;
 
 /// One level: a placed volume and its frame in the world, local = rotation * (global -
@@ -73,7 +73,7 @@ struct DispatchEntry {
   StepFunction step;
   RelocateFunction relocate;
   SafetyFunction safety;
-  /// The numbers of the scene, where the code is shared by all scenes of its structure; else null.
+  /// The numbers of the scene that are not in the code; null: there are none.
   const void* data = nullptr;
 };
 

@@ -1,0 +1,85 @@
+#include "codegen/typed_solid.hpp"
+
+#include <cstring>
+#include <vector>
+
+#include "analysis/solid_key.hpp"
+#include "codegen/shapes.hpp"
+
+namespace navjit::codegen {
+namespace {
+
+using kernels::AnySolid;
+
+/// Appends objects one after the other. All are made of what is eight bytes long, and so is what
+/// they are put together to.
+struct Bytes {
+  std::vector<double> words{};
+
+  template <class Value>
+  void add(const Value& value) {
+    static_assert(alignof(Value) <= alignof(double));
+    const std::size_t at = words.size();
+    words.resize(at + (sizeof(Value) + sizeof(double) - 1) / sizeof(double));
+    std::memcpy(words.data() + at, &value, sizeof(Value));
+  }
+};
+
+void add(Bytes& bytes, const AnySolid<double>& solid);
+
+void add(Bytes& bytes, const kernels::AnyOperand<double>& operand) {
+  add(bytes, operand.solid);
+  if (!keeps_box(operand)) return;
+  bytes.add(operand.boxed);
+  bytes.add(operand.low);
+  bytes.add(operand.high);
+}
+
+void add(Bytes& bytes, const AnySolid<double>& solid) {
+  kernels::visit(solid, [&](const auto& shape) {
+    using Shape = std::decay_t<decltype(shape)>;
+    if constexpr (std::is_same_v<Shape, kernels::AnyPlaced<double>>) {
+      add(bytes, shape.solid);
+      bytes.add(shape.rotated);
+      bytes.add(shape.translation);
+      bytes.add(shape.rotation);
+    } else if constexpr (std::is_same_v<Shape, kernels::AnyScaled<double>>) {
+      add(bytes, shape.solid);
+      for (const double x : {shape.inverse_x, shape.inverse_y, shape.inverse_z, shape.most}) {
+        bytes.add(x);
+      }
+    } else if constexpr (requires { shape.a.boxed; }) {
+      add(bytes, shape.a);
+      add(bytes, shape.b);
+    } else {
+      bytes.add(shape);
+    }
+  });
+}
+
+}  // namespace
+
+bool keeps_box(const kernels::AnyOperand<double>& operand) {
+  if (operand.boxed == 0) return false;
+  if (operand.solid.kind != SolidKind::placed) return true;
+  const auto& placed = *static_cast<const kernels::AnyPlaced<double>*>(operand.solid.shape);
+  return placed.rotated != 0 || placed.solid.kind != SolidKind::box;
+}
+
+bool is_composed(SolidKind kind) {
+  return kind == SolidKind::placed || kind == SolidKind::scaled || kind == SolidKind::union_of ||
+         kind == SolidKind::intersection_of || kind == SolidKind::subtraction_of;
+}
+
+const void* typed_shape(const AnySolid<double>& solid, Arena& arena) {
+  if (!is_composed(solid.kind)) return solid.shape;
+  Bytes bytes;
+  add(bytes, solid);
+  return arena.copy(bytes.words);
+}
+
+std::size_t numbers_of(const AnySolid<double>& solid) {
+  return solid_key(solid).size() / sizeof(double);
+}
+
+}  // namespace navjit::codegen

@@ -1,0 +1,96 @@
+// A solid of a known kind as a part of a scene: its numbers are elsewhere in memory, or constants.
+namespace navjit::kernels {
+
+/// A solid that is known to be of this kind.
+template <class Shape>
+struct KnownSolid {
+  const Shape* shape;
+};
+
+template <class Shape>
+bool contains(const KnownSolid<Shape>& s, const Vec3<double>& p, const Direction<double>& v,
+              double tol) {
+  return contains(*s.shape, p, v, tol);
+}
+template <class Shape>
+double distance_to_in(const KnownSolid<Shape>& s, const Vec3<double>& p, const Direction<double>& v,
+                      double tol) {
+  return distance_to_in(*s.shape, p, v, tol);
+}
+template <class Shape>
+double distance_to_entry(const KnownSolid<Shape>& s, const Vec3<double>& p,
+                         const Direction<double>& v, double tol) {
+  return distance_to_entry(*s.shape, p, v, tol);
+}
+template <class Shape>
+double distance_to_out(const KnownSolid<Shape>& s, const Vec3<double>& p,
+                       const Direction<double>& v, double tol) {
+  return distance_to_out(*s.shape, p, v, tol);
+}
+template <class Shape>
+double distance_to_exit(const KnownSolid<Shape>& s, const Vec3<double>& p,
+                        const Direction<double>& v, double tol) {
+  return distance_to_exit(*s.shape, p, v, tol);
+}
+template <class Shape>
+double safety_to_in(const KnownSolid<Shape>& s, const Vec3<double>& p) {
+  return safety_to_in(*s.shape, p);
+}
+template <class Shape>
+double safety_to_out(const KnownSolid<Shape>& s, const Vec3<double>& p) {
+  return safety_to_out(*s.shape, p);
+}
+
+/// A solid whose numbers are constants of the program.
+template <const auto& solid>
+struct ConstantSolid {};
+
+template <const auto& solid>
+bool contains(const ConstantSolid<solid>&, const Vec3<double>& p, const Direction<double>& v,
+              double tol) {
+  return contains(solid, p, v, tol);
+}
+template <const auto& solid>
+double distance_to_in(const ConstantSolid<solid>&, const Vec3<double>& p,
+                      const Direction<double>& v, double tol) {
+  return distance_to_in(solid, p, v, tol);
+}
+template <const auto& solid>
+double distance_to_entry(const ConstantSolid<solid>&, const Vec3<double>& p,
+                         const Direction<double>& v, double tol) {
+  return distance_to_entry(solid, p, v, tol);
+}
+template <const auto& solid>
+double distance_to_out(const ConstantSolid<solid>&, const Vec3<double>& p,
+                       const Direction<double>& v, double tol) {
+  return distance_to_out(solid, p, v, tol);
+}
+template <const auto& solid>
+double distance_to_exit(const ConstantSolid<solid>&, const Vec3<double>& p,
+                        const Direction<double>& v, double tol) {
+  return distance_to_exit(solid, p, v, tol);
+}
+template <const auto& solid>
+double safety_to_in(const ConstantSolid<solid>&, const Vec3<double>& p) {
+  return safety_to_in(solid, p);
+}
+template <const auto& solid>
+double safety_to_out(const ConstantSolid<solid>&, const Vec3<double>& p) {
+  return safety_to_out(solid, p);
+}
+
+/// Kernels whose distance_to_entry is for rays along none of the axes of the solid's own frame.
+template <class Solid>
+constexpr bool entry_needs_oblique = false;
+template <>
+constexpr bool entry_needs_oblique<Box<double>> = true;
+template <class Shape>
+constexpr bool entry_needs_oblique<KnownSolid<Shape>> = entry_needs_oblique<Shape>;
+template <class Shape>
+constexpr bool entry_needs_oblique<const Shape> = entry_needs_oblique<Shape>;
+template <const auto& solid>
+constexpr bool entry_needs_oblique<ConstantSolid<solid>> = entry_needs_oblique<decltype(solid)>;
+template <class Shape>
+constexpr bool entry_needs_oblique<const Shape&> = entry_needs_oblique<Shape>;
+
+}  // namespace navjit::kernels
