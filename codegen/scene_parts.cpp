@@ -21,6 +21,9 @@ constexpr std::size_t most_constants = 200;
 /// Each class is a branch and code of its own: beyond so many, solids of one type share theirs.
 constexpr std::size_t most_classes = 24;
 
+/// Of a scene's daughters, so many solids are inlined where they are asked. A guess.
+constexpr std::size_t most_inlined = 12;
+
 bool is_large(const kernels::AnySolid<double>& solid) { return numbers_of(solid) > most_constants; }
 
 PartClass of_plan(const DaughterClass& c, Shapes& shapes) {
@@ -55,6 +58,18 @@ std::vector<PartClass> by_type(const Scene& scene, Shapes& shapes) {
     classes[at->second].members.push_back(k);
   }
   return classes;
+}
+
+/// Compilers inline what there is of a solid wherever a daughter is asked. Where daughters are made
+/// of many solids that was most of the code and of the time to compile it.
+void set_apart(const Scene& scene, SceneParts& parts) {
+  const auto solids = [&](const PartClass& c) {
+    return solids_in(scene.daughters[c.members[0]].solid);
+  };
+  std::size_t all = 0;
+  for (const PartClass& c : parts.classes) all += solids(c);
+  if (all <= most_inlined) return;
+  for (PartClass& c : parts.classes) c.apart = solids(c) > 1;
 }
 
 /// What has no place in generated code's own object. Types, as equal ones would take some.
@@ -210,6 +225,7 @@ SceneParts parts_of_scene(const Geometry& geometry, const ScenePlan& plan, Numbe
                                shapes.type(d.solid),
                                d.transformation.rotated,
                                is_costly(d.solid.kind),
+                               false,
                                {k}});
     }
   } else if (constants && plan.classes.size() <= most_classes) {
@@ -217,6 +233,7 @@ SceneParts parts_of_scene(const Geometry& geometry, const ScenePlan& plan, Numbe
   } else {
     parts.classes = by_type(scene, shapes);
   }
+  set_apart(scene, parts);
   parts.boxes_beside =
       std::any_of(parts.classes.begin(), parts.classes.end(),
                   [](const PartClass& c) { return c.from == PartClass::From::box_in_table; });

@@ -22,6 +22,7 @@ struct PartClass {
   From from = From::constant;
   std::string type;  ///< of the solid
   bool rotated = false, box_first = false;
+  bool apart = false;                  ///< its kernels are functions of their own
   std::vector<std::uint32_t> members;  ///< ascending
 };
 

@@ -119,6 +119,7 @@ std::string class_of(Writer& w, std::size_t number_of_class) {
     case PartClass::From::shape_in_table:
       solid = "OwnSolid<" + c.type + ">";
   }
+  if (c.apart) solid = "Apart<" + solid + ">";
   const std::string place =
       w.define("PlaceConstants", indexed("place", number_of_class), places_of(w, c.members));
   std::string bounds = "NoBox";

@@ -74,7 +74,9 @@ void Shapes::need(SolidKind kind) {
 std::string Shapes::type(const AnySolid<double>& solid) {
   need(solid.kind);
   const auto operand = [&](const kernels::AnyOperand<double>& s) {
-    return keeps_box(s) ? "Boxed<double, " + type(s.solid) + ">" : type(s.solid);
+    std::string of = type(s.solid);
+    if (is_apart(s.solid)) of = "SolidApart<" + of + ">";
+    return keeps_box(s) ? "Boxed<double, " + of + ">" : of;
   };
   const auto pair = [&](const char* name, const auto& a, const auto& b) {
     return std::string(name) + "<" + operand(a) + ", " + operand(b) + ">";
@@ -130,8 +132,10 @@ std::string Shapes::literal(const AnySolid<double>& solid) {
 }
 
 std::string Shapes::operand_literal(const kernels::AnyOperand<double>& operand) {
-  if (!keeps_box(operand)) return literal(operand.solid);
-  std::string text = "{" + literal(operand.solid) + ", 1, {";
+  std::string solid = literal(operand.solid);
+  if (is_apart(operand.solid)) solid = "{" + solid + "}";
+  if (!keeps_box(operand)) return solid;
+  std::string text = "{" + solid + ", 1, {";
   for (const double x : operand.low) text += number(x) + ", ";
   text += "}, {";
   for (const double x : operand.high) text += number(x) + ", ";

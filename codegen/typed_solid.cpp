@@ -78,6 +78,18 @@ const void* typed_shape(const AnySolid<double>& solid, Arena& arena) {
   return arena.copy(bytes.words);
 }
 
+std::size_t solids_in(const AnySolid<double>& solid) {
+  return kernels::visit(solid, [](const auto& shape) -> std::size_t {
+    if constexpr (requires { shape.a.boxed; }) {
+      return solids_in(shape.a.solid) + solids_in(shape.b.solid);
+    } else if constexpr (requires { shape.solid.kind; }) {
+      return solids_in(shape.solid);
+    } else {
+      return 1;
+    }
+  });
+}
+
 std::size_t numbers_of(const AnySolid<double>& solid) {
   return solid_key(solid).size() / sizeof(double);
 }

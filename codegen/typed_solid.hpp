@@ -18,6 +18,14 @@ bool is_composed(SolidKind kind);
 /// solid itself, else a copy in the arena.
 const void* typed_shape(const kernels::AnySolid<double>& solid, Arena& arena);
 
+/// How many solids it is composed of; one if it is not.
+std::size_t solids_in(const kernels::AnySolid<double>& solid);
+
+/// Whether an operand of a boolean has kernels that are functions of their own. Each kernel of a
+/// boolean calls several of its operands': inlined in one another, they would be multiplied with
+/// each level.
+inline bool is_apart(const kernels::AnySolid<double>& operand) { return solids_in(operand) > 2; }
+
 /// How many numbers there are in a solid.
 std::size_t numbers_of(const kernels::AnySolid<double>& solid);
 

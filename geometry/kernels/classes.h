@@ -58,6 +58,15 @@ struct OwnBox {
   }
 };
 
+/// The same, its kernels being functions of their own.
+template <class Solid>
+struct Apart {
+  template <class Daughter>
+  static auto of(const Daughter& d) {
+    return SolidApart<decltype(Solid::of(d))>{Solid::of(d)};
+  }
+};
+
 // The box of a class, tested before its solid:
 
 struct NoBox {

@@ -12,6 +12,7 @@
 #include "geometry/kernels/rings.h"
 #include "geometry/kernels/wires.h"
 #include "geometry/kernels/frames.h"
+#include "geometry/kernels/apart.h"
 #include "geometry/kernels/bound_solids.h"
 #include "geometry/kernels/constants.h"
 #include "geometry/kernels/daughters.h"

@@ -1,0 +1,38 @@
+// Solids that are so much code that copies of it cost more than calls.
+namespace navjit::kernels {
+
+/// A solid whose kernels are functions of their own, made once for all that call them.
+template <class Solid>
+struct SolidApart {
+  [[no_unique_address]] Solid solid;
+};
+
+template <class Solid>
+[[gnu::noinline]] Side inside(const SolidApart<Solid>& s, const Vec3<double>& p, double tol) {
+  return inside(s.solid, p, tol);
+}
+template <class Solid>
+[[gnu::noinline]] bool contains(const SolidApart<Solid>& s, const Vec3<double>& p,
+                                const Direction<double>& v, double tol) {
+  return contains(s.solid, p, v, tol);
+}
+template <class Solid>
+[[gnu::noinline]] double distance_to_in(const SolidApart<Solid>& s, const Vec3<double>& p,
+                                        const Direction<double>& v, double tol) {
+  return distance_to_in(s.solid, p, v, tol);
+}
+template <class Solid>
+[[gnu::noinline]] double distance_to_out(const SolidApart<Solid>& s, const Vec3<double>& p,
+                                         const Direction<double>& v, double tol) {
+  return distance_to_out(s.solid, p, v, tol);
+}
+template <class Solid>
+[[gnu::noinline]] double safety_to_in(const SolidApart<Solid>& s, const Vec3<double>& p) {
+  return safety_to_in(s.solid, p);
+}
+template <class Solid>
+[[gnu::noinline]] double safety_to_out(const SolidApart<Solid>& s, const Vec3<double>& p) {
+  return safety_to_out(s.solid, p);
+}
+
+}  // namespace navjit::kernels
