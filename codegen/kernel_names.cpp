@@ -32,11 +32,12 @@ constexpr std::array twisted_tube{"convex", "pairs", "quadric", "twisted_tube"};
 constexpr std::array twisted_trap{"convex", "pairs", "twisted_trap"};
 constexpr std::array boolean{"convex", "boolean"};
 
-constexpr std::array of_scenes{
-    "apart",   "grid",         "boxes",     "four_boxes",       "slabs",
-    "nest",    "rings",        "wires",     "navigation_stack", "navigation",
-    "frames",  "bound_solids", "constants", "daughters",        "classes",
-    "searches"};
+constexpr std::array of_scenes{"apart",      "grid",      "boxes",
+                               "four_boxes", "slabs",     "nest",
+                               "rings",      "wires",     "navigation_stack",
+                               "navigation", "frames",    "bound_solids",
+                               "constants",  "daughters", "classes",
+                               "search_few", "searches",  "constant_searches"};
 
 }  // namespace
 

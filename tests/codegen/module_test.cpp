@@ -4,6 +4,8 @@
 
 #include <array>
 #include <memory>
+#include <numeric>
+#include <vector>
 
 #include "codegen/kernel_names.hpp"
 #include "codegen/kernel_texts.hpp"
@@ -28,6 +30,44 @@ TEST(Module, HoldsTheKernelsItNeedsAndNoOthers) {
   }
 }
 
+/// Of a scene's text what is its own, beside the kernels.
+std::string own_text(const Module& module) {
+  return module.source.substr(module.source.find("using Tolerance = "));
+}
+
+TEST(Module, ScenesAreTypesAndNumbers) {
+  const Geometry geometry(std::make_shared<const World>(tests::mixed_world()));
+  const WorldFacts facts = analyse_world(geometry);
+  std::vector<VolumeId> all(geometry.size());
+  std::iota(all.begin(), all.end(), VolumeId{0});
+  const Module module = generate(geometry, facts, all);
+  const std::string text = own_text(module);
+  for (const char* logic : {"if (", "for (", "while (", "? ", "operator"}) {
+    EXPECT_EQ(text.find(logic), std::string::npos) << logic;
+  }
+  for (const char* type :
+       {"ConstantFrame<", "ConstantSolid<", "ListedDaughters<", "ClassedDaughters<",
+        "ConstantSearch<", "LeaveToScene<", "LeaveWorld", "EnterScenes<", "EnterLeaves"}) {
+    EXPECT_NE(text.find(type), std::string::npos) << type;
+  }
+  EXPECT_NE(module.data, nullptr);
+  EXPECT_NE(module.owner, nullptr);
+}
+
+TEST(Module, LargeTablesAreNoText) {
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 5000, 10, 10));
+  const VolumeId slab = tests::add_volume(world, "slab", make_box("slab", 0.4, 5, 5));
+  const VolumeId core = tests::add_volume(world, "core", make_box("core", 0.2, 1, 1));
+  tests::place(world, slab, core, {0, 0, 0});
+  for (int i = 0; i < 4000; ++i) tests::place(world, world.top, slab, {i - 2000.0, 0, 0});
+  finish(world);
+  const Geometry geometry(std::make_shared<const World>(std::move(world)));
+  const Module module =
+      generate(geometry, analyse_world(geometry), std::array<VolumeId, 1>{geometry.world().top});
+  EXPECT_LT(own_text(module).size(), 10000U);
+}
+
 TEST(Module, IsTheSameTextEveryTime) {
   const Geometry a(std::make_shared<const World>(tests::mixed_world()));
   const Geometry b(std::make_shared<const World>(tests::mixed_world()));
@@ -46,7 +86,9 @@ TEST(Module, HostileNamesStayOutOfTheCode) {
 
 TEST(KernelTexts, HoldEveryKernelOfEveryKind) {
   for (const char* name : kernel_order()) EXPECT_FALSE(kernel_text(name).empty()) << name;
-  for (const char* name : {"vectors", "prelude", "grid", "navigation_stack", "navigation"}) {
+  std::vector<const char*> others{"vectors", "prelude", "scene"};
+  others.insert(others.end(), scene_kernels().begin(), scene_kernels().end());
+  for (const char* name : others) {
     EXPECT_FALSE(kernel_text(name).empty()) << name;
     EXPECT_EQ(kernel_text(name).find("#include"), std::string_view::npos);
   }
