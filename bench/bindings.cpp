@@ -1,6 +1,6 @@
 // What each binding of the scene template brings, on many detectors: the generic navigator, scenes
-// bound to data, the hottest bound to constants as well; straight rays and particles that scatter;
-// in one process, the same rays, in turn, processor time.
+// bound to data, to structures as well, the hottest to constants as well; straight rays and
+// particles that scatter; in one process, the same rays, in turn, processor time.
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
@@ -91,7 +91,7 @@ struct Engine {
 };
 
 struct Sums {
-  double log[2][2]{}, worst[2][2]{{1e9, 1e9}, {1e9, 1e9}};
+  double log[2][3]{}, worst[2][3]{{1e9, 1e9, 1e9}, {1e9, 1e9, 1e9}};
   int count = 0;
 };
 
@@ -106,10 +106,11 @@ void measure(const std::string& file, bench::RayOptions options, int repetitions
     rays = bench::rays_of(options, *world);
   }
   std::vector<std::unique_ptr<Engine>> engines;
-  for (int binding = 0; binding < (constants ? 3 : 2); ++binding) {
+  for (int binding = 0; binding < (constants ? 4 : 2); ++binding) {
     RuntimeOptions o;
     o.jit = binding == 0 ? JitMode::off : JitMode::on;
-    o.specialiser.constants = binding == 2;
+    o.specialiser.structures = binding >= 2;
+    o.specialiser.constants = binding == 3;
     if (log) {
       o.log = [](LogLevel, std::string_view line) {
         std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data());
@@ -193,8 +194,9 @@ int main(int argc, char** argv) try {
   app.add_flag("!--without-constants", constants, "scenes are bound to data alone");
   app.add_flag("--log", log, "what is bound, compiled and judged, on the standard error");
   CLI11_PARSE(app, argc, argv);
-  std::printf("%-30s | straight: ns/step, speed-up by data, constants | scattering: the same\n",
-              "detector");
+  std::printf(
+      "%-30s | straight: ns/step, speed-up by data, structures, constants | scattering: the same\n",
+      "detector");
   Sums sums;
   for (const std::string& detector : detectors) {
     measure(detector, options, repetitions, constants, log, sums);
@@ -203,7 +205,7 @@ int main(int argc, char** argv) try {
     std::printf("%-30s", what);
     for (int kind : {0, 1}) {
       std::printf(" | %7s", "");
-      for (int e = 0; e < (constants ? 2 : 1); ++e) {
+      for (int e = 0; e < (constants ? 3 : 1); ++e) {
         std::printf(" %5.2f", what[0] == 'm' ? std::exp(sums.log[kind][e] / sums.count)
                                              : sums.worst[kind][e]);
       }

@@ -108,7 +108,7 @@ int main(int argc, char** argv) try {
     RuntimeOptions wait;
     wait.jit = JitMode::wait;
     wait.specialiser.instruction_set = set;
-    wait.specialiser.constants = !without_constants;
+    wait.specialiser.constants = wait.specialiser.structures = !without_constants;
     Specialised& made = *specialised.emplace_back(std::make_unique<Specialised>(world, wait));
     engines.push_back({bench::specialised_name(set, sets), [] {},
                        [&] { return transport_all(made.navigator, *world, rays); }});

@@ -266,10 +266,15 @@ std::string scene_types(const Geometry& geometry, const WorldFacts& facts, const
   w.text += "struct " + name + " : Scene<" + frame + ", " + mother + ",\n  " + daughters + ",\n  " +
             search + ", " + (w.constants() ? "Tolerance" : "double") + "> {\n" + lists;
   w.text += "  using leave = " + leave_of(w) + ";\n  using enter = " + enter_of(w) + ";\n";
+  // Code for all scenes of a structure is not made again for those where what is rare is not.
   w.text += std::string("  static constexpr Rare rare = Rare::") +
-            (plan.bail_out_rare ? "left_out" : "taken") + ";\n";
-  w.text += "  static constexpr bool oblique_only = " + number(plan.oblique_only) +
-            ", shared_moves = " + number(w.constants()) + ";\n";
+            (!w.constants()       ? "out_of_line"
+             : plan.bail_out_rare ? "left_out"
+                                  : "taken") +
+            ";\n";
+  w.text +=
+      "  static constexpr bool oblique_only = " + number(!w.constants() || plan.oblique_only) +
+      ", shared_moves = " + number(w.constants()) + ";\n";
   w.text += "  static constexpr Has has_lists = " + whether(!scene.neighbour_lists.of.empty()) +
             ", has_boxes = " + whether(plan.safety == SafetyFrom::boxes) + ";\n";
   w.text += "  static constexpr unsigned long at = " + std::to_string(at) + ";\n};\n";

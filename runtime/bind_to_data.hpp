@@ -13,7 +13,8 @@ bool bind_hot_to_data(Specialisation& spec);
 /// faster than the generic one on the states at hand.
 void bind_to_data(Specialisation& spec, VolumeId volume);
 
-/// Of a step of the data-bound navigator that is installed, ns; infinite if none is.
+/// Of a step of the navigator bound to data or to a structure that is installed, ns; infinite if
+/// none is.
 double bound_ns(const Specialisation& spec, VolumeId volume);
 
 }  // namespace navjit

@@ -24,7 +24,7 @@ constexpr double try_again_after = 16;
 /// A module's code, and the records that point into it.
 struct Installed {
   jit::Code code;
-  std::shared_ptr<const codegen::Arena> tables;
+  std::vector<std::shared_ptr<const codegen::Arena>> tables;
   std::vector<kernels::DispatchEntry> records;
 };
 
@@ -45,7 +45,8 @@ kernels::DispatchEntry find_entry(const jit::Code& code, const codegen::Entry& e
 /// Verifies, times and installs one scene; `problem` says what was wrong with it.
 bool install_scene(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry& record,
                    const std::shared_ptr<const void>& owner, bool only_if_faster,
-                   SceneReport& report, std::string& problem) {
+                   SceneReport& report, std::string& problem,
+                   Binding binding = Binding::constants) {
   const Geometry& geometry = spec.shared->geometry;
   const kernels::Context& context = spec.shared->table.context();
   const double begun = steady_seconds();
@@ -77,6 +78,17 @@ bool install_scene(Specialisation& spec, VolumeId volume, const kernels::Dispatc
       "verification_ms={:.2f}",
       pays ? "installed" : "slower", spec.seconds(), quoted(geometry.world().volumes[volume].name),
       generic_ns, specialised_ns, samples.size(), recorded, (steady_seconds() - begun) * 1e3);
+  if (binding == Binding::structure) {
+    // Nothing is said of the scene's own code.
+    const std::lock_guard lock(spec.mutex);
+    report.status = SceneStatus::generic;
+    report.generic_ns_per_step = generic_ns;
+    report.binding = pays ? binding : Binding::data;
+    if (!pays) return true;
+    report.specialised_ns_per_step = specialised_ns;
+    report.swapped_at_s = spec.seconds();
+    return true;
+  }
   if (!pays) {
     const VolumeId first = spec.facts.first_equal[volume];
     spec.try_again_at[first] = try_again_after * spec.execution_counts[first];
@@ -89,8 +101,9 @@ bool install_scene(Specialisation& spec, VolumeId volume, const kernels::Dispatc
   if (pays) {
     report.binding = Binding::constants;
     spec.bound.insert(volume);
-  } else if (const std::lock_guard lock(spec.mutex); spec.scenes[volume].binding == Binding::data) {
-    report.binding = Binding::data;
+  } else if (const std::lock_guard lock(spec.mutex);
+             spec.scenes[volume].binding != Binding::generic) {
+    report.binding = spec.scenes[volume].binding;
     report.specialised_ns_per_step = spec.scenes[volume].specialised_ns_per_step;
     report.swapped_at_s = spec.scenes[volume].swapped_at_s;
   }
@@ -103,7 +116,7 @@ bool install(Specialisation& spec, const codegen::Module& module, jit::Code code
              double start) {
   const double compile_ms = (steady_seconds() - start) * 1e3;
   const std::size_t code_bytes = code.report().code_bytes;
-  auto installed = std::make_shared<Installed>(Installed{std::move(code), module.owner, {}});
+  auto installed = std::make_shared<Installed>(Installed{std::move(code), {module.owner}, {}});
   bool all_good = true;
   installed->records.reserve(module.entries.size());  // pointers to records are published
   for (const codegen::Entry& entry : module.entries) {
@@ -137,6 +150,44 @@ bool install(Specialisation& spec, const codegen::Module& module, jit::Code code
         "event=cached at_s={:.3f} scenes={} ms={:.1f} with_verification_ms={:.1f}", spec.seconds(),
         module.entries.size(), compile_ms, (steady_seconds() - start) * 1e3);
   }
+  return all_good;
+}
+
+bool install_structure(Specialisation& spec, const std::vector<codegen::Module>& scenes,
+                       jit::Code code, bool cached, double start) {
+  const double compile_ms = (steady_seconds() - start) * 1e3;
+  const std::size_t code_bytes = code.report().code_bytes;
+  auto installed = std::make_shared<Installed>(Installed{std::move(code), {}, {}});
+  installed->records.reserve(scenes.size());  // pointers to records are published
+  for (const codegen::Module& module : scenes) installed->tables.push_back(module.owner);
+  spec.structures.insert(installed);
+  bool all_good = true;
+  for (const codegen::Module& module : scenes) {
+    if (spec.stopping()) return false;
+    const codegen::Entry& entry = module.entries[0];
+    SceneReport report;
+    report.compile_ms = compile_ms / static_cast<double>(scenes.size());
+    report.origin = cached ? CodeOrigin::cache : CodeOrigin::compiler;
+    std::string problem = "the generated function is missing";
+    const kernels::DispatchEntry record = find_entry(installed->code, entry, module.data);
+    if (record.step == nullptr || record.relocate == nullptr || record.safety == nullptr ||
+        !install_scene(spec, entry.volume, installed->records.emplace_back(record), installed,
+                       spec.shared->options.specialiser.keep_only_faster, report, problem,
+                       Binding::structure)) {
+      if (cached) return false;
+      note_failure(spec, entry.volume, problem);
+      all_good = false;
+      continue;
+    }
+    if (report.binding != Binding::structure) continue;  // what is there is no slower
+    const std::lock_guard lock(spec.mutex);
+    spec.scenes[entry.volume] = std::move(report);
+  }
+  const std::lock_guard lock(spec.mutex);
+  ++spec.totals.modules;
+  spec.totals.cached_modules += cached ? 1 : 0;
+  spec.totals.compile_ms += (steady_seconds() - start) * 1e3;
+  spec.totals.code_bytes += code_bytes;
   return all_good;
 }
 

@@ -11,6 +11,11 @@
 namespace navjit {
 namespace {
 
+/// What is bound to data or to a structure.
+bool holds_no_constants(const Specialisation& spec, const std::shared_ptr<const void>& owner) {
+  return owner == spec.arena || spec.structures.contains(owner);
+}
+
 /// Installs the winner, and writes down what it is.
 void install_winner(Specialisation& spec, VolumeId volume, Trial& trial) {
   const bool goes = trial.verdict == Verdict::goes;
@@ -23,13 +28,14 @@ void install_winner(Specialisation& spec, VolumeId volume, Trial& trial) {
   spec.shared->table.install(volume, goes ? trial.before : trial.candidate, owner);
   const std::lock_guard lock(spec.mutex);
   SceneReport& scene = spec.scenes[volume];
-  scene.binding = owner == nullptr      ? Binding::generic
-                  : owner == spec.arena ? Binding::data
-                                        : Binding::constants;
+  scene.binding = owner == nullptr                  ? Binding::generic
+                  : owner == spec.arena             ? Binding::data
+                  : spec.structures.contains(owner) ? Binding::structure
+                                                    : Binding::constants;
   // What is bound to data says nothing about constants: those are still to be tried.
-  scene.status = scene.binding == Binding::constants   ? SceneStatus::specialised
-                 : trial.candidate_owner != spec.arena ? SceneStatus::unprofitable
-                                                       : SceneStatus::generic;
+  scene.status = scene.binding == Binding::constants               ? SceneStatus::specialised
+                 : holds_no_constants(spec, trial.candidate_owner) ? SceneStatus::generic
+                                                                   : SceneStatus::unprofitable;
   scene.note = goes ? "slower in the run than what was there" : "";
 }
 
@@ -46,7 +52,7 @@ void conclude(Specialisation& spec, VolumeId volume, Trial& trial) {
   if (second == spec.second_choices.end() || spec.stopping()) return;
   const kernels::DispatchEntry* candidate = second->second;
   spec.second_choices.erase(second);
-  if (trial.candidate_owner != spec.arena) return;  // constants came first
+  if (trial.candidate_owner != spec.arena) return;  // compiled code came first
   spec.shared->table.install(volume, candidate, spec.arena);
   try_out(spec, volume, candidate, spec.arena);
   const std::lock_guard lock(spec.mutex);
@@ -68,9 +74,10 @@ void try_out(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry
   if (last != spec.trials.all().end()) {
     const Trial& earlier = last->second;
     const bool lost = earlier.verdict == Verdict::goes;
-    if ((lost ? earlier.before_owner : earlier.candidate_owner) == spec.arena) {
+    const auto& best = lost ? earlier.before_owner : earlier.candidate_owner;
+    if (best != nullptr && holds_no_constants(spec, best)) {
       trial.before = lost ? earlier.before : earlier.candidate;
-      trial.before_owner = spec.arena;
+      trial.before_owner = best;
     }
   }
   spec.trials.begin(volume, std::move(trial), spec.active_s);

@@ -55,27 +55,6 @@ double expected_ms(Specialisation& spec, const std::vector<VolumeId>& batch) {
   return sum;
 }
 
-Expected<CodeMaker::Made> compile(Specialisation& spec, const std::string& source) {
-  {
-    const std::lock_guard lock(spec.mutex);
-    if (spec.stopping()) return stopped();
-    spec.compiling = true;
-    spec.wake.notify_all();
-  }
-  Expected<CodeMaker::Made> made = stopped();
-  try {
-    if (spec.shared->faults.compiling) spec.shared->faults.compiling();
-    made = spec.maker->compile(source, spec.stop.get_token());
-  } catch (const std::bad_alloc&) {
-    made = out_of_memory();
-  }
-  const std::lock_guard lock(spec.mutex);
-  spec.compiling = false;
-  // Nobody waits for it then, and what is this thread's may be in use.
-  if (spec.stopping()) return stopped();
-  return made;
-}
-
 void no_module(Specialisation& spec, const std::vector<VolumeId>& batch, const Failure& failure) {
   const std::string& why = failure.message;
   if (failure.exhausted || !spec.maker->no_compiler().empty() || !spec.maker->no_linker().empty()) {
@@ -97,6 +76,27 @@ void no_module(Specialisation& spec, const std::vector<VolumeId>& batch, const F
 }
 
 }  // namespace
+
+Expected<CodeMaker::Made> compile(Specialisation& spec, const std::string& source) {
+  {
+    const std::lock_guard lock(spec.mutex);
+    if (spec.stopping()) return stopped();
+    spec.compiling = true;
+    spec.wake.notify_all();
+  }
+  Expected<CodeMaker::Made> made = stopped();
+  try {
+    if (spec.shared->faults.compiling) spec.shared->faults.compiling();
+    made = spec.maker->compile(source, spec.stop.get_token());
+  } catch (const std::bad_alloc&) {
+    made = out_of_memory();
+  }
+  const std::lock_guard lock(spec.mutex);
+  spec.compiling = false;
+  // Nobody waits for it then, and what is this thread's may be in use.
+  if (spec.stopping()) return stopped();
+  return made;
+}
 
 codegen::Module generate(Specialisation& spec, const std::vector<VolumeId>& batch,
                          bool along_faces) {

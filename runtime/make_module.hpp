@@ -12,6 +12,9 @@ namespace navjit {
 codegen::Module generate(Specialisation& spec, const std::vector<VolumeId>& batch,
                          bool along_faces);
 
+/// Stops when the run does; a fault may be injected, and memory may give out.
+Expected<CodeMaker::Made> compile(Specialisation& spec, const std::string& source);
+
 /// From the cache, or compiled; then installed. False if the module could not be made; its scenes
 /// were then tried alone.
 bool make_module(Specialisation& spec, const std::vector<VolumeId>& batch);

@@ -32,6 +32,8 @@ const char* binding_name(Binding binding) {
       return "generic";
     case Binding::data:
       return "data";
+    case Binding::structure:
+      return "structure";
     case Binding::constants:
       return "constants";
   }

@@ -40,7 +40,8 @@ void note_failure(Specialisation& spec, VolumeId volume, const std::string& why)
   const std::lock_guard lock(spec.mutex);
   spec.shared->log->warn(
       "scene {} stays {}: {}", spec.shared->geometry.world().volumes[volume].name,
-      spec.scenes[volume].binding == Binding::data ? "bound to data" : "generic", one_line(why));
+      spec.scenes[volume].binding == Binding::generic ? "generic" : "bound as before",
+      one_line(why));
   spec.scenes[volume].status = SceneStatus::failed;
   spec.scenes[volume].note = why;
 }

@@ -9,6 +9,7 @@
 #include "analysis/plan.hpp"
 #include "jit/activity.hpp"
 #include "runtime/bind_to_data.hpp"
+#include "runtime/bind_to_structure.hpp"
 #include "runtime/choose.hpp"
 #include "runtime/gather.hpp"
 #include "runtime/judge.hpp"
@@ -89,7 +90,9 @@ void Specialiser::look_until_stopped() {
     lock.unlock();
     gather(spec_);
     const bool more_to_bind = bind_hot_to_data(spec_);
-    const std::vector<VolumeId> batch = more_to_bind ? std::vector<VolumeId>{} : choose(spec_);
+    const bool made_structure = !more_to_bind && bind_to_structure(spec_, false);
+    const std::vector<VolumeId> batch =
+        more_to_bind || made_structure ? std::vector<VolumeId>{} : choose(spec_);
     if (!batch.empty()) {
       show_candidates(spec_);
       make_and_remember(spec_, batch);
@@ -101,7 +104,7 @@ void Specialiser::look_until_stopped() {
     lock.lock();
     spec_.totals.waiting_to_be_freed = waiting;
     ++looks_;
-    const bool idle = batch.empty() && !more_to_bind;
+    const bool idle = batch.empty() && !more_to_bind && !made_structure;
     if (idle) idle_look_ = looks_;
     spec_.wake.notify_all();
     // The longer nothing happens, the less often it looks.
@@ -130,7 +133,13 @@ void Specialiser::specialise_all() {
   for (std::size_t v = 0; v < spec_.facts.reachable.size() && !spec_.stopping(); ++v) {
     if (spec_.facts.reachable[v]) bind_to_data(spec_, static_cast<VolumeId>(v));
   }
-  if (!spec_.maker || !spec_.shared->options.specialiser.constants) return;
+  if (!spec_.maker) return;
+  if (!spec_.shared->options.specialiser.constants) {
+    // What constants will replace anyway need not have it.
+    while (bind_to_structure(spec_, true)) {
+    }
+    return;
+  }
   std::vector<VolumeId> batch;
   const auto flush = [&] {
     if (!batch.empty()) make_and_remember(spec_, batch);

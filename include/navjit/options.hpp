@@ -45,8 +45,10 @@ struct SpecialiserOptions {
   /// What a ms of the compiler's thread counts beside one of navigation. Little: it runs on idle
   /// cores, at low priority, and runs mostly go on for long.
   double compile_weight = 0.3;
-  /// Compile code for the hottest scenes. Without it scenes are bound to data alone.
+  /// Compile code for the hottest scenes. Without it and `structures` scenes are bound to data alone.
   bool constants = true;
+  /// Compile navigators for structures that the library has no instance for, before constants.
+  bool structures = true;
   std::uint64_t min_steps = 2000;  ///< fewer steps in a scene tell nothing
   std::size_t batch = 24;          ///< scenes in one module at the most
   double module_ms = 900;  ///< expected time for a module at the most: the first scenes need

@@ -20,8 +20,9 @@ enum class SceneStatus : std::uint8_t {
 };
 
 /// What navigates a scene: the generic navigator, or the scene template with its numbers bound to
-/// data (compiled with the library) or to constants (compiled in this run, or for it).
-enum class Binding : std::uint8_t { generic, data, constants };
+/// data (compiled with the library), to a structure (compiled in this run for all scenes that have
+/// it, the numbers being data) or to constants (compiled in this run, or for it).
+enum class Binding : std::uint8_t { generic, data, structure, constants };
 
 /// As reports have it.
 const char* binding_name(Binding binding);

@@ -29,6 +29,7 @@ using tests::trace;
 RuntimeOptions data_alone(JitMode jit) {
   RuntimeOptions options = tests::eager_options(jit);
   options.specialiser.constants = false;
+  options.specialiser.structures = false;
   options.specialiser.keep_only_faster = false;
   return options;
 }

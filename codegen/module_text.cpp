@@ -1,0 +1,51 @@
+#include "codegen/module_text.hpp"
+
+#include "codegen/kernel_names.hpp"
+#include "codegen/kernel_texts.hpp"
+
+namespace navjit::codegen {
+namespace {
+
+constexpr const char* inlined =
+    "#pragma clang attribute push(__attribute__((always_inline)), apply_to = function)\n";
+constexpr const char* as_it_is = "#pragma clang attribute pop\n";
+
+/// The text of all kernels that scenes of these shapes are made of.
+std::string kernels_for(const Shapes& shapes) {
+  std::string text = "#pragma clang diagnostic ignored \"-Winvalid-offsetof\"\n";
+  const auto add = [&](std::string_view kernel, bool small) {
+    text += (small ? inlined : "") + std::string(kernel_text(kernel)) + (small ? as_it_is : "");
+  };
+  for (const char* head : {"vectors", "prelude"}) add(head, true);
+  for (const char* kernel : kernel_order()) {
+    // Constants fold only into kernels that are inlined; the large ones would be inlined into each
+    // other again and again.
+    if (shapes.kernels().contains(kernel)) add(kernel, inlines_everywhere(kernel));
+  }
+  for (const char* kernel : scene_kernels()) add(kernel, true);
+  add("scene", false);
+  return text;
+}
+
+}  // namespace
+
+std::string entry_functions(const Entry& entry, const std::string& scene) {
+  const std::string data = "const Context* context, const void* data, double x, double y, double z";
+  std::string text = "extern \"C\" double " + entry.step + "(NavigationStack* stack, " + data +
+                     ", double limit) {\n  return step_in<" + scene +
+                     ">(data, stack, context, x, y, z, limit);\n}\n" + "extern \"C\" void " +
+                     entry.relocate + "(NavigationStack* stack, " + data +
+                     ", int blocked) {\n  relocate_in<" + scene +
+                     ">(data, stack, context, x, y, z, blocked);\n}\n";
+  if (entry.safety.empty()) return text;
+  return text + "extern \"C\" double " + entry.safety + "(const NavigationStack* stack, " + data +
+         ") {\n  return safety_in<" + scene + ">(data, stack, x, y, z);\n}\n";
+}
+
+std::string module_text(const Shapes& shapes, const std::string& types,
+                        const std::string& functions) {
+  return kernels_for(shapes) + "\nnamespace navjit::kernels {\nnamespace {\n\n" + types +
+         "\n}  // namespace\n\n" + functions + "\n}  // namespace navjit::kernels\n";
+}
+
+}  // namespace navjit::codegen

@@ -1,0 +1,17 @@
+// Binding to a structure: a navigator for all scenes whose parts are of the same types, compiled
+// once; the numbers are tables.
+#pragma once
+
+#include "codegen/module.hpp"
+
+namespace navjit::codegen {
+
+/// Whether the library's own instance asks at run time what kinds of solids there are, where code
+/// for this structure would know.
+bool gains_from_structure(const Geometry& geometry, const ScenePlan& plan);
+
+/// The navigator of a scene's structure, and this scene's numbers as its data. Scenes of one
+/// structure have the same source, to the letter.
+Module generate_structure(const Geometry& geometry, const WorldFacts& facts, const ScenePlan& plan);
+
+}  // namespace navjit::codegen
