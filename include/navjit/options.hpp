@@ -45,7 +45,8 @@ struct SpecialiserOptions {
   /// What a ms of the compiler's thread counts beside one of navigation. Little: it runs on idle
   /// cores, at low priority, and runs mostly go on for long.
   double compile_weight = 0.3;
-  /// Compile code for the hottest scenes. Without it and `structures` scenes are bound to data alone.
+  /// Compile code for the hottest scenes. Without it and `structures` scenes are bound to data
+  /// alone.
   bool constants = true;
   /// Compile navigators for structures that the library has no instance for, before constants.
   bool structures = true;
