@@ -5,6 +5,7 @@
 #include "codegen/data/instances.hpp"
 #include "codegen/module_text.hpp"
 #include "codegen/scene_types.hpp"
+#include "codegen/typed_solid.hpp"
 
 namespace navjit::codegen {
 namespace {
@@ -29,6 +30,16 @@ bool gains_from_structure(const Geometry& geometry, const ScenePlan& plan) {
   }
   Shapes shapes;
   return parts_of_scene(geometry, plan, Numbers::tables, shapes).classes.size() <= most_types;
+}
+
+std::size_t solids_of_structure(const Geometry& geometry, const ScenePlan& plan) {
+  const Scene& scene = geometry.scene(plan.volume);
+  Shapes shapes;
+  std::size_t solids = solids_in(scene.solid);
+  for (const PartClass& c : parts_of_scene(geometry, plan, Numbers::tables, shapes).classes) {
+    solids += solids_in(scene.daughters[c.members[0]].solid);
+  }
+  return solids;
 }
 
 Module generate_structure(const Geometry& geometry, const WorldFacts& facts,

@@ -10,6 +10,9 @@ namespace navjit::codegen {
 /// for this structure would know.
 bool gains_from_structure(const Geometry& geometry, const ScenePlan& plan);
 
+/// How many solids the kernels of a structure are for: what it costs to compile goes with them.
+std::size_t solids_of_structure(const Geometry& geometry, const ScenePlan& plan);
+
 /// The navigator of a scene's structure, and this scene's numbers as its data. Scenes of one
 /// structure have the same source, to the letter.
 Module generate_structure(const Geometry& geometry, const WorldFacts& facts, const ScenePlan& plan);
