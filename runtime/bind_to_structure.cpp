@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "analysis/plan.hpp"
 #include "codegen/structure.hpp"
@@ -55,6 +56,34 @@ std::map<std::string, Structure> find_structures(Specialisation& spec, bool all)
   return structures;
 }
 
+/// While it lives its scenes are said to be compiled. They are left so where the run ends before.
+class Compiling {
+ public:
+  Compiling(Specialisation& spec, const Structure& structure) : spec_(spec) {
+    const std::lock_guard lock(spec_.mutex);
+    for (const codegen::Module& scene : structure.scenes) {
+      SceneStatus& status = spec_.scenes[scene.entries[0].volume].status;
+      before_.emplace_back(scene.entries[0].volume, status);
+      status = SceneStatus::compiling;
+    }
+  }
+  Compiling(const Compiling&) = delete;
+  Compiling& operator=(const Compiling&) = delete;
+  ~Compiling() {
+    const std::lock_guard lock(spec_.mutex);
+    if (spec_.stopping()) return;
+    for (const auto& [volume, status] : before_) spec_.scenes[volume].status = status;
+  }
+
+ private:
+  Specialisation& spec_;
+  std::vector<std::pair<VolumeId, SceneStatus>> before_{};
+};
+
+std::uint64_t all_steps(const Specialisation& spec) {
+  return std::accumulate(spec.steps.begin(), spec.steps.end(), std::uint64_t{0});
+}
+
 }  // namespace
 
 bool bind_to_structure(Specialisation& spec, bool all) {
@@ -64,17 +93,22 @@ bool bind_to_structure(Specialisation& spec, bool all) {
                   options.compile_first_ms + options.compile_share * 1e3 * spec.seconds()) {
     return false;
   }
+  // Plans take their time: where none paid, it looks again after a few more steps.
+  if (!all && all_steps(spec) < spec.structures_again_at) return false;
   std::map<std::string, Structure> structures = find_structures(spec, all);
   const auto best =
       std::max_element(structures.begin(), structures.end(), [](const auto& a, const auto& b) {
         return a.second.spent_ns * b.second.compile_ms < b.second.spent_ns * a.second.compile_ms;
       });
-  if (best == structures.end()) return false;
-  const auto& [source, structure] = *best;
-  if (!all &&
-      structure.spent_ns * gain_over_data < options.compile_weight * structure.compile_ms * 1e6) {
+  const auto pays = [&](const Structure& structure) {
+    return structure.spent_ns * gain_over_data >=
+           options.compile_weight * structure.compile_ms * 1e6;
+  };
+  if (best == structures.end() || !(all || pays(best->second))) {
+    spec.structures_again_at = all_steps(spec) / 8 * 9;
     return false;
   }
+  const auto& [source, structure] = *best;
   for (const codegen::Module& scene : structure.scenes) {
     spec.structure_tried.insert(scene.entries[0].volume);
   }
@@ -84,14 +118,14 @@ bool bind_to_structure(Specialisation& spec, bool all) {
     if (spec.stopping()) return false;
     spec.maker->reject(source);
   }
-  auto made = compile(spec, source);
+  Expected<CodeMaker::Made> made = stopped();
+  {
+    const Compiling compiling(spec, structure);
+    made = compile(spec, source);
+  }
   if (!made) {
-    if (made.failure().stopped) return false;
+    if (made.failure().stopped || nothing_more(spec, made.failure())) return false;
     spec.shared->log->warn("a structure is not compiled: {}", one_line(made.failure().message));
-    if (made.failure().exhausted || !spec.maker->no_compiler().empty() ||
-        !spec.maker->no_linker().empty()) {
-      spec.hopeless = true;
-    }
     return false;
   }
   const jit::CompileReport report = made->object.report;

@@ -57,9 +57,7 @@ double expected_ms(Specialisation& spec, const std::vector<VolumeId>& batch) {
 
 void no_module(Specialisation& spec, const std::vector<VolumeId>& batch, const Failure& failure) {
   const std::string& why = failure.message;
-  if (failure.exhausted || !spec.maker->no_compiler().empty() || !spec.maker->no_linker().empty()) {
-    spec.shared->log->warn("nothing more is specialised in this run: {}", one_line(why));
-    spec.hopeless = true;
+  if (nothing_more(spec, failure)) {
     for (const VolumeId volume : batch) note(spec, volume, SceneStatus::generic, why);
     return;
   }
@@ -76,6 +74,15 @@ void no_module(Specialisation& spec, const std::vector<VolumeId>& batch, const F
 }
 
 }  // namespace
+
+bool nothing_more(Specialisation& spec, const Failure& failure) {
+  if (!failure.exhausted && spec.maker->no_compiler().empty() && spec.maker->no_linker().empty()) {
+    return false;
+  }
+  spec.shared->log->warn("nothing more is specialised in this run: {}", one_line(failure.message));
+  spec.hopeless = true;
+  return true;
+}
 
 Expected<CodeMaker::Made> compile(Specialisation& spec, const std::string& source) {
   {

@@ -15,6 +15,9 @@ codegen::Module generate(Specialisation& spec, const std::vector<VolumeId>& batc
 /// Stops when the run does; a fault may be injected, and memory may give out.
 Expected<CodeMaker::Made> compile(Specialisation& spec, const std::string& source);
 
+/// After a failure to compile: whether nothing can be compiled in this process. Says so in the log.
+bool nothing_more(Specialisation& spec, const Failure& failure);
+
 /// From the cache, or compiled; then installed. False if the module could not be made; its scenes
 /// were then tried alone.
 bool make_module(Specialisation& spec, const std::vector<VolumeId>& batch);

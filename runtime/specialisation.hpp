@@ -45,7 +45,8 @@ struct Specialisation {
   std::vector<VolumeId> leaves_due;  ///< rare ones that are to be bound together
   /// By volume: another way to bind it, to be tried once the first was judged.
   std::map<VolumeId, const kernels::DispatchEntry*> second_choices;
-  std::set<VolumeId> structure_tried;  ///< volumes whose structure was compiled, or need not be
+  std::uint64_t structures_again_at = 0;  ///< steps of the run before which no structure pays
+  std::set<VolumeId> structure_tried;     ///< volumes whose structure was compiled, or need not be
   std::set<std::shared_ptr<const void>> structures;  ///< code of structures, with its tables
   Trials trials;
   bool candidates_shown = true;          ///< in the dispatch table, of open trials
