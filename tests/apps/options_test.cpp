@@ -49,7 +49,7 @@ TEST(Options, CountsMayHaveAnExponent) {
 }
 
 TEST(Options, NumbersAreFiniteAndDecimal) {
-  for (const std::string& option :
+  for (const std::string option :
        {"check DET --tolerance", "run DET --budget", "specialise DET --emit so -o x --least-share",
         "accuracy DET --vecgeom-seconds", "warmup DET --seconds", "warmup DET --prime",
         "warmup DET --interval"}) {
