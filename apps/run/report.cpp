@@ -144,8 +144,8 @@ void print_table(const RunReport& report) {
           *report.speedup());
     }
     std::printf(
-        "%zu modules (%zu from the cache), %.0f ms of compilation, %zu kB of code, %llu states "
-        "bail_outs\n",
+        "%zu modules (%zu from the cache), %.0f ms of compilation, %zu kB of code, %llu "
+        "bail-outs\n",
         report.runtime.modules, report.runtime.cached_modules, report.runtime.compile_ms,
         report.runtime.code_bytes / 1024, static_cast<unsigned long long>(t.bail_outs));
   }
