@@ -57,6 +57,11 @@ Polygon cleaned(std::span<const PlanarPoint> given, const std::string& name) {
 
 bool crosses(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c,
              const PlanarPoint& d) {
+  // Those on one line, apart from one another, may seem to for rounding.
+  const auto apart = [](double p, double q, double r, double s) {
+    return std::max(p, q) < std::min(r, s) || std::max(r, s) < std::min(p, q);
+  };
+  if (apart(a.x, b.x, c.x, d.x) || apart(a.y, b.y, c.y, d.y)) return false;
   const auto side = [](const PlanarPoint& p, const PlanarPoint& q, const PlanarPoint& r) {
     const double area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
     return area > 0 ? 1 : area < 0 ? -1 : 0;

@@ -92,6 +92,26 @@ TEST(Corners, KindsAreTheSimplestThatServe) {
   EXPECT_STREQ(kind_name(SolidKind::cut_tube), "cuttube");
 }
 
+/// A comb whose gaps end on one line, turned: rounding must not let edges there cross.
+TEST(Corners, EdgesOnOneLineDoNotCross) {
+  for (int turn = 0; turn < 200; ++turn) {
+    const double phi = 0.05 + 0.03 * turn, c = std::cos(phi), s = std::sin(phi);
+    std::vector<PlanarPoint> comb{{5, -1}};
+    for (int tooth = 0; tooth < 5; ++tooth) {
+      const double x = 5 - 2.1 * tooth;
+      for (const auto& [dx, y] : {std::pair(0.0, 0.0), {-0.1, 1.3}, {-1.1, 1.3}, {-1.3, 0.0}}) {
+        comb.push_back({x + dx, y});
+      }
+    }
+    comb.push_back({-5, -1});
+    for (PlanarPoint& p : comb) p = {c * p.x - s * p.y, s * p.x + c * p.y};
+    std::string note;
+    const Solid solid = make_extruded("comb", comb, Sections{{0, 0, 0, 1}, {1, 0, 0, 1}}, &note);
+    EXPECT_EQ(solid.kind, SolidKind::prism) << turn;
+    EXPECT_EQ(note, "") << turn;
+  }
+}
+
 TEST(Corners, RefuseWhatMakesNoSolid) {
   EXPECT_EQ(refusal([] {
               make_extruded("s", Polygon{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, prism);
