@@ -10,13 +10,12 @@ namespace {
 
 using tests::rays_through;
 
-/// Code that gives the right answers, after a while.
-std::shared_ptr<const Faults> slow_code() {
+/// Code that gives the right answers, after a while: what ends with `quick` does.
+std::shared_ptr<const Faults> slow_code(const std::string& quick) {
   const auto faults = std::make_shared<Faults>();
   faults->skip_replay = true;
-  faults->edit_source = [](std::string& source) {
-    const std::string quick = "  return best;\n",
-                      slow = "  for (volatile int i = 0; i < 500; i = i + 1) {}\n" + quick;
+  faults->edit_source = [quick](std::string& source) {
+    const std::string slow = "  for (volatile int i = 0; i < 500; i = i + 1) {}\n" + quick;
     for (std::size_t at = 0; (at = source.find(quick, at)) != std::string::npos;
          at += slow.size()) {
       source.replace(at, quick.size(), slow);
@@ -36,7 +35,8 @@ std::size_t taken_out(const Runtime& runtime) {
   return scenes;
 }
 
-TEST(Judge, ARunTakesOutWhatIsSlowInIt) {
+/// A run of which some is slow, until a scene was taken out. With safeties asked, or not.
+void expect_taken_out(const std::string& quick, bool safeties) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
   const std::vector<Ray> rays = rays_through(*world, 47, 200);
   Runtime generic(world, tests::eager_options(JitMode::off));
@@ -44,22 +44,36 @@ TEST(Judge, ARunTakesOutWhatIsSlowInIt) {
   FaultyOptions options{tests::eager_options(JitMode::on)};
   options.specialiser.keep_only_faster = true;
   options.specialiser.optimisation = 1;
-  options.faults = slow_code();
+  options.faults = slow_code(quick);
   FaultyRuntime runtime(world, options);
   Navigator navigator = runtime.navigator();
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (taken_out(runtime) < 2 && std::chrono::steady_clock::now() < give_up) {
+  while (taken_out(runtime) == 0 && std::chrono::steady_clock::now() < give_up) {
     for (const Ray& ray : rays) {
       const RayTotals a = transport(right, ray, world->tolerance);
       const RayTotals b = transport(navigator, ray, world->tolerance);
       ASSERT_EQ(a.steps, b.steps);
       ASSERT_EQ(a.length, b.length);
+      if (!safeties) continue;
+      State at = right.locate(ray.position, ray.direction);
+      for (Vec3 p = ray.position; at.inside();) {
+        ASSERT_EQ(right.safety(at, p), navigator.safety(at, p));
+        const Step step = right.step(at, p, ray.direction, 1e9);
+        p = p + step.length * ray.direction;
+        at = step.next;
+      }
     }
   }
-  EXPECT_GE(taken_out(runtime), 2U);
+  EXPECT_GE(taken_out(runtime), 1U);
   // And the report of a run that ends then says so, too.
   const RuntimeReport report = runtime.final_report();
   EXPECT_GT(report.modules, 0U);
+}
+
+TEST(Judge, ARunTakesOutWhatIsSlowInIt) { expect_taken_out("  return best;\n", false); }
+
+TEST(Judge, ARunTakesOutWhatIsSlowInItsSafeties) {
+  expect_taken_out("  return larger(safety - s.tolerance, 0.0);\n", true);
 }
 
 }  // namespace
