@@ -194,8 +194,9 @@ bool bind_hot_to_data(Specialisation& spec) {
 double bound_ns(const Specialisation& spec, VolumeId volume) {
   const std::lock_guard lock(spec.mutex);
   const auto known = spec.scenes.find(volume);
-  return known != spec.scenes.end() && (known->second.binding == Binding::data ||
-                                        known->second.binding == Binding::structure)
+  return known != spec.scenes.end() && known->second.specialised_ns_per_step > 0 &&
+                 (known->second.binding == Binding::data ||
+                  known->second.binding == Binding::structure)
              ? known->second.specialised_ns_per_step
              : std::numeric_limits<double>::infinity();
 }

@@ -14,7 +14,7 @@ bool bind_hot_to_data(Specialisation& spec);
 void bind_to_data(Specialisation& spec, VolumeId volume);
 
 /// Of a step of the navigator bound to data or to a structure that is installed, ns; infinite if
-/// none is.
+/// none is, or nobody timed it.
 double bound_ns(const Specialisation& spec, VolumeId volume);
 
 }  // namespace navjit

@@ -12,6 +12,7 @@
 #include "runtime/bind_to_data.hpp"
 #include "runtime/gather.hpp"
 #include "runtime/install.hpp"
+#include "runtime/judge.hpp"
 #include "runtime/log_text.hpp"
 #include "runtime/make_module.hpp"
 
@@ -89,10 +90,7 @@ std::uint64_t all_steps(const Specialisation& spec) {
 bool bind_to_structure(Specialisation& spec, bool all) {
   const SpecialiserOptions& options = spec.shared->options.specialiser;
   if (!options.structures || !spec.maker || spec.hopeless || spec.stopping()) return false;
-  if (!all && spec.totals.compile_ms >
-                  options.compile_first_ms + options.compile_share * 1e3 * spec.seconds()) {
-    return false;
-  }
+  if (!all && spec.allowance_is_used_up()) return false;
   // Plans take their time: where none paid, it looks again after a few more steps.
   if (!all && all_steps(spec) < spec.structures_again_at) return false;
   std::map<std::string, Structure> structures = find_structures(spec, all);
@@ -112,6 +110,7 @@ bool bind_to_structure(Specialisation& spec, bool all) {
   for (const codegen::Module& scene : structure.scenes) {
     spec.structure_tried.insert(scene.entries[0].volume);
   }
+  show_candidates(spec);
   const double start = steady_seconds();
   if (auto found = spec.maker->find(source)) {
     if (install_structure(spec, structure.scenes, std::move(found->code), true, start)) return true;

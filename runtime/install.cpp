@@ -45,8 +45,7 @@ kernels::DispatchEntry find_entry(const jit::Code& code, const codegen::Entry& e
 /// Verifies, times and installs one scene; `problem` says what was wrong with it.
 bool install_scene(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry& record,
                    const std::shared_ptr<const void>& owner, bool only_if_faster,
-                   SceneReport& report, std::string& problem,
-                   Binding binding = Binding::constants) {
+                   SceneReport& report, std::string& problem, Binding binding) {
   const Geometry& geometry = spec.shared->geometry;
   const kernels::Context& context = spec.shared->table.context();
   const double begun = steady_seconds();
@@ -110,6 +109,32 @@ bool install_scene(Specialisation& spec, VolumeId volume, const kernels::Dispatc
   return true;
 }
 
+/// Finds one scene's functions in the code, and installs them. False if they are wrong, which is
+/// noted unless they came from the cache. `report` is not yet the scene's.
+bool install_entry(Specialisation& spec, const std::shared_ptr<Installed>& installed,
+                   const codegen::Entry& entry, const void* data, bool cached, Binding binding,
+                   SceneReport& report) {
+  report.origin = cached ? CodeOrigin::cache : CodeOrigin::compiler;
+  std::string problem = "the generated function is missing";
+  const kernels::DispatchEntry record = find_entry(installed->code, entry, data);
+  if (record.step != nullptr && record.relocate != nullptr && record.safety != nullptr &&
+      install_scene(spec, entry.volume, installed->records.emplace_back(record), installed,
+                    spec.shared->options.specialiser.keep_only_faster, report, problem, binding)) {
+    return true;
+  }
+  if (!cached) note_failure(spec, entry.volume, problem);
+  return false;
+}
+
+/// `start`: of making it.
+void count_module(Specialisation& spec, bool cached, std::size_t code_bytes, double start) {
+  const std::lock_guard lock(spec.mutex);
+  ++spec.totals.modules;
+  spec.totals.cached_modules += cached ? 1 : 0;
+  spec.totals.compile_ms += (steady_seconds() - start) * 1e3;
+  spec.totals.code_bytes += code_bytes;
+}
+
 }  // namespace
 
 bool install(Specialisation& spec, const codegen::Module& module, jit::Code code, bool cached,
@@ -126,25 +151,15 @@ bool install(Specialisation& spec, const codegen::Module& module, jit::Code code
     }
     SceneReport report;
     report.compile_ms = compile_ms / static_cast<double>(module.entries.size());
-    report.origin = cached ? CodeOrigin::cache : CodeOrigin::compiler;
-    std::string problem = "the generated function is missing";
-    const kernels::DispatchEntry record = find_entry(installed->code, entry, module.data);
-    if (record.step == nullptr || record.relocate == nullptr || record.safety == nullptr ||
-        !install_scene(spec, entry.volume, installed->records.emplace_back(record), installed,
-                       spec.shared->options.specialiser.keep_only_faster, report, problem)) {
+    if (!install_entry(spec, installed, entry, module.data, cached, Binding::constants, report)) {
       if (cached) return false;
-      note_failure(spec, entry.volume, problem);
       all_good = false;
       continue;
     }
     const std::lock_guard lock(spec.mutex);
     spec.scenes[entry.volume] = std::move(report);
   }
-  const std::lock_guard lock(spec.mutex);
-  ++spec.totals.modules;
-  spec.totals.cached_modules += cached ? 1 : 0;
-  spec.totals.compile_ms += (steady_seconds() - start) * 1e3;
-  spec.totals.code_bytes += code_bytes;
+  count_module(spec, cached, code_bytes, start);
   if (cached) {
     spec.shared->log->debug(
         "event=cached at_s={:.3f} scenes={} ms={:.1f} with_verification_ms={:.1f}", spec.seconds(),
@@ -167,15 +182,8 @@ bool install_structure(Specialisation& spec, const std::vector<codegen::Module>&
     const codegen::Entry& entry = module.entries[0];
     SceneReport report;
     report.compile_ms = compile_ms / static_cast<double>(scenes.size());
-    report.origin = cached ? CodeOrigin::cache : CodeOrigin::compiler;
-    std::string problem = "the generated function is missing";
-    const kernels::DispatchEntry record = find_entry(installed->code, entry, module.data);
-    if (record.step == nullptr || record.relocate == nullptr || record.safety == nullptr ||
-        !install_scene(spec, entry.volume, installed->records.emplace_back(record), installed,
-                       spec.shared->options.specialiser.keep_only_faster, report, problem,
-                       Binding::structure)) {
+    if (!install_entry(spec, installed, entry, module.data, cached, Binding::structure, report)) {
       if (cached) return false;
-      note_failure(spec, entry.volume, problem);
       all_good = false;
       continue;
     }
@@ -183,11 +191,7 @@ bool install_structure(Specialisation& spec, const std::vector<codegen::Module>&
     const std::lock_guard lock(spec.mutex);
     spec.scenes[entry.volume] = std::move(report);
   }
-  const std::lock_guard lock(spec.mutex);
-  ++spec.totals.modules;
-  spec.totals.cached_modules += cached ? 1 : 0;
-  spec.totals.compile_ms += (steady_seconds() - start) * 1e3;
-  spec.totals.code_bytes += code_bytes;
+  count_module(spec, cached, code_bytes, start);
   return all_good;
 }
 
@@ -202,7 +206,8 @@ void install_plugin(Specialisation& spec, const std::string& path) {
     report.origin = CodeOrigin::plugin;
     std::string problem;
     // Whoever made the plugin chose its scenes: production shall not depend on a timing.
-    if (install_scene(spec, entry.volume, entry.dispatch, *plugin, false, report, problem)) {
+    if (install_scene(spec, entry.volume, entry.dispatch, *plugin, false, report, problem,
+                      Binding::constants)) {
       const std::lock_guard lock(spec.mutex);
       spec.scenes[entry.volume] = std::move(report);
       ++spec.totals.plugin_scenes;

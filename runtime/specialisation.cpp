@@ -24,6 +24,11 @@ Specialisation::Specialisation(std::shared_ptr<detail::Shared> runtime)
 
 double Specialisation::seconds() const { return steady_seconds() - started_at; }
 
+bool Specialisation::allowance_is_used_up() const {
+  const SpecialiserOptions& options = shared->options.specialiser;
+  return totals.compile_ms > options.compile_first_ms + options.compile_share * 1e3 * seconds();
+}
+
 void note(Specialisation& spec, VolumeId volume, SceneStatus status, const std::string& why) {
   spec.shared->log->debug("event=status at_s={:.3f} scene={} status={} why={}", spec.seconds(),
                           quoted(spec.shared->geometry.world().volumes[volume].name),

@@ -36,6 +36,8 @@ struct Specialisation {
   bool stopping() const { return stop.stop_requested(); }
   /// Since it was made.
   double seconds() const;
+  /// Whether compiling has taken all that it may so far (SpecialiserOptions::compile_share).
+  bool allowance_is_used_up() const;
 
   std::shared_ptr<detail::Shared> shared;
   WorldFacts facts;

@@ -97,6 +97,8 @@ void Specialiser::look_until_stopped() {
       show_candidates(spec_);
       make_and_remember(spec_, batch);
     }
+    // No stretch of a trial lasts as long as that took.
+    if (made_structure || !batch.empty()) spec_.looked_at = spec_.seconds();
     if (spec_.stopping()) return;
     watch(spec_);
     if (batch.empty()) judge(spec_);

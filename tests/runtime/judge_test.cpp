@@ -44,6 +44,10 @@ void expect_taken_out(const std::string& quick, bool safeties) {
   FaultyOptions options{tests::eager_options(JitMode::on)};
   options.specialiser.keep_only_faster = true;
   options.specialiser.optimisation = 1;
+  // What is slow is the code of scenes: it is not to wait for other compiling, however busy the
+  // machine.
+  options.specialiser.structures = false;
+  options.specialiser.compile_first_ms = 1e6;
   options.faults = slow_code(quick);
   FaultyRuntime runtime(world, options);
   Navigator navigator = runtime.navigator();
