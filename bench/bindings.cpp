@@ -96,7 +96,7 @@ struct Sums {
 };
 
 void measure(const std::string& file, bench::RayOptions options, int repetitions, bool constants,
-             bool log, Sums& sums) {
+             bool log, bool judged, Sums& sums) {
   const auto world = std::make_shared<const World>(read_world(file));
   std::vector<Ray> rays;
   try {
@@ -111,6 +111,7 @@ void measure(const std::string& file, bench::RayOptions options, int repetitions
     o.jit = binding == 0 ? JitMode::off : JitMode::on;
     o.specialiser.structures = binding >= 2;
     o.specialiser.constants = binding == 3;
+    o.specialiser.keep_only_faster = judged;
     if (log) {
       o.log = [](LogLevel, std::string_view line) {
         std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data());
@@ -187,11 +188,12 @@ int main(int argc, char** argv) try {
   options.count = 20000;
   options.aim = "auto";
   int repetitions = 7;
-  bool constants = true, log = false;
+  bool constants = true, log = false, judged = true;
   app.add_option("detectors", detectors, "GDML files")->required();
   bench::add_ray_options(app, options);
   app.add_option("--repetitions", repetitions, "of each engine, in turn");
   app.add_flag("!--without-constants", constants, "scenes are bound to data alone");
+  app.add_flag("!--unjudged", judged, "what is slower in the run stays, too");
   app.add_flag("--log", log, "what is bound, compiled and judged, on the standard error");
   CLI11_PARSE(app, argc, argv);
   std::printf(
@@ -199,7 +201,7 @@ int main(int argc, char** argv) try {
       "detector");
   Sums sums;
   for (const std::string& detector : detectors) {
-    measure(detector, options, repetitions, constants, log, sums);
+    measure(detector, options, repetitions, constants, log, judged, sums);
   }
   for (const char* what : {"mean", "worst"}) {
     std::printf("%-30s", what);

@@ -24,7 +24,13 @@ void gather(Specialisation& spec) {
   for (const auto& profile : counts.profiles) {
     for (Sample sample; profile->take(sample);) {
       if (sample.ticks > 0) {
-        spec.trials.record(sample.volume, sample.used, static_cast<double>(sample.ticks));
+        // A mother that its daughters fill has no steps of its own, and is relocated in at each of
+        // theirs.
+        for (const auto& [volume, used] :
+             {Sample::Relocation{sample.volume, sample.used}, sample.left_into, sample.entered}) {
+          if (used == nullptr) continue;
+          spec.trials.record(volume, used, static_cast<double>(sample.ticks));
+        }
       }
       if (sample.safety) continue;
       if (sample.mother != Sample::no_volume) spec.steps_below[sample.mother] += Profile::period;

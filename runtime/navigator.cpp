@@ -23,6 +23,22 @@ void require_finite(const Vec3& v, const char* what) {
 /// How far from 1 the length of a direction may be: that of one in single precision is.
 constexpr double unit_slack = 1e-5;
 
+/// After a step from `depth`: in which volumes the track was relocated.
+void note_relocations(Sample& sample, const NavigationStack& stack, const kernels::Context* context,
+                      const Geometry& geometry, int depth) {
+  if (stack.boundary == 0) return;
+  // What is in the table now is what was used, but for a swap just then: of many samples one.
+  const auto relocated_in = [&](VolumeId volume) {
+    return Sample::Relocation{volume, kernels::dispatch_entry_of(context, volume)};
+  };
+  const bool left = stack.depth < depth || stack.levels[depth].touchable != sample.touchable;
+  if (left && sample.mother != Sample::no_volume) sample.left_into = relocated_in(sample.mother);
+  const int entered = left ? depth : depth + 1;
+  if (entered > stack.depth) return;
+  const VolumeId volume = stack.levels[entered].volume;
+  if (!geometry.scene(volume).daughters.empty()) sample.entered = relocated_in(volume);
+}
+
 }  // namespace
 
 Navigator::Own::Own(std::size_t volumes) : profile(volumes) {
@@ -194,6 +210,7 @@ Step Navigator::recorded_step(const Vec3& point, const Vec3& direction, double l
   Own& own = *own_;
   NavigationStack& stack = own.stack;
   const kernels::StackLevel& level = stack.levels[stack.depth];
+  const int depth = stack.depth;
   const VolumeId volume = level.volume;
   Sample sample{
       level.touchable, volume,
@@ -214,6 +231,7 @@ Step Navigator::recorded_step(const Vec3& point, const Vec3& direction, double l
     length = entry.step(&stack, context_, entry.data, point.x, point.y, point.z, limit);
     if (length < 0) length = bail_out(point, direction, limit);
     sample.ticks = ticks() - start;
+    note_relocations(sample, stack, context_, shared_->geometry, depth);
   }
   own.read_side->leave();
   if (!shadow_) own.profile.record(sample);

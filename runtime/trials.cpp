@@ -14,11 +14,16 @@ constexpr double least_pairs = 8;
 constexpr double least_count = 50;
 /// Standard errors between two sides that are called different.
 constexpr double errors_apart = 2.5;
-/// A candidate that has not shown itself to be slower after so many steps stays.
+/// After so many steps a difference that may be chance is small.
 constexpr double enough_count = 5000;
 
 bool is_rare(const Trial& t) {
   return std::min(t.with.count, t.without.count) < least_count || t.lost.pairs < least_pairs;
+}
+
+/// What is no further from zero than chance brings it stays: on recorded states it was faster.
+Verdict at_last(const PairedDifference& lost) {
+  return lost.mean() > lost.error() ? Verdict::goes : Verdict::stays;
 }
 
 Verdict verdict_on(const Trial& t) {
@@ -27,7 +32,7 @@ Verdict verdict_on(const Trial& t) {
   if (lost < -errors_apart * error) return Verdict::stays;
   if (lost > errors_apart * error) return Verdict::goes;
   if (std::min(t.with.count, t.without.count) < enough_count) return Verdict::open;
-  return lost > 0 ? Verdict::goes : Verdict::stays;
+  return at_last(t.lost);
 }
 
 }  // namespace
@@ -48,6 +53,15 @@ void PairedDifference::add(const TickSum& a, const TickSum& b) {
   weight2 += w * w;
   sum2 += w * w * difference;
   squares2 += w * w * difference * difference;
+}
+
+void PairedDifference::add(const PairedDifference& more) {
+  pairs += more.pairs;
+  weight += more.weight;
+  sum += more.sum;
+  weight2 += more.weight2;
+  sum2 += more.sum2;
+  squares2 += more.squares2;
 }
 
 double PairedDifference::error() const {
@@ -100,7 +114,7 @@ std::vector<Trials::Of> Trials::decide(double now) {
       if (is_rare(trial)) {
         few.push_back(&trial);
       } else {
-        trial.verdict = trial.lost.mean() > 0 ? Verdict::goes : Verdict::stays;
+        trial.verdict = at_last(trial.lost);
       }
     }
     decided.push_back({volume, &trial});
@@ -113,11 +127,9 @@ std::vector<Trials::Of> Trials::decide(double now) {
 
 void Trials::judge_as_others(const std::vector<Trial*>& few) {
   if (few.empty()) return;
-  std::map<kernels::StepFunction, double> lost;
-  for (const auto& [volume, trial] : trials_) lost[trial.candidate->step] += trial.lost.sum;
-  for (Trial* trial : few) {
-    trial->verdict = lost[trial->candidate->step] > 0 ? Verdict::goes : Verdict::stays;
-  }
+  std::map<kernels::StepFunction, PairedDifference> lost;
+  for (const auto& [volume, trial] : trials_) lost[trial.candidate->step].add(trial.lost);
+  for (Trial* trial : few) trial->verdict = at_last(lost[trial->candidate->step]);
 }
 
 std::vector<Trials::Of> Trials::begin_again(double now) {

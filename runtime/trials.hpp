@@ -32,6 +32,7 @@ struct PairedDifference {
   double pairs = 0, weight = 0, sum = 0, weight2 = 0, sum2 = 0, squares2 = 0;
 
   void add(const TickSum& a, const TickSum& b);
+  void add(const PairedDifference& more);
   /// Of the mean of `a` minus that of `b`, ticks.
   double mean() const { return weight > 0 ? sum / weight : 0; }
   /// Its standard error.

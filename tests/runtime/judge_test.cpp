@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdlib>
+#include <mutex>
 
 #include "tests/support/traces.hpp"
 
@@ -75,6 +77,44 @@ void expect_taken_out(const std::string& quick, bool safeties) {
 }
 
 TEST(Judge, ARunTakesOutWhatIsSlowInIt) { expect_taken_out("  return best;\n", false); }
+
+/// What the log says of a trial: the number after `key`.
+double number_after(const std::string& line, const std::string& key) {
+  const std::size_t at = line.find(key);
+  return at == std::string::npos ? 0 : std::strtod(line.c_str() + at + key.size(), nullptr);
+}
+
+TEST(Judge, AMotherThatItsDaughtersFillIsJudgedByTheirSteps) {
+  // Plates and tiles fill the stack: no step is made in it.
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  RuntimeOptions options = tests::eager_options(JitMode::on);
+  options.specialiser.keep_only_faster = true;
+  options.specialiser.constants = options.specialiser.structures = false;
+  std::mutex mutex;
+  double judged_by = 0;
+  options.log = [&](LogLevel, std::string_view line) {
+    const std::string text(line);
+    if (text.find("event=judged") == std::string::npos) return;
+    if (text.find("scene=\"stack\"") == std::string::npos) return;
+    const std::lock_guard lock(mutex);
+    judged_by = number_after(text, "with_steps=");
+  };
+  Runtime runtime(world, options);
+  Navigator navigator = runtime.navigator();
+  const std::vector<Ray> rays = rays_through(*world, 48, 200);
+  const auto is_judged = [&] {
+    const std::lock_guard lock(mutex);
+    return judged_by > 0;
+  };
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!is_judged() && std::chrono::steady_clock::now() < give_up) {
+    for (const Ray& ray : rays) transport(navigator, ray, world->tolerance);
+  }
+  EXPECT_TRUE(is_judged());
+  for (const SceneReport& scene : runtime.report().scenes) {
+    EXPECT_NE(scene.volume, "stack") << scene.steps << " steps";
+  }
+}
 
 TEST(Judge, ARunTakesOutWhatIsSlowInItsSafeties) {
   expect_taken_out("  return larger(safety - s.tolerance, 0.0);\n", true);

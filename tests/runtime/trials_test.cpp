@@ -91,6 +91,23 @@ TEST(Trials, RareScenesAreJudgedWithThoseThatShareTheirCode) {
   }
 }
 
+TEST(Trials, WhatIsNeitherSlowerNorFasterStays) {
+  for (const VolumeId seen : {0U, 1U}) {
+    Trials trials;
+    Steps steps;
+    for (const VolumeId v : {0U, 1U}) trials.begin(v, trial(), 0);
+    for (int i = 0; i < 20; ++i) {
+      // A little slower, by less than the pairs differ among themselves; or never met.
+      trials.record(seen, &candidate, i % 2 == 0 ? 131 : 70);
+      trials.record(seen, &before, 100);
+      trials.decide(0.1);
+    }
+    const auto decided = trials.decide(2 * Trials::most_s);
+    ASSERT_EQ(decided.size(), 2U);
+    for (const auto& d : decided) EXPECT_EQ(d.trial->verdict, Verdict::stays) << d.volume;
+  }
+}
+
 TEST(Trials, InterruptionsOfTheThreadDecideNothing) {
   Trials trials;
   Steps steps;

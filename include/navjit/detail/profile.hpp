@@ -18,6 +18,8 @@ namespace NAVJIT_API navjit {
 
 /// A recorded question.
 struct Sample {
+  static constexpr VolumeId no_volume = ~VolumeId{0};
+
   TouchableId touchable;
   VolumeId volume;
   Vec3 point, direction;
@@ -27,7 +29,13 @@ struct Sample {
   std::uint64_t ticks = 0;                       ///< that it took
   bool safety = false;                           ///< the safety was asked, and no step made
 
-  static constexpr VolumeId no_volume = ~VolumeId{0};
+  /// A volume's part in a step that was timed but not made in it.
+  struct Relocation {
+    VolumeId volume = no_volume;
+    const kernels::DispatchEntry* used = nullptr;
+  };
+  Relocation left_into{};  ///< the mother, where its daughter was left
+  Relocation entered{};    ///< the daughter of either that was entered
 };
 
 class Profile {
