@@ -1,6 +1,12 @@
 // Solids made of solids: a solid in a frame of its own, and the three booleans.
+//
+// Many holes or many welded parts come as chains, one operand a level. Asked level by level, a
+// chain of n takes the time of n^2 operands for one distance. So a union of unions is made anew, as
+// a balanced tree of parts that are close together, where the boxes of operands leave out most of
+// the tree; and what is cut from a solid is cut from it as one union: ((A - B) - C) = A - (B + C).
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "geometry/solids/extent.hpp"
 #include "geometry/solids/make.hpp"
@@ -10,10 +16,21 @@ namespace {
 
 /// Keeps the operands alive as long as the shape that points to them.
 template <class Shape>
-struct Holder {
-  Shape shape;
+struct Holder : Shape {
   Solid a, b;
 };
+
+/// The shape is held by what made it, below.
+template <class Shape>
+const Holder<Shape>& holder_of(const Solid& solid) {
+  return static_cast<const Holder<Shape>&>(*static_cast<const Shape*>(solid.shape.get()));
+}
+
+template <class Shape>
+std::shared_ptr<const void> hold(const Shape& shape, const Solid& a, const Solid& b) {
+  auto holder = std::make_shared<const Holder<Shape>>(Holder<Shape>{shape, a, b});
+  return {holder, static_cast<const Shape*>(holder.get())};
+}
 
 /// `boxed`: whether the box is worth a test of its own. For a box it is not.
 kernels::AnyOperand<double> operand(const Solid& solid, bool boxed) {
@@ -29,14 +46,56 @@ kernels::AnyOperand<double> operand(const Solid& solid, bool boxed) {
 template <class Shape>
 Solid make_boolean(std::string name, SolidKind kind, const Solid& a, const Solid& b,
                    const Extent& extent, bool first_boxed) {
-  auto holder = std::make_shared<const Holder<Shape>>(
-      Holder<Shape>{{operand(a, first_boxed), operand(b, true)}, a, b});
-  return {std::move(name), kind, std::shared_ptr<const void>(holder, &holder->shape), extent};
+  const Shape shape{operand(a, first_boxed), operand(b, true)};
+  return {std::move(name), kind, hold(shape, a, b), extent};
 }
 
 bool is_identity(const double (&r)[9]) {
   constexpr double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   return std::equal(std::begin(r), std::end(r), identity);
+}
+
+using Union = kernels::AnyUnion<double>;
+using Subtraction = kernels::AnySubtraction<double>;
+
+void add_parts(const Solid& solid, std::vector<Solid>& parts) {
+  if (solid.kind != SolidKind::union_of) {
+    parts.push_back(solid);
+    return;
+  }
+  add_parts(holder_of<Union>(solid).a, parts);
+  add_parts(holder_of<Union>(solid).b, parts);
+}
+
+double centre(const Solid& solid, int axis) {
+  const auto along = [&](const Vec3& v) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; };
+  return along(solid.extent.min) / 2 + along(solid.extent.max) / 2;
+}
+
+/// Of the parts, halved where they are furthest apart.
+Solid balanced_union(const std::string& name, std::span<Solid> parts) {
+  if (parts.size() == 1) return parts[0];
+  int widest = 0;
+  double width = -1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [low, high] = std::minmax_element(
+        parts.begin(), parts.end(),
+        [&](const Solid& a, const Solid& b) { return centre(a, axis) < centre(b, axis); });
+    const double apart = centre(*high, axis) - centre(*low, axis);
+    if (apart > width) {
+      width = apart;
+      widest = axis;
+    }
+  }
+  if (parts.size() > 2) {
+    std::stable_sort(parts.begin(), parts.end(), [&](const Solid& a, const Solid& b) {
+      return centre(a, widest) < centre(b, widest);
+    });
+  }
+  const std::size_t half = parts.size() / 2;
+  const Solid a = balanced_union(name, parts.first(half));
+  const Solid b = balanced_union(name, parts.subspan(half));
+  return make_boolean<Union>(name, SolidKind::union_of, a, b, merged(a.extent, b.extent), true);
 }
 
 }  // namespace
@@ -63,16 +122,15 @@ Solid make_placed(std::string name, const Solid& solid, const SolidFrame& frame)
     low[i] = c - h;
     high[i] = c + h;
   }
-  using Shape = kernels::AnyPlaced<double>;
-  auto holder = std::make_shared<const Holder<Shape>>(Holder<Shape>{shape, solid, solid});
-  return {std::move(name), SolidKind::placed, std::shared_ptr<const void>(holder, &holder->shape),
+  return {std::move(name), SolidKind::placed, hold(shape, solid, solid),
           Extent{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}};
 }
 
 Solid make_union(std::string name, const Solid& a, const Solid& b) {
-  const Extent e = merged(a.extent, b.extent);
-  return make_boolean<kernels::AnyUnion<double>>(std::move(name), SolidKind::union_of, a, b, e,
-                                                 true);
+  std::vector<Solid> parts;
+  add_parts(a, parts);
+  add_parts(b, parts);
+  return balanced_union(name, parts);
 }
 
 Solid make_intersection(std::string name, const Solid& a, const Solid& b) {
@@ -88,8 +146,12 @@ Solid make_intersection(std::string name, const Solid& a, const Solid& b) {
 }
 
 Solid make_subtraction(std::string name, const Solid& a, const Solid& b) {
-  return make_boolean<kernels::AnySubtraction<double>>(std::move(name), SolidKind::subtraction_of,
-                                                       a, b, a.extent, false);
+  if (a.kind == SolidKind::subtraction_of) {
+    const auto& first = holder_of<Subtraction>(a);
+    return make_subtraction(std::move(name), first.a, make_union(name + "_cut", first.b, b));
+  }
+  return make_boolean<Subtraction>(std::move(name), SolidKind::subtraction_of, a, b, a.extent,
+                                   false);
 }
 
 }  // namespace navjit
