@@ -132,11 +132,8 @@ ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId
   return plan;
 }
 
-bool worth_compiling(const Geometry& geometry, const ScenePlan& plan, std::string* why) {
-  const auto no = [&](const char* reason) {
-    if (why != nullptr) *why = reason;
-    return false;
-  };
+Worth worth_compiling(const Geometry& geometry, const ScenePlan& plan) {
+  const auto no = [](std::string_view why) { return Worth{false, why}; };
   if (plan.candidates == Candidates::tree || plan.candidates == Candidates::wires)
     return no("its search is bound to data alone");
   const std::size_t daughters = geometry.scene(plan.volume).daughters.size();
@@ -159,8 +156,7 @@ bool worth_compiling(const Geometry& geometry, const ScenePlan& plan, std::strin
     for (const DaughterClass::Shape& s : c.shapes) numbers += solid_key(s.solid).size() / 8;
   }
   if (numbers > most_numbers) return no("solids too large to spell out");
-  if (why != nullptr) *why = "constants fold, candidates are few";
-  return true;
+  return {true, "constants fold, candidates are few"};
 }
 
 std::string describe(const Geometry& geometry, const ScenePlan& plan) {
@@ -250,9 +246,8 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
     out << "  leaving      " << around.neighbours.size() << " neighbours of " << listed
         << " daughters, " << within << " of them well inside\n";
   }
-  std::string why;
-  const bool worth = worth_compiling(geometry, plan, &why);
-  out << "  compile      " << (worth ? "yes: " : "no: ") << why << "\n";
+  const Worth worth = worth_compiling(geometry, plan);
+  out << "  compile      " << (worth ? "yes: " : "no: ") << worth.why << "\n";
   return out.str();
 }
 

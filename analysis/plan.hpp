@@ -1,6 +1,8 @@
 // One scene in, a plan for its navigator out.
 #pragma once
 
+#include <string_view>
+
 #include "analysis/facts.hpp"
 
 namespace navjit {
@@ -8,8 +10,16 @@ namespace navjit {
 /// Always succeeds: a scene without structure gets a plan that tests every daughter.
 ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId volume);
 
-/// Whether the plan's navigator is expected to beat the generic one; `why` says the reason.
-bool worth_compiling(const Geometry& geometry, const ScenePlan& plan, std::string* why = nullptr);
+/// Whether a navigator is worth compiling, and why or why not, for people.
+struct Worth {
+  bool compiling = false;
+  std::string_view why;  ///< a literal
+
+  explicit operator bool() const { return compiling; }
+};
+
+/// Whether the plan's navigator is expected to beat the generic one.
+Worth worth_compiling(const Geometry& geometry, const ScenePlan& plan);
 
 /// The plan in lines of text for `navjit inspect`.
 std::string describe(const Geometry& geometry, const ScenePlan& plan);

@@ -34,9 +34,8 @@ std::vector<VolumeId> named_scenes(const Geometry& geometry, const WorldFacts& f
     for (VolumeId v = 0; v < geometry.size(); ++v) {
       if (world.volumes[v].name != name || !facts.reachable[v]) continue;
       found = true;
-      std::string why;
-      if (!worth_compiling(geometry, plan_scene(geometry, facts, v), &why)) {
-        throw Error("scene '" + name + "' is not worth compiling: " + why);
+      if (const Worth worth = worth_compiling(geometry, plan_scene(geometry, facts, v)); !worth) {
+        throw Error("scene '" + name + "' is not worth compiling: " + std::string(worth.why));
       }
       scenes.push_back(v);
     }

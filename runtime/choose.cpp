@@ -23,9 +23,8 @@ constexpr double gain_over_data = 0.35;
 void apply_overrides(Specialisation& spec) {
   const char* text = std::getenv(overrides_variable);
   if (text == nullptr) return;
-  std::string complaints;
-  for (const auto& [volume, variant] :
-       parse_overrides(spec.shared->geometry.world(), text, &complaints)) {
+  const Overrides overrides = parse_overrides(spec.shared->geometry.world(), text);
+  for (const auto& [volume, variant] : overrides.variants) {
     // Equal volumes share a navigator, and so what is forced on one of them.
     const VolumeId first = spec.facts.first_equal[volume];
     if (variant == Variant::off) {
@@ -39,7 +38,9 @@ void apply_overrides(Specialisation& spec) {
       spec.facts.forced_candidates[first] = *candidates_of(variant);
     }
   }
-  if (!complaints.empty()) spec.shared->log->warn("{}: {}", overrides_variable, complaints);
+  if (!overrides.complaints.empty()) {
+    spec.shared->log->warn("{}: {}", overrides_variable, overrides.complaints);
+  }
 }
 
 bool may_be_tried(Specialisation& spec, VolumeId volume) {
@@ -69,8 +70,8 @@ std::vector<VolumeId> choose(Specialisation& spec) {
     Candidate& candidate = spec.candidates[volume];
     if (candidate.compile_ms == 0) {
       const ScenePlan plan = plan_scene(spec.shared->geometry, spec.facts, volume);
-      if (std::string why; !worth_compiling(spec.shared->geometry, plan, &why)) {
-        note(spec, volume, SceneStatus::unprofitable, why);
+      if (const Worth worth = worth_compiling(spec.shared->geometry, plan); !worth) {
+        note(spec, volume, SceneStatus::unprofitable, std::string(worth.why));
         continue;
       }
       candidate = {volume, 0, 0, expected_compile_ms(spec.shared->geometry, plan),
@@ -93,18 +94,17 @@ std::vector<VolumeId> choose(Specialisation& spec) {
 }
 
 std::vector<VolumeId> worth_trying(Specialisation& spec, const std::vector<VolumeId>& batch) {
-  std::vector<VolumeId> worth;
+  std::vector<VolumeId> tried;
   for (const VolumeId volume : batch) {
-    std::string why;
     const ScenePlan plan = plan_scene(spec.shared->geometry, spec.facts, volume);
-    if (worth_compiling(spec.shared->geometry, plan, &why)) {
+    if (const Worth worth = worth_compiling(spec.shared->geometry, plan)) {
       note(spec, volume, SceneStatus::compiling, "");
-      worth.push_back(volume);
+      tried.push_back(volume);
     } else {
-      note(spec, volume, SceneStatus::unprofitable, why);
+      note(spec, volume, SceneStatus::unprofitable, std::string(worth.why));
     }
   }
-  return worth;
+  return tried;
 }
 
 }  // namespace navjit

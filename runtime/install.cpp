@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "geometry/navigation/generic.hpp"
 #include "runtime/bind_to_data.hpp"
@@ -42,10 +43,11 @@ kernels::DispatchEntry find_entry(const jit::Code& code, const codegen::Entry& e
           data};
 }
 
-/// Verifies, times and installs one scene; `problem` says what was wrong with it.
-bool install_scene(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry& record,
-                   const std::shared_ptr<const void>& owner, bool only_if_faster,
-                   SceneReport& report, std::string& problem, Binding binding) {
+/// Verifies, times and installs one scene. The report with what came of it, or what was wrong.
+Expected<SceneReport> install_scene(Specialisation& spec, VolumeId volume,
+                                    const kernels::DispatchEntry& record,
+                                    const std::shared_ptr<const void>& owner, bool only_if_faster,
+                                    SceneReport report, Binding binding) {
   const Geometry& geometry = spec.shared->geometry;
   const kernels::Context& context = spec.shared->table.context();
   const double begun = steady_seconds();
@@ -54,9 +56,11 @@ bool install_scene(Specialisation& spec, VolumeId volume, const kernels::Dispatc
   const std::vector<Sample> made_up = spec.sampler.states(volume, states_made_up, volume + 1);
   samples.insert(samples.end(), made_up.begin(), made_up.end());
   const Faults& faults = spec.shared->faults;
-  problem = faults.skip_verification ? "" : verify(geometry, context, record, volume, samples);
-  if (faults.fail_verification) problem = "injected failure";
-  if (!problem.empty()) return false;
+  if (faults.fail_verification) return Failure{"injected failure"};
+  if (!faults.skip_verification) {
+    std::string problem = verify(geometry, context, record, volume, samples);
+    if (!problem.empty()) return Failure{std::move(problem)};
+  }
 
   const std::span<const Sample> timed =
       recorded > 0 ? std::span(samples).first(recorded) : std::span<const Sample>(samples);
@@ -83,10 +87,10 @@ bool install_scene(Specialisation& spec, VolumeId volume, const kernels::Dispatc
     report.status = SceneStatus::generic;
     report.generic_ns_per_step = generic_ns;
     report.binding = pays ? binding : Binding::data;
-    if (!pays) return true;
+    if (!pays) return report;
     report.specialised_ns_per_step = specialised_ns;
     report.swapped_at_s = spec.seconds();
-    return true;
+    return report;
   }
   if (!pays) {
     const VolumeId first = spec.facts.first_equal[volume];
@@ -106,24 +110,27 @@ bool install_scene(Specialisation& spec, VolumeId volume, const kernels::Dispatc
     report.specialised_ns_per_step = spec.scenes[volume].specialised_ns_per_step;
     report.swapped_at_s = spec.scenes[volume].swapped_at_s;
   }
-  return true;
+  return report;
 }
 
-/// Finds one scene's functions in the code, and installs them. False if they are wrong, which is
-/// noted unless they came from the cache. `report` is not yet the scene's.
-bool install_entry(Specialisation& spec, const std::shared_ptr<Installed>& installed,
-                   const codegen::Entry& entry, const void* data, bool cached, Binding binding,
-                   SceneReport& report) {
-  report.origin = cached ? CodeOrigin::cache : CodeOrigin::compiler;
-  std::string problem = "the generated function is missing";
+/// Finds one scene's functions in the code, and installs them. Nothing if they are wrong, which is
+/// noted unless they came from the cache. The report is not yet the scene's.
+std::optional<SceneReport> install_entry(Specialisation& spec,
+                                         const std::shared_ptr<Installed>& installed,
+                                         const codegen::Entry& entry, const void* data, bool cached,
+                                         Binding binding, double compile_ms) {
+  const SceneReport begun{.compile_ms = compile_ms,
+                          .origin = cached ? CodeOrigin::cache : CodeOrigin::compiler};
   const kernels::DispatchEntry record = find_entry(installed->code, entry, data);
-  if (record.step != nullptr && record.relocate != nullptr && record.safety != nullptr &&
-      install_scene(spec, entry.volume, installed->records.emplace_back(record), installed,
-                    spec.shared->options.specialiser.keep_only_faster, report, problem, binding)) {
-    return true;
-  }
-  if (!cached) note_failure(spec, entry.volume, problem);
-  return false;
+  const bool whole =
+      record.step != nullptr && record.relocate != nullptr && record.safety != nullptr;
+  Expected<SceneReport> report =
+      whole ? install_scene(spec, entry.volume, installed->records.emplace_back(record), installed,
+                            spec.shared->options.specialiser.keep_only_faster, begun, binding)
+            : Failure{"the generated function is missing"};
+  if (report) return *std::move(report);
+  if (!cached) note_failure(spec, entry.volume, report.failure().message);
+  return std::nullopt;
 }
 
 /// `start`: of making it.
@@ -149,15 +156,16 @@ bool install(Specialisation& spec, const codegen::Module& module, jit::Code code
       all_good = false;
       break;
     }
-    SceneReport report;
-    report.compile_ms = compile_ms / static_cast<double>(module.entries.size());
-    if (!install_entry(spec, installed, entry, module.data, cached, Binding::constants, report)) {
+    std::optional<SceneReport> report =
+        install_entry(spec, installed, entry, module.data, cached, Binding::constants,
+                      compile_ms / static_cast<double>(module.entries.size()));
+    if (!report) {
       if (cached) return false;
       all_good = false;
       continue;
     }
     const std::lock_guard lock(spec.mutex);
-    spec.scenes[entry.volume] = std::move(report);
+    spec.scenes[entry.volume] = *std::move(report);
   }
   count_module(spec, cached, code_bytes, start);
   if (cached) {
@@ -180,16 +188,17 @@ bool install_structure(Specialisation& spec, const std::vector<codegen::Module>&
   for (const codegen::Module& module : scenes) {
     if (spec.stopping()) return false;
     const codegen::Entry& entry = module.entries[0];
-    SceneReport report;
-    report.compile_ms = compile_ms / static_cast<double>(scenes.size());
-    if (!install_entry(spec, installed, entry, module.data, cached, Binding::structure, report)) {
+    std::optional<SceneReport> report =
+        install_entry(spec, installed, entry, module.data, cached, Binding::structure,
+                      compile_ms / static_cast<double>(scenes.size()));
+    if (!report) {
       if (cached) return false;
       all_good = false;
       continue;
     }
-    if (report.binding != Binding::structure) continue;  // what is there is no slower
+    if (report->binding != Binding::structure) continue;  // what is there is no slower
     const std::lock_guard lock(spec.mutex);
-    spec.scenes[entry.volume] = std::move(report);
+    spec.scenes[entry.volume] = *std::move(report);
   }
   count_module(spec, cached, code_bytes, start);
   return all_good;
@@ -202,18 +211,18 @@ void install_plugin(Specialisation& spec, const std::string& path) {
     return;
   }
   for (const Plugin::Entry& entry : (*plugin)->entries()) {
-    SceneReport report;
-    report.origin = CodeOrigin::plugin;
-    std::string problem;
     // Whoever made the plugin chose its scenes: production shall not depend on a timing.
-    if (install_scene(spec, entry.volume, entry.dispatch, *plugin, false, report, problem,
-                      Binding::constants)) {
+    Expected<SceneReport> report =
+        install_scene(spec, entry.volume, entry.dispatch, *plugin, false,
+                      {.origin = CodeOrigin::plugin}, Binding::constants);
+    if (report) {
       const std::lock_guard lock(spec.mutex);
-      spec.scenes[entry.volume] = std::move(report);
+      spec.scenes[entry.volume] = *std::move(report);
       ++spec.totals.plugin_scenes;
     } else {
       spec.shared->log->warn("plugin {}: scene {} not used: {}", path,
-                             spec.shared->geometry.world().volumes[entry.volume].name, problem);
+                             spec.shared->geometry.world().volumes[entry.volume].name,
+                             report.failure().message);
     }
   }
 }

@@ -47,11 +47,10 @@ std::optional<Candidates> candidates_of(Variant variant) {
       ->candidates;
 }
 
-std::map<VolumeId, Variant> parse_overrides(const World& world, std::string_view text,
-                                            std::string* complaints) {
-  std::map<VolumeId, Variant> result;
+Overrides parse_overrides(const World& world, std::string_view text) {
+  Overrides result;
   const auto complain = [&](std::string_view entry, const std::string& what) {
-    if (complaints != nullptr) *complaints += "'" + std::string(entry) + "': " + what + "\n";
+    result.complaints += "'" + std::string(entry) + "': " + what + "\n";
   };
   while (!text.empty()) {
     const std::size_t comma = text.find(',');
@@ -68,7 +67,7 @@ std::map<VolumeId, Variant> parse_overrides(const World& world, std::string_view
     bool found = false;
     for (VolumeId v = 0; v < world.volumes.size(); ++v) {
       if (name != "*" && world.volumes[v].name != name) continue;
-      result[v] = *variant;
+      result.variants[v] = *variant;
       found = true;
     }
     if (!found) complain(entry, "no logical volume has this name");

@@ -25,11 +25,14 @@ enum class Variant : std::uint8_t {
 /// The search that the variant forces; nothing for off.
 std::optional<Candidates> candidates_of(Variant variant);
 
+struct Overrides {
+  std::map<VolumeId, Variant> variants;
+  std::string complaints;  ///< what could not be understood and is left out, one line each
+};
+
 /// Parses "NAME=VARIANT,NAME=VARIANT": logical volumes by name ("*" for every one; later entries
-/// override earlier ones), variants off, all, lanes, nest, rings, wires, grid, boxes, tree. What
-/// cannot be understood is left out and described, one line each, in `complaints`.
-std::map<VolumeId, Variant> parse_overrides(const World& world, std::string_view text,
-                                            std::string* complaints);
+/// override earlier ones), variants off, all, lanes, nest, rings, wires, grid, boxes, tree.
+Overrides parse_overrides(const World& world, std::string_view text);
 
 /// The environment variable that a Runtime reads overrides from.
 constexpr const char* overrides_variable = "NAVJIT_SCENES";

@@ -27,9 +27,8 @@ struct Inflater {
 
 bool is_gzipped(std::string_view contents) { return contents.starts_with(magic); }
 
-bool unpack_gzip(std::string_view contents, std::size_t most, std::string& text,
-                 std::string& problem) {
-  text.clear();
+Expected<std::string> unpack_gzip(std::string_view contents, std::size_t most) {
+  std::string text;
   Inflater inflater;
   z_stream& stream = inflater.stream;
   std::array<char, 1 << 16> block;
@@ -47,7 +46,7 @@ bool unpack_gzip(std::string_view contents, std::size_t most, std::string& text,
         ++stream.next_in;
         --stream.avail_in;
       }
-      if (stream.avail_in == 0 && contents.empty()) return true;
+      if (stream.avail_in == 0 && contents.empty()) return text;
       if (stream.avail_in == 0) continue;
       inflateReset(&stream);
     }
@@ -57,19 +56,16 @@ bool unpack_gzip(std::string_view contents, std::size_t most, std::string& text,
     if (status == Z_MEM_ERROR) throw std::bad_alloc();
     const std::size_t made = block.size() - stream.avail_out;
     if (made > most - text.size()) {
-      problem =
+      return Failure{
           "it is gzipped, and unpacks to too much text; raise GdmlLimits::max_bytes if this is "
-          "meant";
-      return false;
+          "meant"};
     }
     text.append(block.data(), made);
     if (status == Z_BUF_ERROR && stream.avail_in == 0 && contents.empty()) {
-      problem = "it is gzipped and ends too early; copy or make it again";
-      return false;
+      return Failure{"it is gzipped and ends too early; copy or make it again"};
     }
     if (status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR) {
-      problem = "it is gzipped and damaged; copy or make it again";
-      return false;
+      return Failure{"it is gzipped and damaged; copy or make it again"};
     }
   }
 }

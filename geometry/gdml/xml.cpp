@@ -82,7 +82,7 @@ class Builder {
   void start(const XML_Char* tag, const XML_Char** attributes);
   void external_entity(const XML_Char* context, const char* base, const char* system_id);
   void parse_text(XML_Parser parser, const std::string& file, const std::string& text);
-  bool read_file(const fs::path& path, std::string& text, std::string& problem);
+  Expected<std::string> read_file(const fs::path& path);
   std::string_view keep(std::string_view text);
   void stop(const std::string& message);
   std::string here() const;
@@ -247,46 +247,41 @@ void Builder::external_entity(const XML_Char* context, const char* base, const c
     return stop(here() + what + "is nested too deep; does it include itself?");
   }
   const fs::path path = fs::path(base).parent_path() / name;
-  std::string text, problem;
-  if (!read_file(path, text, problem)) {
+  const Expected<std::string> text = read_file(path);
+  if (!text) {
     return stop(here() + what + "cannot be read: " + printable_path(path.string()) + ": " +
-                problem);
+                text.failure().message);
   }
   const ParserPtr parser(XML_ExternalEntityParserCreate(sources_.back().parser, context, nullptr));
   if (parser == nullptr) throw std::bad_alloc();
-  parse_text(parser.get(), document_.files.emplace_back(path.string()), text);
+  parse_text(parser.get(), document_.files.emplace_back(path.string()), *text);
 }
 
-bool Builder::read_file(const fs::path& path, std::string& text, std::string& problem) {
+Expected<std::string> Builder::read_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) {
-    problem =
-        error && error != std::errc::no_such_file_or_directory ? error.message() : "no such file";
-  } else if (fs::is_directory(status)) {
-    problem = "it is a directory, not a file";
-  } else if (!fs::is_regular_file(status)) {
-    problem = "it is not a regular file";
+    const bool missing = !error || error == std::errc::no_such_file_or_directory;
+    return Failure{missing ? "no such file" : error.message()};
   }
-  if (!problem.empty()) return false;
+  if (fs::is_directory(status)) return Failure{"it is a directory, not a file"};
+  if (!fs::is_regular_file(status)) return Failure{"it is not a regular file"};
   const std::uintmax_t size = fs::file_size(path, error);
   std::ifstream stream(path, std::ios::binary);
-  if (error || !stream) {
-    problem = "it cannot be opened; check its permissions";
-  } else if (size > budget_.bytes) {
-    problem = "too much text; raise GdmlLimits::max_bytes if this is meant";
-  } else {
-    text.resize(size);
-    stream.read(text.data(), static_cast<std::streamsize>(size));
-    text.resize(static_cast<std::size_t>(stream.gcount()));
-    if (is_gzipped(text)) {
-      const std::string packed = std::move(text);
-      text = {};
-      if (!unpack_gzip(packed, budget_.bytes, text, problem)) return false;
-    }
-    budget_.bytes -= text.size();
+  if (error || !stream) return Failure{"it cannot be opened; check its permissions"};
+  if (size > budget_.bytes) {
+    return Failure{"too much text; raise GdmlLimits::max_bytes if this is meant"};
   }
-  return problem.empty();
+  std::string text(size, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(size));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (is_gzipped(text)) {
+    Expected<std::string> unpacked = unpack_gzip(text, budget_.bytes);
+    if (!unpacked) return unpacked;
+    text = *std::move(unpacked);
+  }
+  budget_.bytes -= text.size();
+  return text;
 }
 
 void Builder::parse_text(XML_Parser parser, const std::string& file, const std::string& text) {
@@ -316,10 +311,12 @@ void Builder::parse_text(XML_Parser parser, const std::string& file, const std::
 }
 
 void Builder::parse_document(const fs::path& path, const XmlElement* from) {
-  std::string text, problem;
-  if (!read_file(path, text, problem)) {
-    const std::string message = printable_path(path.string()) + ": " + problem;
-    if (from != nullptr) fail(*from, "cannot be read: " + message);
+  const Expected<std::string> text = read_file(path);
+  if (!text) {
+    const std::string& problem = text.failure().message;
+    if (from != nullptr) {
+      fail(*from, "cannot be read: " + printable_path(path.string()) + ": " + problem);
+    }
     throw GdmlError(printable_path(path.string()) + ":0: cannot be read: " + problem);
   }
   const ParserPtr owner(XML_ParserCreate(nullptr));
@@ -333,7 +330,7 @@ void Builder::parse_document(const fs::path& path, const XmlElement* from) {
   XML_SetSkippedEntityHandler(parser, on_skipped_entity);
   XML_SetExternalEntityRefHandler(parser, on_external_entity);
   XML_SetExternalEntityRefHandlerArg(parser, this);
-  parse_text(parser, document_.files.emplace_back(path.string()), text);
+  parse_text(parser, document_.files.emplace_back(path.string()), *text);
   if (out_of_memory_) throw std::bad_alloc();
   if (!problem_.empty()) throw GdmlError(problem_);
 }

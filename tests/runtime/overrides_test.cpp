@@ -14,9 +14,8 @@ namespace {
 
 TEST(Overrides, AreParsedAndComplainedAbout) {
   const World world = tests::mixed_world();
-  std::string complaints;
-  const auto o =
-      parse_overrides(world, "stack=off,plate=all,nobody=off,tile=fast,ring", &complaints);
+  const auto [o, complaints] =
+      parse_overrides(world, "stack=off,plate=all,nobody=off,tile=fast,ring");
   EXPECT_EQ(o.size(), 2U);
   EXPECT_EQ(o.at(1), Variant::off);
   EXPECT_EQ(o.at(2), Variant::all);
@@ -28,15 +27,15 @@ TEST(Overrides, AreParsedAndComplainedAbout) {
   EXPECT_EQ(candidates_of(Variant::off), std::nullopt);
   EXPECT_EQ(std::count(complaints.begin(), complaints.end(), '\n'), 3) << complaints;
   const auto round =
-      parse_overrides(world, "stack=nest,plate=lanes,plate=rings,world=wires", nullptr);
+      parse_overrides(world, "stack=nest,plate=lanes,plate=rings,world=wires").variants;
   EXPECT_EQ(round.at(1), Variant::nest);
   EXPECT_EQ(round.at(2), Variant::rings);
   EXPECT_EQ(round.at(0), Variant::wires);
-  const auto every = parse_overrides(world, "*=off,stack=grid", nullptr);
+  const auto every = parse_overrides(world, "*=off,stack=grid").variants;
   EXPECT_EQ(every.size(), world.volumes.size());
   EXPECT_EQ(every.at(0), Variant::off);
   EXPECT_EQ(every.at(1), Variant::grid);
-  EXPECT_TRUE(parse_overrides(world, "", nullptr).empty());
+  EXPECT_TRUE(parse_overrides(world, "").variants.empty());
 }
 
 TEST(Overrides, FromTheEnvironmentForceScenes) {
