@@ -99,7 +99,10 @@ std::string ChildResult::words(double seconds) const {
   return line.empty() ? "fails (status " + std::to_string(status) + ")" : line;
 }
 
-ChildResult run_child(const std::vector<std::string>& words, double seconds) {
+ChildResult run_child(const std::vector<std::string>& words, double seconds,
+                      WhenInterrupted when_interrupted) {
+  const bool heeds_signals = when_interrupted == WhenInterrupted::end_it;
+  if (heeds_signals) stop_if_interrupted();
   ChildResult result;
   Pipe out, err;
   if (!out.open() || !err.open()) return result;
@@ -113,7 +116,7 @@ ChildResult run_child(const std::vector<std::string>& words, double seconds) {
   bool reading_out = true, reading_err = true;
   bool interrupted = false;
   const auto check_time = [&] {
-    if (!interrupted && interruption() != 0) {
+    if (heeds_signals && !interrupted && interruption() != 0) {
       // It may have something to tidy up.
       ::kill(pid, SIGTERM);
       interrupted = true;
@@ -142,7 +145,7 @@ ChildResult run_child(const std::vector<std::string>& words, double seconds) {
   int status = 0;
   while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
-  stop_if_interrupted();
+  if (heeds_signals) stop_if_interrupted();
   if (killed) {
     result.end = ChildResult::End::timed_out;
   } else if (WIFSIGNALED(status)) {

@@ -17,10 +17,16 @@ struct ChildResult {
   std::string words(double seconds) const;
 };
 
-/// Runs a program (no shell; words[0] is its path) for at most so many seconds. A signal to this
-/// process that is noted meanwhile (common/interruption.hpp) ends the program, and Interrupted is
-/// thrown; nothing else is but std::bad_alloc.
-ChildResult run_child(const std::vector<std::string>& words, double seconds);
+/// What a signal does that this process has noted (common/interruption.hpp).
+enum class WhenInterrupted {
+  end_it,  ///< the program is ended, and Interrupted is thrown
+  go_on,   ///< nothing: it belongs to writing what there is
+};
+
+/// Runs a program (no shell; words[0] is its path) for at most so many seconds. Throws nothing but
+/// Interrupted and std::bad_alloc.
+ChildResult run_child(const std::vector<std::string>& words, double seconds,
+                      WhenInterrupted when_interrupted = WhenInterrupted::end_it);
 
 /// Tells the program that is being run to end, if there is one. May be called in a signal handler.
 void end_child() noexcept;

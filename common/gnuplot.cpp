@@ -64,7 +64,7 @@ std::string plot(const std::string& plots, const std::string& file) {
   const TemporaryPath picture(folder.file("picture")), script(folder.file("script"));
   write_output(script.path(), "set terminal " + terminal_of(file) + "\nset output " +
                                   quoted(picture.path()) + "\n" + plots + "\nunset output\n");
-  const ChildResult result = run_child({program, script.path()}, 60);
+  const ChildResult result = run_child({program, script.path()}, 60, WhenInterrupted::go_on);
   std::ifstream in(picture.path(), std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (!result.good() || bytes.empty()) {

@@ -72,6 +72,8 @@ int accuracy(const Options& options) {
                  });
                },
                [&] {
+                 // A signal may have come before there was anything to draw.
+                 if (report.interrupted && !accuracy::can_be_drawn(report)) return;
                  picture.write([&] {
                    return accuracy::draw(report,
                                          std::filesystem::path(options.detector.file).filename(),

@@ -1,9 +1,12 @@
 #include "apps/accuracy/experiment.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <mutex>
+#include <optional>
 
 #include "apps/accuracy/levels.hpp"
 #include "common/clock.hpp"
@@ -17,7 +20,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Calls work(index) for all of [0, count), on so many threads, with what each thread keeps.
+bool interrupted() { return common::interruption() != 0; }
+
+/// Calls work(index) for all of [0, count), on so many threads, with what each thread keeps; after
+/// a signal for no more of them.
 template <class Kept, class Make, class Work, class Merge>
 void for_all(std::size_t count, unsigned threads, Make make, Work work, Merge merge) {
   std::atomic<std::size_t> next{0};
@@ -25,10 +31,7 @@ void for_all(std::size_t count, unsigned threads, Make make, Work work, Merge me
   std::atomic<bool> stop{false};
   common::in_parallel(threads, stop, [&] {
     Kept kept = make();
-    for (std::size_t i; !stop && (i = next.fetch_add(1)) < count;) {
-      common::stop_if_interrupted();
-      work(kept, i);
-    }
+    for (std::size_t i; !stop && !interrupted() && (i = next.fetch_add(1)) < count;) work(kept, i);
     const std::lock_guard lock(merging);
     merge(kept);
   });
@@ -75,11 +78,12 @@ void compare_levels(const reference::WideGeometry& reference, std::vector<LevelE
       });
 }
 
-std::uint64_t transport_all(Navigator& navigator, const World& world,
-                            const std::vector<Ray>& rays) {
+/// The steps made; nothing if a signal came before the end.
+std::optional<std::uint64_t> transport_all(Navigator& navigator, const World& world,
+                                           const std::vector<Ray>& rays) {
   std::uint64_t steps = 0;
   for (const Ray& ray : rays) {
-    common::stop_if_interrupted();
+    if (interrupted()) return std::nullopt;
     transport(navigator, ray, world.tolerance,
               [&](const State&, double length) { steps += length > world.tolerance ? 1 : 0; });
   }
@@ -92,54 +96,71 @@ void time_levels(std::vector<LevelEngine>& levels, const World& world, const std
   std::vector<Navigator> navigators;
   for (LevelEngine& level : levels) navigators.push_back(level.runtime().navigator());
   std::vector<std::vector<double>> times(levels.size());
-  for (int r = -1; r < repetitions; ++r) {  // the first one warms up
+  for (int r = -1; r < repetitions && !interrupted(); ++r) {  // the first one warms up
     for (std::size_t l = 0; l < levels.size(); ++l) {
       const double start = common::thread_ns();
-      const std::uint64_t steps = transport_all(navigators[l], world, rays);
+      const std::optional<std::uint64_t> steps = transport_all(navigators[l], world, rays);
       const double ns = common::thread_ns() - start;
-      if (r >= 0) {
-        times[l].push_back(ns / static_cast<double>(std::max<std::uint64_t>(steps, 1)));
+      if (r >= 0 && steps) {
+        times[l].push_back(ns / static_cast<double>(std::max<std::uint64_t>(*steps, 1)));
       }
     }
   }
   for (std::size_t l = 0; l < levels.size(); ++l) {
-    report.engines[l].ns_per_step = common::summarise(times[l]).median;
+    if (!times[l].empty()) report.engines[l].ns_per_step = common::summarise(times[l]).median;
   }
 }
 
-/// What reading the clock costs, ns: the least of many tries.
-double clock_cost() {
-  double least = 1e9;
-  for (int i = 0; i < 2000; ++i) {
-    const auto start = Clock::now();
-    least = std::min(least, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
-  }
-  return least;
-}
+/// A step, to be made once more.
+struct RecordedStep {
+  State state;
+  Vec3 point, direction;
+};
 
-/// Each step by itself, medians by scene: dear scenes are told from cheap ones, not more.
-std::map<VolumeId, double> time_scenes(LevelEngine& level, const World& world,
-                                       const std::vector<Ray>& rays) {
-  Navigator navigator = level.runtime().navigator();
-  const double cost = clock_cost();
-  std::map<VolumeId, std::vector<double>> times;
+/// The first steps of the rays, by the volume that they are made in. What a signal left out is
+/// missing.
+std::map<VolumeId, std::vector<RecordedStep>> record_steps(Navigator& navigator, const World& world,
+                                                           const std::vector<Ray>& rays) {
+  constexpr std::size_t most_of_a_scene = 1000;
+  std::map<VolumeId, std::vector<RecordedStep>> recorded;
   for (const Ray& ray : rays) {
-    common::stop_if_interrupted();
+    if (interrupted()) break;
     Vec3 point = ray.position;
     int standing = 0;
     for (State state = navigator.locate(point, ray.direction);
          state.inside() && standing < stuck_after;) {
-      const auto start = Clock::now();
+      std::vector<RecordedStep>& of_scene = recorded[state.volume()];
+      if (of_scene.size() < most_of_a_scene) of_scene.push_back({state, point, ray.direction});
       const Step step = navigator.step(state, point, ray.direction);
-      const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-      times[state.volume()].push_back(std::max(0.0, ns - cost));
       standing = step.length > world.tolerance ? 0 : standing + 1;
       point += step.length * ray.direction;
       state = step.next;
     }
   }
+  return recorded;
+}
+
+/// The steps of each scene in a row, in processor time of this thread: a single one is shorter than
+/// reading that clock. Medians of some rows, the first of which warms up.
+std::map<VolumeId, double> time_scenes(LevelEngine& level, const World& world,
+                                       const std::vector<Ray>& rays) {
+  constexpr int rows = 5;
+  constexpr std::size_t least_steps = 2000;  // of a row
+  Navigator navigator = level.runtime().navigator();
   std::map<VolumeId, double> medians;
-  for (const auto& [volume, list] : times) medians[volume] = common::quantile(list, 0.5);
+  for (const auto& [volume, steps] : record_steps(navigator, world, rays)) {
+    const std::size_t rounds = (least_steps + steps.size() - 1) / steps.size();
+    std::vector<double> times;
+    for (int row = -1; row < rows && !interrupted(); ++row) {
+      const double start = common::thread_ns();
+      for (std::size_t round = 0; round < rounds; ++round) {
+        for (const RecordedStep& s : steps) navigator.step(s.state, s.point, s.direction);
+      }
+      const double ns = common::thread_ns() - start;
+      if (row >= 0) times.push_back(ns / static_cast<double>(rounds * steps.size()));
+    }
+    if (!times.empty()) medians[volume] = common::quantile(times, 0.5);
+  }
   return medians;
 }
 
@@ -183,19 +204,27 @@ ExperimentReport run_experiment(std::shared_ptr<const World> world,
     levels.emplace_back(world, level, options.geometry);
     report.engines.emplace_back().name = level.name;
   }
+  spdlog::debug("event=judging rays={}", rays.size());
   compare_levels(reference, levels, rays, options.threads, report);
-  time_levels(levels, *world, rays, options.repetitions, report);
-  Track track;
-  if (options.boundaries > 0) {
-    Navigator navigator = levels[0].runtime().navigator();
-    track = make_track(reference, navigator, options.boundaries, options.seed);
+  if (report.engines[0].figures.rays == 0) common::stop_if_interrupted();
+  try {
+    time_levels(levels, *world, rays, options.repetitions, report);
+    Track track;
+    if (options.boundaries > 0) {
+      Navigator navigator = levels[0].runtime().navigator();
+      track = make_track(reference, navigator, options.boundaries, options.seed);
+    }
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+      report.engines[l].scene_ns = time_scenes(levels[l], *world, rays);
+      common::stop_if_interrupted();
+      Navigator navigator = levels[l].runtime().navigator();
+      report.engines[l].track = judge_track(*world, track, follow(navigator, *world, track));
+    }
+    if (options.vecgeom) add_vecgeom(reference, rays, track, options, report);
+  } catch (const common::Interrupted&) {
+    // What there is, is the report.
   }
-  for (std::size_t l = 0; l < levels.size(); ++l) {
-    report.engines[l].scene_ns = time_scenes(levels[l], *world, rays);
-    Navigator navigator = levels[l].runtime().navigator();
-    report.engines[l].track = judge_track(*world, track, follow(navigator, *world, track));
-  }
-  if (options.vecgeom) add_vecgeom(reference, rays, track, options, report);
+  report.interrupted = interrupted();
   report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return report;
 }

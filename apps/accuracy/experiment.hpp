@@ -29,15 +29,17 @@ struct EngineReport {
   std::string failure;  ///< why there are no figures, or not all; empty: all is well
   EngineFigures figures;
   double ns_per_step = 0;               ///< whole rays, median of repetitions; 0: not measured
-  std::map<VolumeId, double> scene_ns;  ///< ns a step by the volume it is made in
+  std::map<VolumeId, double> scene_ns;  ///< ns a step by the volume it is made in; processor time
   TrackResult track;
 };
 
 struct ExperimentReport {
   std::vector<EngineReport> engines;  ///< the generic navigator first
   double seconds = 0;
+  bool interrupted = false;  ///< by a signal: holds for what was done before it
 };
 
+/// Throws common::Interrupted if a signal comes before any ray is judged.
 ExperimentReport run_experiment(std::shared_ptr<const World> world,
                                 const ExperimentOptions& options);
 

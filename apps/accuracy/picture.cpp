@@ -13,14 +13,22 @@ namespace {
 /// it.
 constexpr double least = 0.01;
 
+bool has_figures(const EngineReport& engine) {
+  return engine.ns_per_step > 0 && !engine.figures.all.errors.along_ulp.empty();
+}
+
 }  // namespace
+
+bool can_be_drawn(const ExperimentReport& report) {
+  return std::any_of(report.engines.begin(), report.engines.end(), has_figures);
+}
 
 std::string draw(const ExperimentReport& report, const std::string& title,
                  const std::string& file) {
   std::string data, plots;
   double slowest = 0;
   for (const EngineReport& engine : report.engines) {
-    if (engine.ns_per_step <= 0 || engine.figures.all.errors.along_ulp.empty()) continue;
+    if (!has_figures(engine)) continue;
     const Quantiles q = quantiles(engine.figures.all.errors.along_ulp);
     const std::string block = "$e" + std::to_string(plots.size());
     data += block + " << EOD\n" + common::literal(engine.ns_per_step) + ' ' +

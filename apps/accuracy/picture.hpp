@@ -7,6 +7,9 @@
 
 namespace navjit::accuracy {
 
+/// Whether any engine has both, a speed and an error.
+bool can_be_drawn(const ExperimentReport& report);
+
 /// An SVG or a PNG, by the file's suffix. Throws Error if the suffix is another, if
 /// there is no gnuplot, or if it fails.
 std::string draw(const ExperimentReport& report, const std::string& title, const std::string& file);

@@ -45,8 +45,13 @@ void print_engines(const ExperimentReport& report) {
       std::printf("| %s | %s |\n", engine.name.c_str(), engine.failure.c_str());
       continue;
     }
-    std::printf("| %s | %llu | %llu | %llu | %.1f | ", engine.name.c_str(), number(f.rays),
-                number(f.made), number(f.equal), engine.ns_per_step);
+    std::printf("| %s | %llu | %llu | %llu | ", engine.name.c_str(), number(f.rays), number(f.made),
+                number(f.equal));
+    if (engine.ns_per_step > 0) {
+      std::printf("%.1f | ", engine.ns_per_step);
+    } else {
+      std::printf("- | ");
+    }
     Row(f.all).print();
     std::printf(" %llu | %llu | %llu |", number(f.stuck), number(f.lost), number(f.arguable));
     if (engine.track.boundaries > 0) {
@@ -204,7 +209,10 @@ void print_tables(const World& world, const ExperimentReport& report, std::size_
 }
 
 Json to_json(const World& world, const std::string& detector, const ExperimentReport& report) {
-  Json json{{"detector", detector}, {"tolerance_mm", world.tolerance}, {"engines", Json::array()}};
+  Json json{{"detector", detector},
+            {"interrupted", report.interrupted},
+            {"tolerance_mm", world.tolerance},
+            {"engines", Json::array()}};
   for (const EngineReport& engine : report.engines) {
     const EngineFigures& f = engine.figures;
     Json entry{{"name", engine.name}};
@@ -214,7 +222,7 @@ Json to_json(const World& world, const std::string& detector, const ExperimentRe
                     {"rays_outside", f.outside},
                     {"steps", f.made},
                     {"steps_as_generic", f.equal},
-                    {"ns_per_step", engine.ns_per_step},
+                    {"ns_per_step", engine.ns_per_step > 0 ? Json(engine.ns_per_step) : Json()},
                     {"stuck", f.stuck},
                     {"lost", f.lost},
                     {"steps_not_judged", f.skipped},

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <optional>
 
 #include "common/child.hpp"
+#include "common/interruption.hpp"
 #include "navjit/errors.hpp"
 #include "runtime/private_folder.hpp"
 
@@ -106,6 +108,32 @@ RunFigures figures_of(RunRecord record, const RunRecord& off) {
   return figures;
 }
 
+namespace {
+
+/// The runs of all variants, in turn.
+void make_runs(const ExperimentOptions& options, const std::map<Words, Prepared>& all_prepared,
+               ExperimentReport& report) {
+  std::optional<RunRecord> first;
+  for (int repetition = 0; repetition < options.repetitions; ++repetition) {
+    std::optional<RunRecord> off;
+    for (VariantReport& each : report.variants) {
+      const auto found = all_prepared.find(each.variant.words);
+      const Prepared prepared = found != all_prepared.end() ? found->second : Prepared{};
+      RunRecord record =
+          from_text(output_of(Words{options.program, "warmup-run"} + options.words +
+                                  Words{"--seconds", std::to_string(options.seconds)} +
+                                  words_of(each.variant, prepared),
+                              options.seconds + options.patience));
+      if (!off) off = record;
+      if (!first) first = record;
+      report.same_rays = report.same_rays && same_rays(*first, record);
+      each.runs.push_back(figures_of(std::move(record), *off));
+    }
+  }
+}
+
+}  // namespace
+
 ExperimentReport run_experiment(const ExperimentOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const PrivateFolder folder;
@@ -120,21 +148,11 @@ ExperimentReport run_experiment(const ExperimentOptions& options) {
   }
   report.prepare_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  std::optional<RunRecord> first;
-  for (int repetition = 0; repetition < options.repetitions; ++repetition) {
-    std::optional<RunRecord> off;
-    for (VariantReport& each : report.variants) {
-      const Prepared prepared = all_prepared[each.variant.words];
-      RunRecord record =
-          from_text(output_of(Words{options.program, "warmup-run"} + options.words +
-                                  Words{"--seconds", std::to_string(options.seconds)} +
-                                  words_of(each.variant, prepared),
-                              options.seconds + options.patience));
-      if (!off) off = record;
-      if (!first) first = record;
-      report.same_rays = report.same_rays && same_rays(*first, record);
-      each.runs.push_back(figures_of(std::move(record), *off));
-    }
+  try {
+    make_runs(options, all_prepared, report);
+  } catch (const common::Interrupted&) {
+    if (report.variants[0].runs.empty()) throw;
+    report.interrupted = true;
   }
   return report;
 }

@@ -48,11 +48,13 @@ struct VariantReport {
 
 struct ExperimentReport {
   std::vector<VariantReport> variants;
-  double prepare_s = 0;   ///< filling caches and making plugins, wall clock
-  bool same_rays = true;  ///< every ray that two runs both made has the same steps and lengths
+  double prepare_s = 0;      ///< filling caches and making plugins, wall clock
+  bool same_rays = true;     ///< every ray that two runs both made has the same steps and lengths
+  bool interrupted = false;  ///< by a signal: only the runs that came to their end before it
 };
 
-/// Throws Error if a process fails, with its last line.
+/// Throws Error if a process fails, with its last line, and common::Interrupted if a signal comes
+/// before any run has come to its end.
 ExperimentReport run_experiment(const ExperimentOptions& options);
 
 /// From the records alone; `off` is the run without JIT of the same repetition.

@@ -41,6 +41,7 @@ std::string draw(const ExperimentReport& report, const std::string& title,
   std::string data, rates, shares;
   for (std::size_t i = 0; i < report.variants.size(); ++i) {
     const VariantReport& each = report.variants[i];
+    if (each.runs.empty()) continue;  // a signal came before
     const std::string block = "$v" + std::to_string(i);
     data += block + " << EOD\n" + lines_of(each, end) + "EOD\n";
     const std::string look = " with lines lw 2 lc " + std::to_string(i + 1) + " title ";

@@ -56,13 +56,18 @@ const auto cost_of = [](const RunFigures& r) { return std::optional(r.record.oth
 }  // namespace
 
 void print_table(const ExperimentReport& report) {
-  std::printf("median (least to most) of %zu runs each\n\n",
-              report.variants.empty() ? 0 : report.variants[0].runs.size());
+  std::printf("median (least to most) of %zu runs each%s\n\n",
+              report.variants.empty() ? 0 : report.variants[0].runs.size(),
+              report.interrupted ? ", as far as they were made (interrupted)" : "");
   std::printf(
       "| run | M steps/s, whole run | speed-up in the end | break-even, s | 50%% of steps "
       "specialised, s | 90%%, s | share in the end | cost, s of processor |\n"
       "|---|--:|--:|--:|--:|--:|--:|--:|\n");
   for (const VariantReport& each : report.variants) {
+    if (each.runs.empty()) {
+      std::printf("| %s | not made |\n", each.variant.name.c_str());
+      continue;
+    }
     const bool off = each.variant.mode == Mode::off;
     const auto in_millions = [](const RunFigures& r) {
       return std::optional(r.steps_per_second / 1e6);
@@ -84,7 +89,9 @@ void print_table(const ExperimentReport& report) {
 }
 
 Json to_json(const ExperimentReport& report) {
-  Json json{{"prepare_s", report.prepare_s}, {"same_rays", report.same_rays}};
+  Json json{{"interrupted", report.interrupted},
+            {"prepare_s", report.prepare_s},
+            {"same_rays", report.same_rays}};
   Json& variants = json["variants"] = Json::array();
   for (const VariantReport& each : report.variants) {
     Json variant{{"name", each.variant.name},

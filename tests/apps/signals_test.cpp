@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ctime>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "tests/support/folder.hpp"
@@ -21,10 +23,22 @@ std::vector<std::string> files_in(const std::string& folder) {
   return names;
 }
 
-/// Whether a process has a child.
-bool has_child(pid_t pid) {
+/// A child of a process; 0 if it has none.
+pid_t child_of(pid_t pid) {
   std::ifstream in("/proc/" + std::to_string(pid) + "/task/" + std::to_string(pid) + "/children");
-  return static_cast<bool>(in >> pid);
+  pid_t child = 0;
+  in >> child;
+  return child;
+}
+
+bool has_child(pid_t pid) { return child_of(pid) != 0; }
+
+/// What a process has used so far.
+double processor_seconds(pid_t pid) {
+  clockid_t clock{};
+  timespec used{};
+  if (clock_getcpuclockid(pid, &clock) != 0 || clock_gettime(clock, &used) != 0) return 0;
+  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
 class Signals : public testing::TestWithParam<int> {
@@ -87,10 +101,8 @@ TEST_P(Signals, WarmupEndsItsChildAndTakesItsFolderAway) {
   unsetenv("TMPDIR");
   ASSERT_TRUE(eventually([&] { return has_child(warmup.pid()); })) << warmup.text();
   EXPECT_EQ(files_in(folder_.path()).size(), 1U);
-  std::ifstream in("/proc/" + std::to_string(warmup.pid()) + "/task/" +
-                   std::to_string(warmup.pid()) + "/children");
-  pid_t child = 0;
-  ASSERT_TRUE(in >> child);
+  const pid_t child = child_of(warmup.pid());
+  ASSERT_NE(child, 0);
   warmup.send(number_);
   EXPECT_EQ(warmup.wait(), 128 + number_) << warmup.text();
   EXPECT_TRUE(files_in(folder_.path()).empty());
@@ -98,18 +110,68 @@ TEST_P(Signals, WarmupEndsItsChildAndTakesItsFolderAway) {
   EXPECT_EQ(files_in(log_.path()), std::vector<std::string>{"log"});
 }
 
-TEST_P(Signals, AccuracyEndsItsPeerAndTakesItsFilesAway) {
+TEST_P(Signals, WarmupWritesTheRunsThatAreComplete) {
+  Process warmup(
+      {NAVJIT_COMMAND, "warmup", detector, "--seconds", "0.2", "--repetitions", "1000", "--modes",
+       "cold", "--report", folder_.file("report.json"), "--csv", folder_.file("points.csv")},
+      log_.file("log"));
+  // The third child is the second of the runs without the JIT.
+  std::set<pid_t> children;
+  ASSERT_TRUE(eventually([&] {
+    if (const pid_t child = child_of(warmup.pid())) children.insert(child);
+    return children.size() >= 3;
+  })) << warmup.text();
+  warmup.send(number_);
+  EXPECT_EQ(warmup.wait(), 128 + number_) << warmup.text();
+  EXPECT_EQ(files_in(folder_.path()), (std::vector<std::string>{"points.csv", "report.json"}));
+  const auto report = nlohmann::json::parse(read_file(folder_.file("report.json")));
+  EXPECT_TRUE(report.at("interrupted"));
+  ASSERT_EQ(report.at("variants").size(), 2U);
+  const std::size_t off = report["variants"][0].at("runs").size();
+  EXPECT_GE(off, 1U);
+  EXPECT_LT(off, 1000U);
+  const std::string points = read_file(folder_.file("points.csv"));
+  EXPECT_NE(points.find("\noff,0,"), std::string::npos) << points;
+  EXPECT_NE(warmup.text().find("| off |"), std::string::npos) << warmup.text();
+}
+
+TEST_P(Signals, AccuracyWritesTheRaysThatAreJudged) {
+  Process accuracy({NAVJIT_COMMAND, "-v", "accuracy", detector, "--rays", "1e6", "--threads", "2",
+                    "--vecgeom", "off", "--report", folder_.file("report.json")},
+                   log_.file("log"));
+  ASSERT_TRUE(accuracy.says("event=judging")) << accuracy.text();
+  const double begun = processor_seconds(accuracy.pid());
+  ASSERT_TRUE(eventually([&] { return processor_seconds(accuracy.pid()) > begun + 1; }));
+  accuracy.send(number_);
+  EXPECT_EQ(accuracy.wait(), 128 + number_) << accuracy.text();
+  const auto report = nlohmann::json::parse(read_file(folder_.file("report.json")));
+  EXPECT_TRUE(report.at("interrupted"));
+  const auto& generic = report.at("engines").at(0);
+  EXPECT_GT(generic.at("rays"), 0);
+  EXPECT_LT(generic.at("rays"), 1e6);
+  EXPECT_GT(generic.at("steps"), generic.at("rays"));
+  EXPECT_TRUE(generic.at("ns_per_step").is_null()) << "nothing was timed";
+}
+
+TEST_P(Signals, AccuracyEndsItsPeerAndWritesWhatItHas) {
   write_file(log_.file("peer"), "#!/bin/sh\nexec sleep 600\n");
   fs::permissions(log_.file("peer"), fs::perms::owner_all);
   setenv("TMPDIR", folder_.path().c_str(), 1);
   Process accuracy({NAVJIT_COMMAND, "accuracy", NAVJIT_DETECTORS_DIR "/absorber.gdml", "--rays",
-                    "5", "--repetitions", "1", "--boundaries", "0", "--vecgeom", log_.file("peer")},
+                    "5", "--repetitions", "1", "--boundaries", "0", "--vecgeom", log_.file("peer"),
+                    "--report", log_.file("report.json")},
                    log_.file("log"));
   unsetenv("TMPDIR");
   ASSERT_TRUE(eventually([&] { return has_child(accuracy.pid()); })) << accuracy.text();
   accuracy.send(number_);
   EXPECT_EQ(accuracy.wait(), 128 + number_) << accuracy.text();
   EXPECT_TRUE(files_in(folder_.path()).empty());
+  const auto report = nlohmann::json::parse(read_file(log_.file("report.json")));
+  EXPECT_TRUE(report.at("interrupted"));
+  ASSERT_EQ(report.at("engines").size(), 2U) << "without the peer";
+  EXPECT_EQ(report["engines"][1].at("rays"), 5);
+  EXPECT_GT(report["engines"][1].at("ns_per_step"), 0);
+  EXPECT_NE(accuracy.text().find("| generic |"), std::string::npos) << accuracy.text();
 }
 
 TEST_P(Signals, CommandsThatHaveNothingYetEndAtOnce) {

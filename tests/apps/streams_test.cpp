@@ -1,10 +1,14 @@
 // Standard output that is full, closed, or not read: never a success, never more than one line.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <fstream>
+#include <thread>
 
 #include "tests/support/command.hpp"
 #include "tests/support/folder.hpp"
+#include "tests/support/process.hpp"
 
 namespace navjit::tests {
 namespace {
@@ -86,6 +90,61 @@ TEST_P(Streams, ClosedStreamsAreNoFiles) {
 
 INSTANTIATE_TEST_SUITE_P(Apps, Streams, testing::ValuesIn(printing),
                          [](const auto& parameter) { return std::to_string(parameter.index); });
+
+/// The most memory that a process ever had, MB.
+double peak_mb(pid_t pid) {
+  std::ifstream in("/proc/" + std::to_string(pid) + "/status");
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024;
+  }
+  return 0;
+}
+
+/// Reads so many bytes more of a pipe.
+bool read_on(int pipe, std::size_t bytes) {
+  std::vector<char> piece(1 << 16);
+  while (bytes > 0) {
+    const ssize_t n = read(pipe, piece.data(), std::min(piece.size(), bytes));
+    if (n <= 0) return false;
+    bytes -= static_cast<std::size_t>(n);
+  }
+  return true;
+}
+
+TEST(Streams, TraceNeedsNoMoreMemoryForMoreRays) {
+  const TemporaryFolder folder;
+  const std::string out = folder.file("steps"), rays = folder.file("rays");
+  ASSERT_EQ(mkfifo(out.c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo(rays.c_str(), 0600), 0);
+  signal(SIGPIPE, SIG_IGN);
+  for (const std::string source : {"1e12", "file"}) {
+    const bool from_file = source == "file";
+    Process trace({NAVJIT_COMMAND, "trace", NAVJIT_DETECTORS_DIR "/shashlik.gdml", "--rays",
+                   from_file ? rays : source, "--threads", "2", "--jit", "off", "--out", out},
+                  folder.file("log"));
+    // Rays without an end, until nobody reads them any more.
+    std::thread writer;
+    if (from_file) {
+      writer = std::thread([&] {
+        std::ofstream file(rays);
+        file << "x,y,z,dx,dy,dz\n";
+        while (file << "0,0,0,0.1,0.2,1\n") {
+        }
+      });
+    }
+    const int pipe = open(out.c_str(), O_RDONLY);
+    EXPECT_TRUE(read_on(pipe, 5 << 20)) << trace.text();
+    const double early = peak_mb(trace.pid());
+    EXPECT_TRUE(read_on(pipe, 60 << 20)) << trace.text();
+    const double late = peak_mb(trace.pid());
+    trace.send(SIGKILL);
+    trace.wait();
+    close(pipe);
+    if (from_file) writer.join();
+    EXPECT_GT(early, 0);
+    EXPECT_LT(late, early + 12) << "60 MB of steps, in pieces (" << source << ")";
+  }
+}
 
 TEST(Streams, AReportIsWrittenWhereTheTableIsNot) {
   const TemporaryFolder folder;

@@ -55,7 +55,10 @@ TEST_F(AccuracyCommand, HoldsEveryStepAgainstTheReference) {
     EXPECT_GE(engine.at("track").at("boundaries"), 1000);
     EXPECT_TRUE(engine["track"].at("complete"));
     std::uint64_t steps = 0;
-    for (const auto& scene : engine.at("scenes")) steps += scene.at("steps").get<std::uint64_t>();
+    for (const auto& scene : engine.at("scenes")) {
+      steps += scene.at("steps").get<std::uint64_t>();
+      EXPECT_GT(scene.at("ns_per_step"), 0) << scene;
+    }
     EXPECT_EQ(steps, engine["steps"]);
   }
 }
