@@ -119,14 +119,16 @@ std::optional<SceneReport> install_entry(Specialisation& spec,
                                          const std::shared_ptr<Installed>& installed,
                                          const codegen::Entry& entry, const void* data, bool cached,
                                          Binding binding, double compile_ms) {
-  const SceneReport begun{.compile_ms = compile_ms,
-                          .origin = cached ? CodeOrigin::cache : CodeOrigin::compiler};
+  SceneReport begun;
+  begun.compile_ms = compile_ms;
+  begun.origin = cached ? CodeOrigin::cache : CodeOrigin::compiler;
   const kernels::DispatchEntry record = find_entry(installed->code, entry, data);
   const bool whole =
       record.step != nullptr && record.relocate != nullptr && record.safety != nullptr;
   Expected<SceneReport> report =
       whole ? install_scene(spec, entry.volume, installed->records.emplace_back(record), installed,
-                            spec.shared->options.specialiser.keep_only_faster, begun, binding)
+                            spec.shared->options.specialiser.keep_only_faster, std::move(begun),
+                            binding)
             : Failure{"the generated function is missing"};
   if (report) return *std::move(report);
   if (!cached) note_failure(spec, entry.volume, report.failure().message);
@@ -211,10 +213,11 @@ void install_plugin(Specialisation& spec, const std::string& path) {
     return;
   }
   for (const Plugin::Entry& entry : (*plugin)->entries()) {
+    SceneReport begun;
+    begun.origin = CodeOrigin::plugin;
     // Whoever made the plugin chose its scenes: production shall not depend on a timing.
-    Expected<SceneReport> report =
-        install_scene(spec, entry.volume, entry.dispatch, *plugin, false,
-                      {.origin = CodeOrigin::plugin}, Binding::constants);
+    Expected<SceneReport> report = install_scene(spec, entry.volume, entry.dispatch, *plugin, false,
+                                                 std::move(begun), Binding::constants);
     if (report) {
       const std::lock_guard lock(spec.mutex);
       spec.scenes[entry.volume] = *std::move(report);

@@ -31,6 +31,7 @@ std::string system_problem(const std::string& what) { return what + ": " + std::
 /// Runs a program and waits for it; empty if it ended well.
 std::string run(const std::vector<std::string>& command) {
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& argument : command) {
     arguments.push_back(const_cast<char*>(argument.c_str()));
   }
@@ -98,6 +99,7 @@ std::vector<VolumeId> hot_scenes(const StepProfile& profile, const Geometry& geo
   std::sort(hot.begin(), hot.end());
   if (hot.size() > choice.most_scenes) hot.resize(choice.most_scenes);
   std::vector<VolumeId> scenes;
+  scenes.reserve(hot.size());
   for (const auto& [executions, volume] : hot) scenes.push_back(volume);
   return scenes;
 }

@@ -101,7 +101,7 @@ std::string check_plugin_seal(std::string_view file) {
 bool processor_has(std::string_view feature) {
 #if defined(__x86_64__)
 #define NAVJIT_FEATURE(name, macro) \
-  if (feature == name) return __builtin_cpu_supports(name) != 0;
+  if (feature == (name)) return __builtin_cpu_supports(name) != 0;
   NAVJIT_PLUGIN_FEATURES(NAVJIT_FEATURE)
 #undef NAVJIT_FEATURE
 #endif

@@ -65,7 +65,7 @@ std::vector<std::string> features_to_avoid(std::span<const std::string> host) {
   std::vector<std::string> avoid;
   for (const std::string& feature : host) {
     bool known = feature == "evex512";  // comes with avx512f
-#define NAVJIT_FEATURE(name, macro) known = known || feature == name;
+#define NAVJIT_FEATURE(name, macro) known = known || feature == (name);
     NAVJIT_PLUGIN_FEATURES(NAVJIT_FEATURE)
 #undef NAVJIT_FEATURE
     if (!known) avoid.push_back("-" + feature);

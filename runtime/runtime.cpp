@@ -22,7 +22,7 @@ const char* level_name(Level level) {
   return "";
 }
 
-Runtime::Runtime(Detector detector, RuntimeOptions options)
+Runtime::Runtime(const Detector& detector, RuntimeOptions options)
     : Runtime(detector, std::make_shared<detail::Shared>(detector.model(), std::move(options))) {}
 
 Runtime::Runtime(Detector detector, std::shared_ptr<detail::Shared> shared)

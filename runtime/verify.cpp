@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -43,7 +42,7 @@ std::string verify_step(const Geometry& geometry, const kernels::Context& contex
                : describe(s, "a state was changed in spite of a bail-out", 0, wrong);
   }
   const double right = generic::step(geometry, stacks.generic, s.point, s.direction, s.limit);
-  if (std::memcmp(&right, &wrong, sizeof right) != 0) {
+  if (!kernels::same_bits(right, wrong)) {
     return describe(s, "step length", right, wrong);
   }
   if (stacks.generic.boundary != stacks.specialised.boundary) {
@@ -79,7 +78,7 @@ std::string verify_safety(const Geometry& geometry, const kernels::Context& cont
   const double right = generic::safety(geometry, stack, s.point);
   const double wrong =
       specialised.safety(&stack, &context, specialised.data, s.point.x, s.point.y, s.point.z);
-  return std::memcmp(&right, &wrong, sizeof right) == 0 ? "" : describe(s, "safety", right, wrong);
+  return kernels::same_bits(right, wrong) ? "" : describe(s, "safety", right, wrong);
 }
 
 }  // namespace

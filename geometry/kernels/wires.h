@@ -160,7 +160,7 @@ inline double safety_among_wires(const WireBundle<Index>& b, const Vec3<double>&
     const int start = first_wire_from(row, u);
     for (int i = start; i < row.count && nearest(i, row.u[i] - u); ++i) {
     }
-    for (int i = start; i-- > 0 && nearest(i, u - row.u[i]);) {
+    for (int i = start - 1; i >= 0 && nearest(i, u - row.u[i]); --i) {
     }
   }
   return safety;
