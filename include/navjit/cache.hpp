@@ -12,12 +12,13 @@ namespace NAVJIT_API navjit {
 /// unasked. The directory is made and checked when a Runtime first needs it; if it cannot be used,
 /// everything is compiled, with one line in the log.
 struct Cache {
-  std::string directory{};  ///< empty: no cache
-  std::uint64_t max_bytes = std::uint64_t{256} << 20;
+  std::string directory{};                             ///< empty: no cache
+  std::uint64_t max_bytes = std::uint64_t{256} << 20;  ///< beyond, what was not used for long goes
 
   /// The user's own: $XDG_CACHE_HOME/navjit, or $HOME/.cache/navjit. None where neither is set to
   /// an absolute path.
   static Cache user_default();
+  /// One of the program's choice.
   static Cache in(std::string directory) { return {std::move(directory)}; }
 
   explicit operator bool() const { return !directory.empty(); }

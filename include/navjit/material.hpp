@@ -66,7 +66,7 @@ struct MaterialComponent {
 
 /// Radiation length of one element, g/cm2: Y.-S. Tsai, Rev. Mod. Phys. 46 (1974) 815, as the Review
 /// of Particle Physics gives it (section "Passage of particles through matter"), with its fit of
-/// the Coulomb correction. 0 unless z >= 0.5 and a > 0.
+/// the Coulomb correction. 0 unless z >= 0.5 and a > 0 (g/mol). Both functions are thread-safe.
 double radiation_length(double z, double a);
 /// That of a mixture or compound, g/cm2: inverse lengths add by mass. Fractions need not add up to
 /// one. 0 if there are no components, or one of them has none.

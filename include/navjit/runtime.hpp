@@ -25,7 +25,7 @@ class Specialiser;
 class Runtime {
  public:
   /// Throws GeometryError if the options name a volume that is not there.
-  explicit Runtime(Detector detector, RuntimeOptions options = {});
+  explicit Runtime(const Detector& detector, RuntimeOptions options = {});
   Runtime(const Runtime&) = delete;
   Runtime& operator=(const Runtime&) = delete;
   ~Runtime();
@@ -46,11 +46,13 @@ class Runtime {
   /// As report(), and times the generic navigator on recorded states of scenes that were not
   /// specialised, the hottest first, for a tenth of the time so far and no longer than
   /// `most_seconds`, and holds scenes to the budget; with 0 neither. No scene is specialised after
-  /// it.
+  /// it. Not thread-safe, but navigators may be in use.
   RuntimeReport final_report(double most_seconds = 1);
-  /// How often each volume was used, to be kept for `navjit specialise`. After final_report().
+  /// How often each volume was used, to be kept for `navjit specialise`. After final_report(); not
+  /// thread-safe.
   StepProfile step_profile();
   /// Returns when no specialisation is under way or due on what was counted until now.
+  /// Thread-safe, but not beside final_report().
   void wait_until_idle();
 
  protected:

@@ -41,7 +41,7 @@ struct GeometryOptions {
   /// `automatic` search on leaving a daughter, too, without neighbour lists.
   enum class Force : std::uint8_t { automatic, all, linear_boxes, bvh } force = Force::automatic;
   /// The box structure of all scenes that have enough daughters for one, whatever their number;
-  /// nothing: bvh::default_method. Changes no answer.
+  /// nothing: chosen by their number (docs/bvh.md). Changes no answer.
   std::optional<bvh::Structure> boxes{};
   /// The same for single volumes by name, few daughters or many. Boxes where there were none may
   /// make safeties larger, never too large.

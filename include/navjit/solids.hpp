@@ -23,14 +23,14 @@ struct Solid {
   kernels::AnySolid<double> any() const;  ///< for the library's own parts
 };
 
-/// Mother-to-local of a solid within a boolean: local = rotation * (p - translation).
+/// Mother-to-local of a solid within a boolean: local = rotation * (p - translation), in mm.
 struct SolidFrame {
   double translation[3] = {0, 0, 0};
   double rotation[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 };
 
-/// Lengths are mm, angles rad, h* are half lengths. All throw GeometryError on dimensions that
-/// make no solid; the message says which.
+/// Lengths are mm, angles rad, h* are half lengths. All makers are thread-safe, and throw
+/// GeometryError on dimensions that make no solid; the message says which.
 Solid make_box(std::string name, double hx, double hy, double hz);
 Solid make_tube(std::string name, double rmin, double rmax, double hz, double start_phi,
                 double delta_phi);
@@ -96,6 +96,7 @@ Solid make_generic_polyhedra(std::string name, std::span<const ContourPoint> con
 
 /// The solid with its coordinates times the factors, of either sign but not zero.
 Solid make_scaled(std::string name, const Solid& solid, double x, double y, double z);
+/// A whole ball.
 Solid make_orb(std::string name, double radius);
 /// theta is measured from +z. A whole ball becomes an orb.
 Solid make_sphere(std::string name, double rmin, double rmax, double start_phi, double delta_phi,
@@ -122,6 +123,7 @@ Solid make_torus(std::string name, double rmin, double rmax, double rtor, double
 /// Cut to z_cut1..z_cut2, unless both are 0.
 Solid make_ellipsoid(std::string name, double ax, double by, double cz, double z_cut1,
                      double z_cut2);
+/// A tube whose section is the ellipse of half axes hx and hy.
 Solid make_eltube(std::string name, double hx, double hy, double hz);
 /// Half lengths x_slope * (z_max - z) and y_slope * (z_max - z) for |z| <= z_cut; no more than
 /// z_max counts of z_cut.
@@ -154,7 +156,7 @@ Solid make_union(std::string name, const Solid& a, const Solid& b);
 Solid make_intersection(std::string name, const Solid& a, const Solid& b);
 Solid make_subtraction(std::string name, const Solid& a, const Solid& b);
 
-/// Volume, mm^3, from closed forms; not a number if a boolean is involved.
+/// Volume, mm^3, from closed forms; not a number if a boolean is involved. Thread-safe.
 double capacity(const Solid& solid);
 
 /// The lower-case name used in output: "box", "subtraction", ...

@@ -11,7 +11,7 @@
 
 namespace NAVJIT_API navjit {
 
-/// From Runtime::step_profile(); for read and written by any one thread at a time.
+/// From Runtime::step_profile().
 struct StepProfile {
   /// One logical volume.
   struct Volume {
@@ -20,15 +20,16 @@ struct StepProfile {
     std::uint64_t steps = 0;
     std::uint64_t relocations = 0;  ///< steps that ended with a relocation in it, about
   };
-  std::string geometry;  ///< geometry_fingerprint of the detector
+  std::string geometry;  ///< fingerprint of the detector, which profiles are known by
   std::uint64_t runs = 0;
   std::vector<Volume> volumes;  ///< by number; those that were used
 };
 
-/// JSON (docs/cache.md).
+/// JSON (docs/cache.md). Thread-safe, as all functions below.
 std::string profile_text(const StepProfile& profile);
 
-/// Writes it to a file, as OutputFile does. Throws Error.
+/// Writes it to a file, which is replaced when all of it is written, if at all. Throws Error,
+/// naming the file, if it cannot be written.
 void write_profile(const StepProfile& profile, const std::string& path);
 
 /// Throws Error, naming the file, for what is no profile: every value is checked. The

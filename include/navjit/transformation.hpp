@@ -14,6 +14,8 @@
 
 namespace NAVJIT_API navjit {
 
+// All functions here are thread-safe.
+
 /// From an outer frame (a mother's, or the world's) into a local one.
 struct Transformation {
   double translation[3] = {0, 0, 0};                 ///< the local origin in the outer frame, mm
