@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <new>
 
 #include "apps/commands.hpp"
@@ -13,6 +14,7 @@
 #include "common/leave.hpp"
 #include "common/standard_streams.hpp"
 #include "common/text.hpp"
+#include "jit/compiler.hpp"
 #include "runtime/log_text.hpp"
 #include "runtime/version.hpp"
 
@@ -32,8 +34,10 @@ void print_error(const std::string& text) {
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app{"Particle transport through detectors, with navigators written while it runs"};
-  app.name("navjit");
+  CLI::App app{jit::has_compiler()
+                   ? "Particle transport through detectors, with navigators written while it runs"
+                   : "Particle transport through detectors, with navigators that need no compiler"};
+  app.name(argc > 0 ? std::filesystem::path(argv[0]).filename().string() : "navjit");
   app.require_subcommand(1);
   app.set_version_flag("--version", version_line(), "what this program is made of");
   bool verbose = false;

@@ -39,6 +39,7 @@ if(NAVJIT_NATIVE)
   install(CODE "message(NOTICE \"navjit is compiled for this machine's processor: for others, \
 configure with -D NAVJIT_NATIVE=OFF\")" ALL_COMPONENTS)
 endif()
-install(FILES cmake/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/navjit COMPONENT runtime)
-install(FILES cmake/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/navjit-dev
+install(FILES cmake/copyright cmake/changelog DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/navjit
+        COMPONENT runtime)
+install(FILES cmake/copyright cmake/changelog DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/navjit-dev
         COMPONENT development)

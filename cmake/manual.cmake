@@ -5,12 +5,14 @@ if(NAVJIT_HELP2MAN)
   set(man_pages ${PROJECT_BINARY_DIR}/man)
   add_custom_command(
     OUTPUT ${man_pages}/navjit.1
-    COMMAND ${CMAKE_COMMAND} -D COMMAND=$<TARGET_FILE:navjit> -D HELP2MAN=${NAVJIT_HELP2MAN}
+    COMMAND ${CMAKE_COMMAND} -D COMMAND=$<TARGET_FILE:navjit>
+            -D PRODUCTION=$<TARGET_FILE:navjit_production> -D HELP2MAN=${NAVJIT_HELP2MAN}
             -D VERSION=${PROJECT_VERSION} -D FOLDER=${man_pages}
-            -D INCLUDE=${PROJECT_SOURCE_DIR}/apps/shell/manual.h2m
+            -D INCLUDES=${PROJECT_SOURCE_DIR}/apps/shell
             -P ${PROJECT_SOURCE_DIR}/cmake/man_pages.cmake
-    DEPENDS navjit ${PROJECT_SOURCE_DIR}/cmake/man_pages.cmake
+    DEPENDS navjit navjit_production ${PROJECT_SOURCE_DIR}/cmake/man_pages.cmake
             ${PROJECT_SOURCE_DIR}/apps/shell/manual.h2m
+            ${PROJECT_SOURCE_DIR}/apps/shell/manual_production.h2m
     COMMENT "Writing manual pages"
     VERBATIM)
   add_custom_target(navjit_man_pages ALL DEPENDS ${man_pages}/navjit.1)

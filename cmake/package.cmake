@@ -1,7 +1,11 @@
 # Debian packages: the preset `package`, and then cpack in its folder; docs/install.md.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME navjit)
-set(CPACK_PACKAGE_CONTACT "the navjit developers <navjit@localhost>")
+# Who makes a package is its maintainer, by the variables that Debian's own tools read.
+set(CPACK_PACKAGE_CONTACT "navjit developers <navjit@example.org>")
+if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
+  set(CPACK_PACKAGE_CONTACT "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+endif()
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

@@ -22,7 +22,8 @@ endforeach()
 file(RENAME ${FOLDER}/first ${FOLDER}/prefix)
 
 foreach(file bin/navjit bin/navjit_production share/navjit/detectors/shashlik.gdml
-             share/man/man1/navjit-run.1 share/bash-completion/completions/navjit)
+             share/man/man1/navjit-run.1 share/man/man1/navjit_production.1
+             share/doc/navjit/changelog share/bash-completion/completions/navjit)
   if(NOT EXISTS ${FOLDER}/prefix/${file})
     message(FATAL_ERROR "${file} was not installed")
   endif()

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Each subcommand has a manual page with all its options, and the completion offers them:
-# manual.sh COMMAND FOLDER_OF_PAGES COMPLETION
+# Each subcommand has a manual page with all its options, and the completion offers them. The command
+# without a compiler has a page of its own:
+# manual.sh COMMAND PRODUCTION FOLDER_OF_PAGES COMPLETION
 set -euo pipefail
-command=$1 pages=$2
+command=$1 production=$2 pages=$3
 # shellcheck source=/dev/null
-source "$3"
+source "$4"
 pages_seen=0 options_seen=0
 
 fail() {
@@ -39,7 +40,12 @@ look_at() {
 }
 
 look_at
-[ "$pages_seen" = "$(find "$pages" -name '*.1' | wc -l)" ] || fail "there are pages of nothing"
+page=$pages/navjit_production.1
+[ -f "$page" ] || fail "$page is missing"
+for word in navjit_production $("$production" --help | awk '/^  [a-z]/ {print $1}'); do
+  sed 's/\\//g' "$page" | grep -F -e "$word" >/dev/null || fail "$word is not in $page"
+done
+[ $((pages_seen + 1)) = "$(find "$pages" -name '*.1' | wc -l)" ] || fail "there are pages of nothing"
 if [ "$pages_seen" -lt 15 ] || [ "$options_seen" -lt 80 ]; then
   fail "only $pages_seen pages and $options_seen options were seen"
 fi
