@@ -22,6 +22,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME navjit)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "gnuplot-nox, bash-completion")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/triggers)
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Command, shared libraries and sample detectors. \
 navjit navigates\nparticles through detectors (GDML), and compiles code for their\nhottest volumes while \
 it runs.")
