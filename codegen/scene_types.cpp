@@ -47,11 +47,12 @@ std::string frame_of(Writer& w) {
   if (!w.constants()) return f.never_rotated ? "UnrotatedFrame" : "TurnedFrame";
   const std::array<double, 9> none{};
   const std::array<double, 3> nowhere{};
-  const std::string frame = w.define("FrameConstants", "frame",
-                                     "{" + number(f.never_rotated ? 0U : f.rotation) + ", " +
-                                         list(f.never_rotated ? none : *f.only_rotation) + ", " +
-                                         number(f.only_translation.has_value()) + ", " +
-                                         list(f.only_translation.value_or(nowhere)) + "}");
+  const std::string frame =
+      w.define("FrameConstants", "frame",
+               "{" + number(f.never_rotated ? 0U : f.rotation) + ", " +
+                   list(f.never_rotated ? none : f.only_rotation.value_or(none)) + ", " +
+                   number(f.only_translation.has_value()) + ", " +
+                   list(f.only_translation.value_or(nowhere)) + "}");
   return "ConstantFrame<" + frame + ">";
 }
 

@@ -42,6 +42,7 @@ Attempt attempt(std::span<const PlaceAcross> places, const Plane& d, double radi
   a.found.along = d;
   a.cost = 0;
   std::vector<std::pair<double, std::size_t>> order;
+  order.reserve(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) order.emplace_back(across(places[i], d), i);
   std::sort(order.begin(), order.end());
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {

@@ -299,6 +299,7 @@ std::optional<Wires> find_wires(const World& world, const Solid& mother,
   for (const SameDirection& same : by_direction(placed, wires.others)) {
     if (same.members.empty()) continue;
     std::vector<double> radii;
+    radii.reserve(same.members.size());
     for (const std::uint32_t k : same.members) {
       radii.push_back(radius_across(placed[k], same.along));
     }
