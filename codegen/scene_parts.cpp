@@ -108,16 +108,15 @@ void make_daughters(const Source& source, const SceneParts& parts, DaughtersInTa
       const Daughter& d = daughters[k];
       const double* t = d.transformation.translation;
       Record& record = records[k];
-      static_cast<kernels::PlacedDaughter&>(record) = {
-          t[0],
-          t[1],
-          t[2],
-          rotation_of(d, rotations, source.arena),
-          nullptr,
-          d.offset,
-          d.volume,
-          static_cast<unsigned short>(c),
-          static_cast<unsigned short>(is_leaf(source.geometry, d.volume))};
+      static_cast<kernels::PlacedDaughter&>(record) = {t[0],
+                                                       t[1],
+                                                       t[2],
+                                                       rotation_of(d, rotations, source.arena),
+                                                       nullptr,
+                                                       d.offset,
+                                                       d.volume,
+                                                       static_cast<unsigned short>(c),
+                                                       inner_of(source.geometry, d.volume)};
       if (part.from == PartClass::From::shape_in_table) {
         const auto [at, fresh] = shapes.try_emplace(d.solid.shape, nullptr);
         if (fresh) at->second = typed_shape(d.solid, source.arena);

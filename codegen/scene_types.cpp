@@ -150,7 +150,7 @@ std::string listed_places(Writer& w) {
     records += (k == 0 ? "{" : ", {") + number(t[0]) + ", " + number(t[1]) + ", " + number(t[2]) +
                ", " + rotation + ", nullptr, " + number(static_cast<unsigned long long>(d.offset)) +
                ", " + number(d.volume) + ", " + number(static_cast<unsigned>(k)) + ", " +
-               number(is_leaf(w.geometry, d.volume) ? 1U : 0U) + "}";
+               "InnerDaughters(" + number(unsigned{inner_of(w.geometry, d.volume)}) + ")" + "}";
   }
   return w.define("PlacedDaughter", "places", "{" + records + "}", "[]");
 }

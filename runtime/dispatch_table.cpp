@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/navigation/generic.hpp"
+#include "geometry/navigation/thread_sanitizer.hpp"
 
 namespace navjit {
 
@@ -18,6 +19,7 @@ DispatchTable::DispatchTable(const Geometry& geometry)
 void DispatchTable::install(VolumeId volume, const kernels::DispatchEntry* record,
                             std::shared_ptr<const void> owner) {
   const std::lock_guard lock(mutex_);
+  tell_published(record->data);
   entries_[volume].store(record, std::memory_order_release);
   std::swap(owners_[volume], owner);
   if (owner) retired_.retire(std::move(owner), threads_);

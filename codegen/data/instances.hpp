@@ -4,6 +4,7 @@
 
 #include "codegen/data/bind.hpp"
 #include "codegen/data/parts.hpp"
+#include "geometry/navigation/thread_sanitizer.hpp"
 
 namespace navjit::codegen {
 
@@ -24,16 +25,19 @@ namespace detail {
 template <class S>
 [[gnu::flatten]] double step_of(NavigationStack* stack, const kernels::Context* context,
                                 const void* data, double x, double y, double z, double limit) {
+  tell_received(data);
   return kernels::step_in<S>(data, stack, context, x, y, z, limit);
 }
 template <class S>
 [[gnu::flatten]] void relocate_of(NavigationStack* stack, const kernels::Context* context,
                                   const void* data, double x, double y, double z, int blocked) {
+  tell_received(data);
   kernels::relocate_in<S>(data, stack, context, x, y, z, blocked);
 }
 template <class S>
 [[gnu::flatten]] double safety_of(const NavigationStack* stack, const kernels::Context*,
                                   const void* data, double x, double y, double z) {
+  tell_received(data);
   return kernels::safety_in<S>(data, stack, x, y, z);
 }
 

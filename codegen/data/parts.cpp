@@ -125,7 +125,7 @@ void make(const Source& source, BoxDaughters& daughters) {
     const double* t = from[k].transformation.translation;
     at[k] = {t[0],           t[1],           t[2],
              box.hx,         box.hy,         box.hz,
-             from[k].offset, from[k].volume, is_leaf(source.geometry, from[k].volume) ? 1U : 0U};
+             from[k].offset, from[k].volume, inner_of(source.geometry, from[k].volume)};
   }
   daughters = {at, static_cast<unsigned>(from.size())};
 }
@@ -161,7 +161,7 @@ void make_solids(const Source& source, SolidDaughters<Solid>& daughters) {
              as<Solid>(shapes.at(d.solid.shape)),
              d.offset,
              d.volume,
-             is_leaf(source.geometry, d.volume),
+             inner_of(source.geometry, d.volume),
              boxed};
     if (!boxed) continue;
     if (boxes == nullptr) boxes = source.arena.array<navjit::Vec3[2]>(from.size());

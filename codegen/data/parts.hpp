@@ -3,6 +3,7 @@
 
 #include "analysis/scene_plan.hpp"
 #include "codegen/data/arena.hpp"
+#include "codegen/data/inner.hpp"
 #include "codegen/data/quick_solid.hpp"
 #include "geometry/bvh/box_tree_traversal.hpp"
 #include "geometry/navigation/geometry.hpp"
@@ -82,10 +83,6 @@ kernels::NearBoxes make_near_boxes(std::span<const Extent> boxes, Arena& arena);
 
 /// The box of a daughter's solid, in its own frame, with a margin.
 Extent box_with_margin(const Geometry& geometry, const Daughter& daughter);
-/// Whether a volume has no daughters.
-inline bool is_leaf(const Geometry& geometry, VolumeId volume) {
-  return geometry.scene(volume).daughters.empty();
-}
 
 /// What all kinds of scenes have: neighbour lists and boxes.
 template <class Scene>

@@ -11,7 +11,7 @@ struct PlacedDaughter {
   unsigned long long offset;
   unsigned volume;
   unsigned short kind;  ///< number of its class
-  unsigned short leaf;  ///< has no daughters of its own
+  InnerDaughters inner;
 };
 /// The same where some class is of boxes: they are beside their places.
 struct PlacedBoxDaughter : PlacedDaughter {

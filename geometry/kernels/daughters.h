@@ -3,6 +3,13 @@
 // that it needs and no more: a table of boxes has their sizes beside their places.
 namespace navjit::kernels {
 
+/// What a daughter has of its own.
+enum InnerDaughters : unsigned short {
+  has_surface_daughters,  ///< some may be where it is entered
+  no_daughters,
+  deep_daughters,  ///< none is near its surface, through which steps enter it
+};
+
 /// A scene without daughters.
 struct NoDaughters {
   static constexpr bool any = false;
@@ -14,7 +21,7 @@ struct BoxDaughter {
   double hx, hy, hz;  ///< half lengths, mm
   unsigned long long offset;
   unsigned volume;
-  unsigned leaf;  ///< has no daughters of its own
+  InnerDaughters inner;
 };
 
 struct BoxDaughters {
@@ -64,7 +71,7 @@ struct SolidDaughter {
   Solid solid;
   unsigned long long offset;
   unsigned volume;
-  unsigned short leaf;   ///< has no daughters of its own
+  InnerDaughters inner;
   unsigned short boxed;  ///< its solid is costly: its box is tested before
 };
 

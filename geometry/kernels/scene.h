@@ -120,20 +120,27 @@ struct LeaveToScene {
   }
 };
 
-// Daughter `d` was just entered: how to relocate in it.
+// Daughter `d` was just entered: how to relocate in it. `by_step`: through its surface.
+
+/// Whether nothing of the daughter's own can be where it was entered.
+template <class Daughter>
+[[gnu::always_inline]] inline bool enters_nothing(const Daughter& d, bool by_step) {
+  return by_step ? d.inner != has_surface_daughters : d.inner == no_daughters;
+}
 
 struct EnterByTable {
   template <class Daughter>
   [[gnu::always_inline]] static void go(const void*, NavigationStack* stack, const Context* context,
-                                        const Daughter& d, double x, double y, double z) {
-    if (!d.leaf) relocate_in_table(stack, context, d.volume, x, y, z, -1);
+                                        const Daughter& d, double x, double y, double z,
+                                        bool by_step) {
+    if (!enters_nothing(d, by_step)) relocate_in_table(stack, context, d.volume, x, y, z, -1);
   }
 };
 /// No daughter has daughters.
 struct EnterLeaves {
   template <class Daughter>
   [[gnu::always_inline]] static void go(const void*, NavigationStack*, const Context*,
-                                        const Daughter&, double, double, double) {}
+                                        const Daughter&, double, double, double, bool) {}
 };
 template <unsigned number, class S>
 struct VolumeOfScene {
@@ -146,12 +153,12 @@ struct EnterScenes {
   template <class Daughter>
   [[gnu::always_inline]] static void go(const void* data, NavigationStack* stack,
                                         const Context* context, const Daughter& d, double x,
-                                        double y, double z) {
-    if (leaves && d.leaf) return;
+                                        double y, double z, bool by_step) {
+    if ((leaves || by_step) && enters_nothing(d, by_step)) return;
     if ((all && sizeof...(Others) == 0) || d.volume == First::volume) {
       enter_scene<typename First::scene>(data, stack, context, x, y, z);
     } else if constexpr (sizeof...(Others) > 0) {
-      EnterScenes<false, all, Others...>::go(data, stack, context, d, x, y, z);
+      EnterScenes<false, all, Others...>::go(data, stack, context, d, x, y, z, false);
     } else {
       relocate_in_table(stack, context, d.volume, x, y, z, -1);
     }
@@ -161,9 +168,10 @@ struct EnterScenes {
 template <class S>
 [[gnu::always_inline]] inline void enter_daughter(const void* data, const S& s,
                                                   NavigationStack* stack, const Context* context,
-                                                  unsigned k, double x, double y, double z) {
+                                                  unsigned k, double x, double y, double z,
+                                                  bool by_step = false) {
   s.daughters.template push<typename S::frame_type>(stack, k);
-  S::enter::go(data, stack, context, s.daughters.at[k], x, y, z);
+  S::enter::go(data, stack, context, s.daughters.at[k], x, y, z, by_step);
 }
 
 /// The step. `rare`: with all that the kernels can do; else in their short ways, which take no
@@ -198,7 +206,7 @@ template <bool rare, class S>
   z += best * stack->ray.given[2];
   if constexpr (Daughters::any) {
     if (hit >= 0) {
-      enter_daughter(data, s, stack, context, static_cast<unsigned>(hit), x, y, z);
+      enter_daughter(data, s, stack, context, static_cast<unsigned>(hit), x, y, z, true);
       return best;
     }
   }

@@ -17,8 +17,9 @@ bool meet(const Extent& a, const Extent& b) {
          a.min.z <= b.max.z && b.min.z <= a.max.z;
 }
 
-/// Is every point of the box deeper in the solid than the margin?
-bool holds(const Solid& mother, const Extent& box, double margin) {
+}  // namespace
+
+bool holds_deep(const Solid& mother, const Extent& box, double margin) {
   if (mother.kind == SolidKind::box) {
     const Extent deep = inflated(mother.extent, -margin);
     return box.min.x > deep.min.x && box.max.x < deep.max.x && box.min.y > deep.min.y &&
@@ -30,8 +31,6 @@ bool holds(const Solid& mother, const Extent& box, double margin) {
       std::hypot(box.max.x - centre.x, box.max.y - centre.y, box.max.z - centre.z);
   return safety_to_out(mother.any(), centre) > radius + margin;
 }
-
-}  // namespace
 
 double search_margin(const Extent& extent, double tolerance) {
   return 2 * tolerance + 1e-9 * largest_coordinate(extent);
@@ -64,7 +63,7 @@ NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxe
     result.of.push_back(
         {box, static_cast<std::uint32_t>(result.neighbours.size()),
          listed ? static_cast<std::uint16_t>(found.size()) : NeighbourLists::Of::unlisted,
-         holds(mother, box, margin)});
+         holds_deep(mother, box, margin)});
     if (listed) result.neighbours.insert(result.neighbours.end(), found.begin(), found.end());
   }
   return result;

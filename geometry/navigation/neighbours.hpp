@@ -51,6 +51,10 @@ struct NeighbourLists {
 NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxes,
                                const bvh::BoxTree* tree, double tolerance);
 
+/// Whether every point of the box is deeper in the solid than the margin; false where that is not
+/// known.
+bool holds_deep(const Solid& mother, const Extent& box, double margin);
+
 /// How far boxes and cells of a scene reach beyond its daughters, mm: twice the tolerance and
 /// 1e-9 of the largest coordinate, a million times the rounding of a position.
 double search_margin(const Extent& extent, double tolerance);

@@ -48,8 +48,8 @@ struct BudgetReport {
 /// One scene; times are 0 where not measured.
 struct SceneReport {
   std::uint32_t volume_id = 0;
-  std::string volume;
-  std::string structure;  ///< how it is searched, in words: "70 slabs along z"; of final_report()
+  std::string volume{};
+  std::string structure{};  ///< how it is searched, in words: "70 slabs along z"; of final_report()
   std::uint64_t steps = 0;
   double share = 0;  ///< of all steps
   /// Processor time on the recorded states, replayed.
@@ -60,7 +60,7 @@ struct SceneReport {
   SceneStatus status = SceneStatus::generic;  ///< of its own code, compiled for it
   Binding binding = Binding::generic;
   CodeOrigin origin = CodeOrigin::none;
-  std::string note;                      ///< why it failed or does not pay
+  std::string note{};                    ///< why it failed or does not pay
   std::optional<BudgetReport> budget{};  ///< of final_report() alone, where one is asked for
 };
 

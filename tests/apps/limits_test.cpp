@@ -10,6 +10,7 @@
 #include "tests/support/folder.hpp"
 #include "tests/support/memory_limit.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace navjit::tests {
 namespace {
@@ -57,6 +58,9 @@ TEST_P(Limits, NoCommandHangsOrCrashes) {
   // Sanitizers need address space by the terabyte, and files of their own to look at memory.
   const bool theirs = limit.find("-v") != npos || limit == "ulimit -n 5";
   if (theirs && !tests::memory_can_be_limited) GTEST_SKIP() << "a sanitizer needs more itself";
+  // Threads need more of a stack, and the sanitizer's own shadow is a file.
+  const bool of_threads = limit.find("-s") != npos || limit.find("-f") != npos;
+  if (of_threads && tests::under_thread_sanitizer) GTEST_SKIP() << "the sanitizer needs more";
   for (std::string command : commands) {
     for (std::size_t at; (at = command.find("FOLDER")) != npos;) {
       command.replace(at, 6, folder_.path());

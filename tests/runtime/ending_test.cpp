@@ -12,7 +12,9 @@
 
 #ifdef __SANITIZE_THREAD__
 // A runtime that is never destroyed has a thread that nobody joins.
-extern "C" const char* __tsan_default_options() { return "report_thread_leaks=0"; }
+extern "C" [[gnu::visibility("default")]] const char* __tsan_default_options() {
+  return "report_thread_leaks=0";
+}
 #endif
 
 namespace navjit {

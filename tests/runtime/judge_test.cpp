@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <mutex>
 
+#include "tests/support/sanitizers.hpp"
 #include "tests/support/traces.hpp"
 
 namespace navjit {
@@ -39,6 +40,9 @@ std::size_t taken_out(const Runtime& runtime) {
 
 /// A run of which some is slow, until a scene was taken out. With safeties asked, or not.
 void expect_taken_out(const std::string& quick, bool safeties) {
+  if (tests::under_thread_sanitizer) {
+    GTEST_SKIP() << "what is generated is not instrumented: even slow code is faster than the rest";
+  }
   const auto world = std::make_shared<const World>(tests::mixed_world());
   const std::vector<Ray> rays = rays_through(*world, 47, 200);
   Runtime generic(world, tests::eager_options(JitMode::off));

@@ -6,7 +6,7 @@
 #define NAVJIT_DETAIL_NAVIGATION_STACK_H
 namespace navjit::kernels {
 
-constexpr unsigned abi_version = 7;
+constexpr unsigned abi_version = 8;
 constexpr int stack_levels = 64;
 
 /// One level: a placed volume and its frame in the world, local = rotation * (global -

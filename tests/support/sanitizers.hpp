@@ -1,0 +1,12 @@
+// What tests cannot ask of a program under a sanitizer.
+#pragma once
+
+namespace navjit::tests {
+
+#ifdef __SANITIZE_THREAD__
+constexpr bool under_thread_sanitizer = true;
+#else
+constexpr bool under_thread_sanitizer = false;
+#endif
+
+}  // namespace navjit::tests
