@@ -17,8 +17,6 @@
 
 #include "common/interruption.hpp"
 
-extern char** environ;
-
 namespace navjit::common {
 namespace {
 
@@ -52,6 +50,7 @@ bool read_some(int file, std::string& text) {
 
 pid_t start(const std::vector<std::string>& words, Pipe& out, Pipe& err) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;

@@ -38,7 +38,8 @@ bool parse_decimal(std::string_view text, Decimal& decimal) {
   if (!any) return false;
   if (at == text.size()) return true;
   if (text[at] != 'e' && text[at] != 'E') return false;
-  if (++at < text.size() && text[at] == '+') ++at;
+  ++at;
+  if (at < text.size() && text[at] == '+') ++at;
   int exponent = 0;
   const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), exponent);
   if (error == std::errc::invalid_argument || end != text.data() + text.size()) return false;

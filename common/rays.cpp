@@ -175,7 +175,7 @@ std::vector<Ray> rays_of(const std::string& text, const RaySource& source, const
   return RayStream(text, source, world).next(std::numeric_limits<std::size_t>::max());
 }
 
-void check_origin(const RaySource& source, std::shared_ptr<const World> world) {
+void check_origin(const RaySource& source, const std::shared_ptr<const World>& world) {
   if (!source.origin) return;
   Runtime generic(world, {.jit = JitMode::off});
   Navigator navigator = generic.navigator();

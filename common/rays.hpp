@@ -93,6 +93,6 @@ std::vector<Ray> rays_of(const std::string& text, const RaySource& source, const
 
 /// Throws Error if all rays of a source would start outside the world: if it has an
 /// origin, and that is not inside.
-void check_origin(const RaySource& source, std::shared_ptr<const World> world);
+void check_origin(const RaySource& source, const std::shared_ptr<const World>& world);
 
 }  // namespace navjit::common
