@@ -4,6 +4,7 @@
 #include <map>
 
 #include "analysis/plan.hpp"
+#include "codegen/data/inner.hpp"
 #include "codegen/search_numbers.hpp"
 #include "codegen/typed_solid.hpp"
 #include "geometry/solids/extent.hpp"
@@ -99,6 +100,7 @@ template <class Record>
 void make_daughters(const Source& source, const SceneParts& parts, DaughtersInTable& table) {
   const auto daughters = source.scene.daughters;
   auto* records = source.arena.array<Record>(daughters.size());
+  const auto inner = inner_of_daughters(source.geometry, source.scene);
   kernels::Vec3<double>(*boxes)[2] = nullptr;
   std::map<std::array<double, 9>, const double*> rotations;
   std::map<const void*, const void*> shapes;
@@ -108,15 +110,10 @@ void make_daughters(const Source& source, const SceneParts& parts, DaughtersInTa
       const Daughter& d = daughters[k];
       const double* t = d.transformation.translation;
       Record& record = records[k];
-      static_cast<kernels::PlacedDaughter&>(record) = {t[0],
-                                                       t[1],
-                                                       t[2],
-                                                       rotation_of(d, rotations, source.arena),
-                                                       nullptr,
-                                                       d.offset,
-                                                       d.volume,
-                                                       static_cast<unsigned short>(c),
-                                                       inner_of(source.geometry, d.volume)};
+      static_cast<kernels::PlacedDaughter&>(record) = {
+          t[0],    t[1],     t[2],     rotation_of(d, rotations, source.arena),
+          nullptr, d.offset, d.volume, static_cast<unsigned short>(c),
+          inner[k]};
       if (part.from == PartClass::From::shape_in_table) {
         const auto [at, fresh] = shapes.try_emplace(d.solid.shape, nullptr);
         if (fresh) at->second = typed_shape(d.solid, source.arena);

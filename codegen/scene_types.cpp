@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "codegen/data/inner.hpp"
 #include "codegen/text.hpp"
 
 namespace navjit::codegen {
@@ -139,6 +140,7 @@ std::string class_of(Writer& w, std::size_t number_of_class) {
 /// Daughters that are listed, with all that pushing them takes.
 std::string listed_places(Writer& w) {
   std::string records;
+  const auto inner = inner_of_daughters(w.geometry, w.scene);
   for (std::size_t k = 0; k < w.scene.daughters.size(); ++k) {
     const Daughter& d = w.scene.daughters[k];
     const double* t = d.transformation.translation;
@@ -150,7 +152,7 @@ std::string listed_places(Writer& w) {
     records += (k == 0 ? "{" : ", {") + number(t[0]) + ", " + number(t[1]) + ", " + number(t[2]) +
                ", " + rotation + ", nullptr, " + number(static_cast<unsigned long long>(d.offset)) +
                ", " + number(d.volume) + ", " + number(static_cast<unsigned>(k)) + ", " +
-               "InnerDaughters(" + number(unsigned{inner_of(w.geometry, d.volume)}) + ")" + "}";
+               "InnerDaughters(" + number(unsigned{inner[k]}) + ")" + "}";
   }
   return w.define("PlacedDaughter", "places", "{" + records + "}", "[]");
 }

@@ -47,12 +47,7 @@ void TickSum::add(double ticks, double usual) {
 void PairedDifference::add(const TickSum& a, const TickSum& b) {
   const double difference = a.mean() - b.mean();
   const double w = a.count * b.count / (a.count + b.count);
-  ++pairs;
-  weight += w;
-  sum += w * difference;
-  weight2 += w * w;
-  sum2 += w * w * difference;
-  squares2 += w * w * difference * difference;
+  add({1, w, w * difference, w * w, w * w * difference, w * w * difference * difference});
 }
 
 void PairedDifference::add(const PairedDifference& more) {

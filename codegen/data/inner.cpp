@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "geometry/solids/extent.hpp"
 
 namespace navjit::codegen {
 namespace {
 
-/// The distances from the z axis between which the solid's points are, moved by `t` and not turned
-/// but about z.
+/// The distances from the z axis between which the placed solid's points are.
 struct Radii {
   double least, most;
 };
@@ -57,6 +57,19 @@ kernels::InnerDaughters inner_of(const Geometry& geometry, VolumeId volume) {
                        margin);
       });
   return deep ? kernels::deep_daughters : kernels::has_surface_daughters;
+}
+
+std::vector<kernels::InnerDaughters> inner_of_daughters(const Geometry& geometry,
+                                                        const Scene& scene) {
+  std::map<VolumeId, kernels::InnerDaughters> known;
+  std::vector<kernels::InnerDaughters> inner;
+  inner.reserve(scene.daughters.size());
+  for (const Daughter& d : scene.daughters) {
+    const auto [at, fresh] = known.try_emplace(d.volume);
+    if (fresh) at->second = inner_of(geometry, d.volume);
+    inner.push_back(at->second);
+  }
+  return inner;
 }
 
 }  // namespace navjit::codegen

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "analysis/plan.hpp"
+#include "codegen/data/inner.hpp"
 #include "geometry/bvh/clustering.hpp"
 #include "geometry/bvh/rounding.hpp"
 #include "geometry/solids/extent.hpp"
@@ -120,12 +121,11 @@ void make(const Source&, NoDaughters&) {}
 void make(const Source& source, BoxDaughters& daughters) {
   const auto& from = source.scene.daughters;
   auto* at = source.arena.array<BoxDaughter>(from.size());
+  const auto inner = inner_of_daughters(source.geometry, source.scene);
   for (std::size_t k = 0; k < from.size(); ++k) {
     const auto& box = shape_of<Box<double>>(from[k].solid);
     const double* t = from[k].transformation.translation;
-    at[k] = {t[0],           t[1],           t[2],
-             box.hx,         box.hy,         box.hz,
-             from[k].offset, from[k].volume, inner_of(source.geometry, from[k].volume)};
+    at[k] = {t[0], t[1], t[2], box.hx, box.hy, box.hz, from[k].offset, from[k].volume, inner[k]};
   }
   daughters = {at, static_cast<unsigned>(from.size())};
 }
@@ -145,6 +145,7 @@ template <class Solid>
 void make_solids(const Source& source, SolidDaughters<Solid>& daughters) {
   const auto& from = source.scene.daughters;
   auto* at = source.arena.array<SolidDaughter<Solid>>(from.size());
+  const auto inner = inner_of_daughters(source.geometry, source.scene);
   navjit::Vec3(*boxes)[2] = nullptr;
   std::map<const void*, kernels::AnySolid<double>> shapes;
   for (const Daughter& d : from) {
@@ -161,7 +162,7 @@ void make_solids(const Source& source, SolidDaughters<Solid>& daughters) {
              as<Solid>(shapes.at(d.solid.shape)),
              d.offset,
              d.volume,
-             inner_of(source.geometry, d.volume),
+             inner[k],
              boxed};
     if (!boxed) continue;
     if (boxes == nullptr) boxes = source.arena.array<navjit::Vec3[2]>(from.size());

@@ -3,7 +3,6 @@
 
 #include "analysis/scene_plan.hpp"
 #include "codegen/data/arena.hpp"
-#include "codegen/data/inner.hpp"
 #include "codegen/data/quick_solid.hpp"
 #include "geometry/bvh/box_tree_traversal.hpp"
 #include "geometry/navigation/geometry.hpp"

@@ -58,7 +58,7 @@ TEST_P(Limits, NoCommandHangsOrCrashes) {
   // Sanitizers need address space by the terabyte, and files of their own to look at memory.
   const bool theirs = limit.find("-v") != npos || limit == "ulimit -n 5";
   if (theirs && !tests::memory_can_be_limited) GTEST_SKIP() << "a sanitizer needs more itself";
-  // Threads need more of a stack, and the sanitizer's own shadow is a file.
+  // Under it every command died of SIGXFSZ where no file may be written, threads of small stacks.
   const bool of_threads = limit.find("-s") != npos || limit.find("-f") != npos;
   if (of_threads && tests::under_thread_sanitizer) GTEST_SKIP() << "the sanitizer needs more";
   for (std::string command : commands) {
