@@ -97,7 +97,7 @@ struct Candidate {
 
 std::vector<Candidate> candidates(const std::vector<std::uint32_t>& groups) {
   using enum bvh::Clustering;
-  std::vector<Candidate> result{{"linear", {}}};
+  std::vector<Candidate> result{{"linear", {}}, {"wide-tree", {bvh::Method::wide_tree}}};
   for (const bvh::Clustering clustering : {surface, k_means, furthest}) {
     for (const std::uint32_t g : groups) {
       const Structure two{bvh::Method::two_level, clustering, g};

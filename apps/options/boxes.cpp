@@ -16,7 +16,7 @@ void parse_boxes(const std::string& text, GeometryOptions& options) {
     const std::optional<bvh::Structure> structure = bvh::parse_structure(value);
     if (!structure && value != "auto") {
       throw UsageError("'" + entry +
-                       "': auto, linear, two-level or regular-tree is needed, the last "
+                       "': auto, linear, wide-tree, two-level or regular-tree is needed, the last "
                        "two with :surface, :k-means or :furthest if you like");
     }
     if (equals == std::string::npos || name == "*") {
@@ -40,7 +40,8 @@ void add_boxes(CLI::App& command, GeometryOptions& options) {
               throw CLI::ValidationError("--boxes", error.what());
             }
           },
-          "how daughters' boxes are searched: auto, linear, two-level or\nregular-tree, the last "
+          "how daughters' boxes are searched: auto, linear, wide-tree, two-level\nor regular-tree, "
+          "the last "
           "two with :surface, :k-means or :furthest")
       ->option_text("[VOLUME=]SEARCH,...");
 }

@@ -7,6 +7,7 @@
 
 #include "geometry/bvh/clustering.hpp"
 #include "geometry/bvh/rounding.hpp"
+#include "geometry/bvh/wide_tree.hpp"
 
 namespace navjit::bvh {
 namespace {
@@ -97,6 +98,9 @@ BoxTree::BoxTree(std::span<const Extent> boxes, double tolerance, const Structur
     case Method::regular_tree:
       build_regular_tree(boxes, tolerance);
       break;
+    case Method::wide_tree:
+      build_wide_tree(boxes, tolerance);
+      break;
   }
 }
 
@@ -107,6 +111,7 @@ std::size_t BoxTree::clusters() const {
     case Method::two_level:
       return first_group_.size() - 1;
     case Method::regular_tree:
+    case Method::wide_tree:
       return groups_.size() - parent_groups_;
   }
   return 0;
@@ -161,6 +166,20 @@ void BoxTree::build_regular_tree(std::span<const Extent> boxes, double tolerance
   for (std::uint32_t g = parent_groups_; g-- > 0;) {
     for (std::uint32_t child = first_group_[g]; child < first_group_[g + 1]; ++child) {
       include(groups_[g], child - first_group_[g], groups_[child]);
+    }
+  }
+}
+
+void BoxTree::build_wide_tree(std::span<const Extent> boxes, double tolerance) {
+  static_assert(wide_tree_lanes == group_width);
+  const std::vector<WideNode> nodes = bvh::build_wide_tree(boxes);
+  groups_.assign(nodes.size(), empty_group());
+  index_.assign(nodes.size() * group_width, no_box);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    for (std::uint32_t lane = 0; lane < nodes[n].count; ++lane) {
+      const WideNode::Lane& from = nodes[n].lanes[lane];
+      set_lane(groups_[n], lane, from.bounds, tolerance);
+      index_[n * group_width + lane] = from.is_box ? from.number : from.number | is_group;
     }
   }
 }

@@ -1,8 +1,9 @@
 // Boxes in single precision, in groups of one SIMD width, that answer "which of these might a ray
 // meet?" without ever missing one. After S. Wenzel et al., "Accelerating navigation in the VecGeom
 // geometry modeller": a linear scan of all groups; two levels (BVH_h), where groups of parent boxes
-// stand before clusters of a few groups of children; or a regular tree of groups (BVH_p), where
-// each lane is the parent of a whole group below. docs/bvh.md compares them.
+// stand before clusters of a few groups of children; a regular tree of groups (BVH_p), where each
+// lane is the parent of a whole group below; or, not from there, a tree whose lanes are boxes or
+// groups below as the boxes' sizes have it (geometry/bvh/wide_tree.hpp). docs/bvh.md compares them.
 //
 // The traversals are templates in geometry/bvh/box_tree_traversal.hpp, which needs Vc and is slow
 // to parse: include it where they are called, and compile all those places for the same
@@ -72,6 +73,7 @@ class BoxTree {
 
  private:
   static constexpr std::uint32_t no_box = ~std::uint32_t{0};
+  static constexpr std::uint32_t is_group = std::uint32_t{1} << 31;  ///< for Method::wide_tree
 
   std::uint32_t index_of(std::uint32_t group, std::uint32_t lane) const {
     return index_[std::size_t{group - parent_groups_} * group_width + lane];
@@ -86,14 +88,20 @@ class BoxTree {
   /// For Method::regular_tree.
   template <class Test, class Visit>
   void descend(const Test& test, double limit, const Visit& visit) const;
+  /// For Method::wide_tree.
+  template <class Test, class Visit>
+  void descend_wide(const Test& test, double limit, const Visit& visit) const;
 
   void build_two_levels(std::span<const Extent> boxes, double tolerance);
   void build_regular_tree(std::span<const Extent> boxes, double tolerance);
+  void build_wide_tree(std::span<const Extent> boxes, double tolerance);
   void fill(std::span<const Extent> boxes, double tolerance, std::span<const std::uint32_t> order,
             std::span<const std::uint32_t> begin);
 
   std::vector<BoxGroup> groups_;  ///< parent groups, by level from the root; then the children's
-  std::vector<std::uint32_t> index_;  ///< of the box in each lane of a child group
+  /// Of the box in each lane of a child group; in a wide tree, of any group: of the group below,
+  /// with is_group, where there is one.
+  std::vector<std::uint32_t> index_;
   /// Two levels: the first group of each cluster. Regular tree: the first group below each parent
   /// group, whose lanes stand for it and those that follow. And one past the last.
   std::vector<std::uint32_t> first_group_;

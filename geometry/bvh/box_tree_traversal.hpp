@@ -1,163 +1,15 @@
-// Traversals of a BoxTree with Vc.
-//
-// Why no hit is missed. Let u = 2^-24, the rounding unit of float. For a face b (a float, exact)
-// and the true origin p (a double), the true path length to the face is T = (b - p) / v.
-//  1. p is replaced by a float strictly beyond it: for the near face one that shortens the way, for
-//     the far face one that lengthens it. The exact difference D to that float is thus on the safe
-//     side of b - p, however large |p| is against the box: far points cost false hits, not misses.
-//  2. fl(D) = D (1 + d), |d| <= u: a difference of floats cannot underflow, its sign is exact.
-//  3. The product with a reciprocal r adds another factor (1 + d'). So fl(fl(D) r) is on the safe
-//     side of T if r = (1/v) (1 - e) for the near, (1/v) (1 + e) for the far face, with e above
-//     2u + u^2 for the two roundings, u for r's own and 2^-52 for the double division.
-//     e = 8u leaves room. (Ize, "Robust BVH ray traversal", JCGT 2(2), 2013, scales the exit
-//     distance per box instead; here the scale is free.) Where D is negative, so is the product:
-//     the near face is then cut to 0, and a far face behind the origin is a true miss.
-//  4. Direction components that are zero or tiny: r of the near face is cut to 2^100, which
-//     shortens the way; r of the far face may become infinite, which lengthens it. 0 * inf = NaN
-//     can occur at the far face alone, if D = 0: but the float of step 1 is *strictly* beyond p, so
-//     D = 0 means that p is outside the slab and moves no nearer. Whatever the minimum makes of NaN
-//     is right. As step 1 avoids subnormal floats, all this holds with flush-to-zero on, too.
-//  5. The limit is rounded up. Comparisons are <=, so that ties are visited.
-// A box at infinity passes because inf - p = inf; unused lanes (min = inf, max = -inf) have an
-// infinite near and a negative far distance.
+// Traversals of a BoxTree, with Vc (geometry/bvh/group_tests.hpp).
 #pragma once
 
-#include <Vc/Vc>
-#include <algorithm>
 #include <bit>
-#include <limits>
 
 #include "geometry/bvh/box_tree.hpp"
+#include "geometry/bvh/group_tests.hpp"
 #include "geometry/bvh/rounding.hpp"
+#include "geometry/bvh/wide_tree.hpp"
 
 namespace navjit::bvh {
 namespace detail {
-
-using Lanes = Vc::float_v;
-static_assert(group_width % Lanes::Size == 0, "a group must be a whole number of SIMD vectors");
-
-/// Per lane of a group: a lower bound of the distance, and whether the box is a candidate.
-struct Verdict {
-  alignas(64) float distance[group_width];
-  unsigned candidates;  ///< one bit per lane
-};
-
-/// The slab test of one ray.
-class RayTest {
- public:
-  RayTest(const Vec3& p, const Direction& v) {
-    set(0, p.x, v.x, v.inverse_x);
-    set(1, p.y, v.y, v.inverse_y);
-    set(2, p.z, v.z, v.inverse_z);
-  }
-
-  /// A box met at exactly the limit counts.
-  static bool within(double distance, double limit) { return distance <= limit; }
-
-  void operator()(const BoxGroup& group, float limit, Verdict& verdict) const {
-    verdict.candidates = 0;
-    for (unsigned lane = 0; lane < group_width; lane += Lanes::Size) {
-      Lanes enter(Vc::Zero), leave(limit);
-      for (int axis = 0; axis < 3; ++axis) {
-        const Lanes near_face(&group.bounds[near_row_[axis]][lane], Vc::Aligned);
-        const Lanes far_face(&group.bounds[far_row_[axis]][lane], Vc::Aligned);
-        enter = Vc::max((near_face - near_origin_[axis]) * near_inverse_[axis], enter);
-        leave = Vc::min((far_face - far_origin_[axis]) * far_inverse_[axis], leave);
-      }
-      enter.store(verdict.distance + lane, Vc::Aligned);
-      verdict.candidates |= static_cast<unsigned>((enter <= leave).toInt()) << lane;
-    }
-  }
-
- private:
-  void set(int axis, double p, double v, double inverse) {
-    constexpr double margin = 0x1p-21, largest = 0x1p100;
-    const bool down = v < 0;
-    const float below = float_below(p), above = float_above(p);
-    near_row_[axis] = down ? axis + 3 : axis;
-    far_row_[axis] = down ? axis : axis + 3;
-    near_origin_[axis] = Lanes(down ? below : above);
-    far_origin_[axis] = Lanes(down ? above : below);
-    near_inverse_[axis] =
-        Lanes(static_cast<float>(std::clamp(inverse * (1 - margin), -largest, largest)));
-    far_inverse_[axis] = Lanes(static_cast<float>(inverse * (1 + margin)));
-  }
-
-  Lanes near_origin_[3], near_inverse_[3], far_origin_[3], far_inverse_[3];
-  int near_row_[3], far_row_[3];
-};
-
-/// The distance of one point from boxes.
-///
-/// Along an axis the point is outside by max(min - p, p - max, 0), from floats that shorten it. The
-/// square of the distance takes 1 rounding for each difference, squared, 1 for each square and 2
-/// for the sums, all relative, as all terms are positive; where a square underflows, it is less.
-/// The square root halves that and adds 1: 3.5 u in all, of which the factor 1 - 2^-21 = 1 - 8 u
-/// takes care. Where the square overflows, the root of the largest float is still a lower bound.
-class DistanceTest {
- public:
-  explicit DistanceTest(const Vec3& p) {
-    const double coordinate[3] = {p.x, p.y, p.z};
-    for (int axis = 0; axis < 3; ++axis) {
-      below_[axis] = Lanes(float_below(coordinate[axis]));
-      above_[axis] = Lanes(float_above(coordinate[axis]));
-    }
-  }
-
-  /// A box at exactly the radius cannot reduce it.
-  static bool within(double distance, double radius) { return distance < radius; }
-
-  void operator()(const BoxGroup& group, float radius, Verdict& verdict) const {
-    verdict.candidates = 0;
-    for (unsigned lane = 0; lane < group_width; lane += Lanes::Size) {
-      Lanes square(Vc::Zero);
-      for (int axis = 0; axis < 3; ++axis) {
-        const Lanes low(&group.bounds[axis][lane], Vc::Aligned);
-        const Lanes high(&group.bounds[axis + 3][lane], Vc::Aligned);
-        const Lanes outside =
-            Vc::max(Vc::max(low - above_[axis], below_[axis] - high), Lanes(Vc::Zero));
-        square += outside * outside;
-      }
-      square = Vc::min(square, Lanes(std::numeric_limits<float>::max()));
-      const Lanes distance = Vc::sqrt(square) * Lanes(1 - 0x1p-21f);
-      distance.store(verdict.distance + lane, Vc::Aligned);
-      verdict.candidates |= static_cast<unsigned>((distance < Lanes(radius)).toInt()) << lane;
-    }
-  }
-
- private:
-  Lanes below_[3], above_[3];
-};
-
-/// Which boxes of a group meet a box, or contain a point: one bit per lane.
-class OverlapTest {
- public:
-  explicit OverlapTest(const Extent& box) {
-    const double low[3] = {box.min.x, box.min.y, box.min.z};
-    const double high[3] = {box.max.x, box.max.y, box.max.z};
-    for (int axis = 0; axis < 3; ++axis) {
-      below_[axis] = Lanes(float_below(low[axis]));
-      above_[axis] = Lanes(float_above(high[axis]));
-    }
-  }
-
-  unsigned operator()(const BoxGroup& group) const {
-    unsigned candidates = 0;
-    for (unsigned lane = 0; lane < group_width; lane += Lanes::Size) {
-      Lanes::Mask within(true);
-      for (int axis = 0; axis < 3; ++axis) {
-        const Lanes low(&group.bounds[axis][lane], Vc::Aligned);
-        const Lanes high(&group.bounds[axis + 3][lane], Vc::Aligned);
-        within = within && low <= above_[axis] && high >= below_[axis];
-      }
-      candidates |= static_cast<unsigned>(within.toInt()) << lane;
-    }
-    return candidates;
-  }
-
- private:
-  Lanes below_[3], above_[3];
-};
 
 /// A candidate as one number: non-negative floats are ordered as their bits are.
 struct Candidate {
@@ -194,6 +46,16 @@ class DepthFirst {
   std::uint64_t keys_[capacity];
   std::uint32_t count_ = 0;
 };
+
+/// The same object, of which the compiler no longer knows the contents: they are read from memory
+/// where they are used. A test's dozen vectors would else be kept in registers, all of which every
+/// visit has to save.
+template <class Object>
+const Object& in_memory(const Object& object) {
+  const Object* at = &object;
+  asm("" : "+r"(at) : : "memory");
+  return *at;
+}
 
 /// A few candidates, taken out nearest first and by number among equals. Taking one out looks at
 /// all: most queries shrink their limit at once and need no complete order. Kept small and not
@@ -294,8 +156,56 @@ void BoxTree::descend(const Test& test, double limit, const Visit& visit) const 
   }
 }
 
+/// The same where lanes are boxes or groups. What is kept are the groups on the way down to the
+/// present one, each with the candidates that are left of it.
+template <class Test, class Visit>
+void BoxTree::descend_wide(const Test& made, double limit, const Visit& visit) const {
+  using detail::Candidates;
+  const Test& test = detail::in_memory(made);
+  if (groups_.empty()) return;
+  struct Left {
+    Candidates candidates;
+    std::size_t group;
+  };
+  Left left[wide_tree_levels];
+  alignas(32) float distances[wide_tree_levels][group_width];
+  const BoxGroup* const groups = groups_.data();
+  const std::uint32_t* const numbers = index_.data();
+  unsigned depth = 0;
+  std::size_t group = 0;
+  Candidates candidates;
+  float rounded_limit = float_above(limit);
+  test(groups[0], rounded_limit, candidates, distances[0]);
+  for (;;) {
+    const std::uint32_t key = candidates.nearest();
+    if (!Candidates::is_one(key) || !Test::within(Candidates::least_distance(key), limit)) {
+      if (depth == 0) return;
+      --depth;
+      candidates = left[depth].candidates;
+      group = left[depth].group;
+      continue;
+    }
+    candidates.take_out(key);
+    const std::uint32_t lane = Candidates::lane(key), number = numbers[group * group_width + lane];
+    if ((number & is_group) != 0) {
+      if (number == no_box) continue;  // infinitely far, within an infinite radius
+      left[depth].candidates = candidates;
+      left[depth].group = group;
+      ++depth;
+      group = number & ~is_group;
+      test(groups[group], rounded_limit, candidates, distances[depth]);
+      continue;
+    }
+    const double distance = distances[depth][lane];
+    if (!Test::within(distance, limit)) continue;
+    limit = visit(number, distance);
+    rounded_limit = float_above(limit);
+  }
+}
+
 template <class Test, class Visit>
 void BoxTree::nearest_first(const Test& test, double limit, const Visit& visit) const {
+  if (structure_.method == Method::wide_tree) return descend_wide(test, limit, visit);
   if (structure_.method == Method::regular_tree) return descend(test, limit, visit);
   const auto scan_children = [&](std::uint32_t first, std::uint32_t last, double from) {
     const auto box = [this](std::uint32_t g, std::uint32_t lane) { return index_of(g, lane); };
@@ -347,6 +257,23 @@ void BoxTree::overlapping(const Extent& box, Visit&& visit) const {
   if (structure_.method == Method::linear) {
     scan_children(0, static_cast<std::uint32_t>(groups_.size()));
     return;
+  }
+  if (structure_.method == Method::wide_tree) {
+    if (groups_.empty()) return;
+    std::uint32_t open[wide_tree_levels * group_width];
+    unsigned count = 0;
+    for (std::uint32_t group = 0;; group = open[--count]) {
+      for (unsigned bits = test(groups_[group]); bits != 0; bits &= bits - 1) {
+        const std::uint32_t number =
+            index_of(group, static_cast<std::uint32_t>(std::countr_zero(bits)));
+        if ((number & is_group) == 0) {
+          if (!visit(number)) return;
+        } else if (number != no_box) {
+          open[count++] = number & ~is_group;
+        }
+      }
+      if (count == 0) return;
+    }
   }
   if (structure_.method == Method::regular_tree) {
     if (groups_.empty()) return;

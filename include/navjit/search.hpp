@@ -18,6 +18,7 @@ enum class Method : std::uint8_t {
   linear,        ///< all groups of boxes, one after the other
   two_level,     ///< parents of clusters of a few groups, then those groups (BVH_h)
   regular_tree,  ///< as many levels as it takes, each node one group of eight (BVH_p)
+  wide_tree,     ///< nodes of eight, each a box or a node below, as the boxes' surfaces have it
 };
 
 /// How neighbours are found; geometry/bvh/clustering.hpp.
@@ -26,7 +27,7 @@ enum class Clustering : std::uint8_t { surface, k_means, furthest };
 /// How the boxes of a scene are arranged.
 struct Structure {
   Method method = Method::linear;
-  Clustering clustering = Clustering::surface;  ///< not for Method::linear
+  Clustering clustering = Clustering::surface;  ///< not for linear and wide_tree
   /// Groups of eight boxes in a cluster, 1 ... 8, for Method::two_level; 0 chooses by the count.
   std::uint32_t groups_per_cluster = 0;
 

@@ -38,8 +38,8 @@ TEST_P(TraceOfDetector, DoesNotDependOnTheJitOrOnThreads) {
     EXPECT_TRUE(right == trace(std::string("--rays 1500 ") + options)) << options;
   }
   for (const char* boxes :
-       {"linear", "two-level", "two-level:k-means", "two-level:furthest", "regular-tree",
-        "regular-tree:k-means", "regular-tree:furthest", "regular-tree,*=auto"}) {
+       {"linear", "wide-tree", "two-level", "two-level:k-means", "two-level:furthest",
+        "regular-tree", "regular-tree:k-means", "regular-tree:furthest", "regular-tree,*=auto"}) {
     EXPECT_TRUE(right == trace(std::string("--rays 1500 --jit off --boxes ") + boxes)) << boxes;
   }
   fs::remove_all(folder);

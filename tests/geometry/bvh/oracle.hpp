@@ -20,7 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// All methods with all clusterings.
 inline std::vector<Structure> structures() {
-  std::vector<Structure> result{{Method::linear}};
+  std::vector<Structure> result{{Method::linear}, {Method::wide_tree}};
   for (const Method method : {Method::two_level, Method::regular_tree}) {
     for (const Clustering clustering :
          {Clustering::surface, Clustering::k_means, Clustering::furthest}) {

@@ -12,23 +12,18 @@ TEST(Structure, NamesAreReadBack) {
     EXPECT_EQ(parse_structure(to_string(structure)), structure);
   }
   EXPECT_EQ(parse_structure("regular-tree"), Structure{Method::regular_tree});
-  for (const char* text :
-       {"", "auto", "linear:surface", "two-level:", "two_level", "two-level:k", ":", "tree"}) {
+  for (const char* text : {"", "auto", "linear:surface", "two-level:", "two_level", "two-level:k",
+                           ":", "tree", "wide-tree:surface"}) {
     EXPECT_FALSE(parse_structure(text)) << text;
   }
 }
 
-TEST(Structure, FewBoxesAreScannedAndManyAreNot) {
-  for (const std::size_t count : {0, 1, 8}) {
-    EXPECT_EQ(default_method(count).method, Method::linear);
-  }
-  bool scanned = true;
+TEST(Structure, OnlyTwoGroupsAreScanned) {
   for (std::size_t count = 0; count < 20000; ++count) {
-    const bool linear = default_method(count).method == Method::linear;
-    EXPECT_TRUE(scanned || !linear) << count;
-    scanned = linear;
+    const bool two_groups = count > group_width && count <= 2 * group_width;
+    EXPECT_EQ(default_method(count).method, two_groups ? Method::linear : Method::wide_tree)
+        << count;
   }
-  EXPECT_FALSE(scanned);
 }
 
 }  // namespace

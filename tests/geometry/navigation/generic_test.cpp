@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(GenericNavigator, EverySearch,
 
 std::vector<bvh::Structure> box_structures() {
   using enum bvh::Clustering;
-  std::vector<bvh::Structure> result{{bvh::Method::linear}};
+  std::vector<bvh::Structure> result{{bvh::Method::linear}, {bvh::Method::wide_tree}};
   for (const bvh::Method method : {bvh::Method::two_level, bvh::Method::regular_tree}) {
     for (const bvh::Clustering clustering : {surface, k_means, furthest}) {
       result.push_back({method, clustering});
