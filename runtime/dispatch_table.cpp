@@ -4,11 +4,15 @@
 
 #include "geometry/navigation/generic.hpp"
 #include "geometry/navigation/thread_sanitizer.hpp"
+#include "runtime/steady_seconds.hpp"
 
 namespace navjit {
 
 DispatchTable::DispatchTable(const Geometry& geometry)
-    : size_(geometry.size()), entries_(std::make_unique<Entry[]>(size_)), owners_(size_) {
+    : size_(geometry.size()),
+      entries_(std::make_unique<Entry[]>(size_)),
+      specialised_since_(size_),
+      owners_(size_) {
   for (std::size_t v = 0; v < size_; ++v) {
     entries_[v].store(&generic::dispatch_entry, std::memory_order_relaxed);
   }
@@ -21,6 +25,12 @@ void DispatchTable::install(VolumeId volume, const kernels::DispatchEntry* recor
   const std::lock_guard lock(mutex_);
   tell_published(record->data);
   entries_[volume].store(record, std::memory_order_release);
+  double& since = specialised_since_[volume];
+  if (record == &generic::dispatch_entry) {
+    since = 0;
+  } else if (since == 0) {
+    since = steady_seconds();
+  }
   std::swap(owners_[volume], owner);
   if (owner) retired_.retire(std::move(owner), threads_);
 }
@@ -31,6 +41,11 @@ void DispatchTable::keep(std::shared_ptr<const void> owner) {
 }
 
 void DispatchTable::reset(VolumeId volume) { install(volume, &generic::dispatch_entry, nullptr); }
+
+double DispatchTable::specialised_since(VolumeId volume) const {
+  const std::lock_guard lock(mutex_);
+  return specialised_since_[volume];
+}
 
 std::shared_ptr<ReadSide> DispatchTable::add_thread() {
   const std::lock_guard lock(mutex_);

@@ -32,6 +32,9 @@ class DispatchTable {
   }
   /// Back to the generic navigator.
   void reset(VolumeId volume);
+  /// When the volume's record became another than the generic one, which it has not been since
+  /// (steady_seconds()); 0 if it is the generic one.
+  double specialised_since(VolumeId volume) const;
 
   /// A thread that will navigate with this table announces itself.
   std::shared_ptr<ReadSide> add_thread();
@@ -47,7 +50,8 @@ class DispatchTable {
   std::size_t size_;
   std::unique_ptr<Entry[]> entries_;
   kernels::Context context_;
-  std::mutex mutex_;  ///< guards what follows
+  mutable std::mutex mutex_;  ///< guards what follows
+  std::vector<double> specialised_since_;
   std::vector<std::shared_ptr<const void>> owners_, kept_;
   std::vector<std::shared_ptr<ReadSide>> threads_;
   RetireList retired_;

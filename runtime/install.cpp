@@ -86,8 +86,14 @@ Expected<SceneReport> install_scene(Specialisation& spec, VolumeId volume,
     const std::lock_guard lock(spec.mutex);
     report.status = SceneStatus::generic;
     report.generic_ns_per_step = generic_ns;
-    report.binding = pays ? binding : Binding::data;
-    if (!pays) return report;
+    if (!pays) {
+      const SceneReport& before = spec.scenes[volume];
+      report.binding = before.binding;
+      report.specialised_ns_per_step = before.specialised_ns_per_step;
+      report.swapped_at_s = before.swapped_at_s;
+      return report;
+    }
+    report.binding = binding;
     report.specialised_ns_per_step = specialised_ns;
     report.swapped_at_s = spec.seconds();
     return report;

@@ -74,6 +74,8 @@ RuntimeReport report(const Specialisation& spec) {
       scene = known->second;
     scene.steps = counts.steps(volume);
     if (scene.steps == 0) continue;
+    const double since = spec.shared->table.specialised_since(volume);
+    if (since > 0) scene.specialised_at_s = std::max(since - spec.started_at, 1e-9);
     scene.volume_id = volume;
     scene.volume = world.volumes[v].name;
     report.steps += scene.steps;

@@ -8,10 +8,6 @@
 
 namespace navjit {
 
-double steady_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 Specialisation::Specialisation(std::shared_ptr<detail::Shared> runtime)
     : shared(std::move(runtime)),
       facts(analyse_world(shared->geometry)),

@@ -17,6 +17,7 @@
 #include "runtime/schedule.hpp"
 #include "runtime/shared.hpp"
 #include "runtime/states.hpp"
+#include "runtime/steady_seconds.hpp"
 #include "runtime/trials.hpp"
 
 namespace navjit {
@@ -25,9 +26,6 @@ namespace navjit {
 /// made. Leaving them out made LHCb's code some 7% faster and costs such a step about twice its
 /// time; the share itself is a guess.
 constexpr std::uint64_t bail_out_share = 8;
-
-/// Of the system's steady clock.
-double steady_seconds();
 
 /// Used by the specialiser's thread alone, but for what the mutex guards.
 struct Specialisation {

@@ -43,7 +43,7 @@ double steps_per_second(const Transport& t) {
 std::vector<warmup::Swap> swaps_of(const RuntimeReport& report) {
   std::vector<warmup::Swap> swaps;
   for (const SceneReport& scene : report.scenes) {
-    if (scene.binding != Binding::generic) swaps.push_back({scene.swapped_at_s, scene.share});
+    if (scene.specialised_at_s > 0) swaps.push_back({scene.specialised_at_s, scene.share});
   }
   return swaps;
 }
@@ -210,6 +210,7 @@ std::string json_text(const RunReport& report) {
                       {"generic_ns_per_step", s.generic_ns_per_step},
                       {"specialised_ns_per_step", s.specialised_ns_per_step},
                       {"compile_ms", s.compile_ms},
+                      {"specialised_at_s", s.specialised_at_s},
                       {"swapped_at_s", s.swapped_at_s},
                       {"code", origin_name(s.origin)},
                       {"binding", binding_name(s.binding)},

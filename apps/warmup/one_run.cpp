@@ -119,8 +119,8 @@ RunRecord run_once(const RunSetup& setup) {
   record.chunks = shared.chunks;
   const RuntimeReport report = runtime.report();
   for (const SceneReport& scene : report.scenes) {
-    if (scene.binding != Binding::generic) {
-      record.swaps.push_back({runtime_begun + scene.swapped_at_s, scene.share});
+    if (scene.specialised_at_s > 0) {
+      record.swaps.push_back({runtime_begun + scene.specialised_at_s, scene.share});
     }
   }
   record.modules = report.modules;

@@ -55,8 +55,11 @@ struct SceneReport {
   /// Processor time on the recorded states, replayed.
   double generic_ns_per_step = 0;
   double specialised_ns_per_step = 0;
-  double compile_ms = 0;                      ///< this scene's part of its module
-  double swapped_at_s = 0;                    ///< since the runtime was made
+  double compile_ms = 0;  ///< this scene's part of its module
+  /// When it came to be specialised, in whatever way, and was it ever since; 0 if it is not. Since
+  /// the runtime was made.
+  double specialised_at_s = 0;
+  double swapped_at_s = 0;                    ///< when its present navigator was installed
   SceneStatus status = SceneStatus::generic;  ///< of its own code, compiled for it
   Binding binding = Binding::generic;
   CodeOrigin origin = CodeOrigin::none;

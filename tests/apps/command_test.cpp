@@ -70,7 +70,7 @@ TEST_F(RunCommand, WritesAReportOfWhatHappened) {
     std::uint64_t steps = 0;
     for (const auto& scene : report.at("scenes")) {
       for (const char* key : {"volume", "steps", "share", "generic_ns_per_step",
-                              "specialised_ns_per_step", "compile_ms", "swapped_at_s"}) {
+                              "specialised_ns_per_step", "compile_ms", "specialised_at_s", "swapped_at_s"}) {
         EXPECT_TRUE(scene.contains(key)) << key;
       }
       share += scene.at("share").get<double>();

@@ -259,6 +259,7 @@ TEST(BoundToData, HotScenesAreBoundWhileARunGoesOn) {
     if (scene.binding != Binding::data) continue;
     ++bound;
     EXPECT_GT(scene.swapped_at_s, 0);
+    EXPECT_GT(scene.specialised_at_s, 0);
     EXPECT_GT(scene.specialised_ns_per_step, 0);
   }
   EXPECT_GT(bound, 2U);
