@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -25,6 +26,7 @@ using namespace navjit;
 struct Counts {
   std::uint64_t rays = 0, steps = 0, stuck = 0, differing = 0, bail_outs = 0;
   std::uint64_t specialised = 0;  ///< steps in scenes that have a specialised navigator
+  std::uint64_t bound = 0;        ///< of these, in scenes that are bound as far as was asked
 
   Counts& operator+=(const Counts& o) {
     rays += o.rays;
@@ -33,6 +35,7 @@ struct Counts {
     differing += o.differing;
     bail_outs += o.bail_outs;
     specialised += o.specialised;
+    bound += o.bound;
     return *this;
   }
 };
@@ -86,6 +89,7 @@ struct Options {
   std::uint64_t seed = 1;
   unsigned threads = 1;
   JitMode jit = JitMode::wait;
+  Binding binding = Binding::constants;  ///< the furthest that scenes are bound
 };
 
 Counts run_file(const std::string& file, const Options& options,
@@ -94,6 +98,8 @@ Counts run_file(const std::string& file, const Options& options,
   RuntimeOptions with;
   with.jit = options.jit;
   with.specialiser.keep_only_faster = false;  // what is slower has to be right, too
+  with.specialiser.structures = options.binding != Binding::data;
+  with.specialiser.constants = options.binding == Binding::constants;
   Runtime off(world, {.jit = JitMode::off}), specialising(world, with);
   std::atomic<std::uint64_t> next{0}, steps{0};
   Counts totals;
@@ -121,18 +127,20 @@ Counts run_file(const std::string& file, const Options& options,
     work();
   }
   for (const SceneReport& scene : specialising.report().scenes) {
-    if (scene.status == SceneStatus::specialised) totals.specialised += scene.steps;
+    if (scene.binding != Binding::generic) totals.specialised += scene.steps;
+    if (scene.binding == options.binding) totals.bound += scene.steps;
   }
   return totals;
 }
 
 void print_row(const std::string& name, const Counts& c, double seconds) {
   const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
-  std::printf(
-      "| %s | %llu | %llu | %.1f%% | %llu | %llu | %llu | %.0f |\n", name.c_str(), number(c.rays),
-      number(c.steps),
-      c.steps == 0 ? 0.0 : 100 * static_cast<double>(c.specialised) / static_cast<double>(c.steps),
-      number(c.bail_outs), number(c.stuck), number(c.differing), seconds);
+  const auto share = [&](std::uint64_t n) {
+    return c.steps == 0 ? 0.0 : 100 * static_cast<double>(n) / static_cast<double>(c.steps);
+  };
+  std::printf("| %s | %llu | %llu | %.1f%% | %.1f%% | %llu | %llu | %llu | %.0f |\n", name.c_str(),
+              number(c.rays), number(c.steps), share(c.specialised), share(c.bound),
+              number(c.bail_outs), number(c.stuck), number(c.differing), seconds);
   std::fflush(stdout);
 }
 
@@ -164,6 +172,11 @@ int main(int argc, char** argv) {
   app.add_option("--threads", options.threads, "Threads")->check(CLI::Range(1, 256));
   app.add_flag("--in-background", in_background,
                "Hot scenes are specialised during the run, not all before it");
+  app.add_option("--binding", options.binding, "The furthest that scenes are bound")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Binding>{{"data", Binding::data},
+                                         {"structure", Binding::structure},
+                                         {"constants", Binding::constants}}));
   app.add_option("--json", json_file, "Where to write a report");
   CLI11_PARSE(app, argc, argv);
   options.steps = static_cast<std::uint64_t>(steps);
@@ -172,8 +185,8 @@ int main(int argc, char** argv) {
   nlohmann::json report{{"files", nlohmann::json::array()}, {"refused", nlohmann::json::array()}};
   Counts totals;
   std::printf(
-      "| file | rays | steps | in specialised scenes | bail_outs | stuck rays | differing | s "
-      "|\n|---|--:|--:|--:|--:|--:|--:|--:|\n");
+      "| file | rays | steps | in specialised scenes | bound so | bail_outs | stuck rays | "
+      "differing | s |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   double seconds = 0;
   for (const std::string& file : gdml_files(files)) {
     try {
@@ -189,6 +202,7 @@ int main(int argc, char** argv) {
                                  {"rays", counts.rays},
                                  {"steps", counts.steps},
                                  {"in_specialised_scenes", counts.specialised},
+                                 {"bound_so", counts.bound},
                                  {"bail_outs", counts.bail_outs},
                                  {"stuck", counts.stuck},
                                  {"differing", counts.differing}});
