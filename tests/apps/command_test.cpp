@@ -69,8 +69,9 @@ TEST_F(RunCommand, WritesAReportOfWhatHappened) {
     double share = 0;
     std::uint64_t steps = 0;
     for (const auto& scene : report.at("scenes")) {
-      for (const char* key : {"volume", "steps", "share", "generic_ns_per_step",
-                              "specialised_ns_per_step", "compile_ms", "specialised_at_s", "swapped_at_s"}) {
+      for (const char* key :
+           {"volume", "steps", "share", "generic_ns_per_step", "specialised_ns_per_step",
+            "compile_ms", "specialised_at_s", "swapped_at_s"}) {
         EXPECT_TRUE(scene.contains(key)) << key;
       }
       share += scene.at("share").get<double>();
