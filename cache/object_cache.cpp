@@ -51,7 +51,7 @@ Expected<std::vector<std::string>> names_in(const File& directory) {
   if (copy < 0) return system_failure("cannot list the cache directory");
   const std::unique_ptr<DIR, CloseDirectory> listing(fdopendir(copy));
   if (!listing) {
-    const Failure failure = system_failure("cannot list the cache directory");
+    Failure failure = system_failure("cannot list the cache directory");
     close(copy);
     return failure;
   }
@@ -230,13 +230,13 @@ std::optional<Failure> ObjectCache::write(const Digest& key, std::string_view la
   if (!unfinished_file) return unfinished_file.failure();
   const File& file = *unfinished_file;
   if (!write_all(file, header) || !write_all(file, content)) {
-    const Failure failure = system_failure("cannot write an entry of the cache");
+    Failure failure = system_failure("cannot write an entry of the cache");
     unlinkat(directory_.get(), temporary.c_str(), 0);
     return failure;
   }
   const std::string name = name_of(key);
   if (renameat(directory_.get(), temporary.c_str(), directory_.get(), name.c_str()) != 0) {
-    const Failure failure = system_failure("cannot move an entry of the cache into place");
+    Failure failure = system_failure("cannot move an entry of the cache into place");
     unlinkat(directory_.get(), temporary.c_str(), 0);
     return failure;
   }

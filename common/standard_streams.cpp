@@ -25,9 +25,11 @@ void secure_standard_streams() {
 void finish_standard_output() {
   const bool failed_before = std::ferror(stdout) != 0;
   errno = 0;
-  if (std::fflush(stdout) == 0 && !failed_before) return;
+  const bool flushed = std::fflush(stdout) == 0;
+  const int reason = flushed ? 0 : errno;  // a success may set it, too
+  if (flushed && !failed_before) return;
   throw Error("standard output cannot be written" +
-              (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
+              (reason != 0 ? std::string(": ") + std::strerror(reason) : ""));
 }
 
 }  // namespace navjit::common

@@ -2,8 +2,10 @@
 // with limits from physics, safety spheres, surface crossings and local coordinates. It runs twice,
 // without and with specialised navigators, and what it finds is the same to the last bit.
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <random>
 #include <thread>
@@ -34,16 +36,17 @@ navjit::Detector calorimeter() {
   const auto tile = builder.volume("tile", navjit::make_box("tile", 60, 60, 4), plastic);
   const auto fibre = builder.volume("fibre", navjit::make_tube("fibre", 0, 0.5, 4, 0, 7), plastic);
   for (int i = 0; i < 25; ++i) {
-    const double x = -48 + 24.0 * (i % 5), y = -48 + 24.0 * (i / 5);
-    builder.place(fibre, tile, navjit::placed_at({x, y, 0}), i);
+    const int column = i % 5, row = i / 5;
+    builder.place(fibre, tile, navjit::placed_at({-48 + 24.0 * column, -48 + 24.0 * row, 0}), i);
   }
   for (int layer = 0; layer < 30; ++layer) {
     builder.place(plate, tower, navjit::placed_at({0, 0, -190 + 13.0 * layer}), layer);
     builder.place(tile, tower, navjit::placed_at({0, 0, -184 + 13.0 * layer}), layer);
   }
   for (int i = 0; i < 9; ++i) {
-    const double x = -140 + 140.0 * (i % 3), y = -140 + 140.0 * (i / 3);
-    builder.place(tower, hall, navjit::placed_at({x, y, 300}, {0, 0.02 * i, 0.1 * i}), i);
+    const int column = i % 3, row = i / 3;
+    const navjit::Vec3 centre{-140 + 140.0 * column, -140 + 140.0 * row, 300};
+    builder.place(tower, hall, navjit::placed_at(centre, {0, 0.02 * i, 0.1 * i}), i);
   }
   builder.set_user_data(tile, 1);  // sensitive
   return builder.build(hall);
@@ -54,8 +57,10 @@ struct Totals {
   double local_z = 0;               ///< mm, of entries into tiles, in their own frames
   long steps = 0, entries = 0, answered_by_sphere = 0;
 
+  /// To the last bit.
   bool operator==(const Totals& other) const {
-    return std::memcmp(this, &other, sizeof *this) == 0;
+    using Bits = std::array<std::uint64_t, sizeof(Totals) / sizeof(std::uint64_t)>;
+    return std::bit_cast<Bits>(*this) == std::bit_cast<Bits>(other);
   }
 };
 
@@ -108,6 +113,7 @@ Totals run(const navjit::Detector& detector, navjit::JitMode jit) {
   constexpr int threads = 2, particles = 1500;
   std::vector<Totals> by_thread(threads);
   std::vector<std::jthread> workers;
+  workers.reserve(threads);
   for (int t = 0; t < threads; ++t) {
     workers.emplace_back([&, t] {
       navjit::Navigator navigator = runtime.navigator();  // one per thread

@@ -1,7 +1,6 @@
 #include "navjit/navigator.hpp"
 
 #include <cmath>
-#include <cstring>
 #include <string>
 
 #include "geometry/navigation/generic.hpp"
@@ -251,7 +250,7 @@ double Navigator::shadow(const kernels::DispatchEntry& entry, const Vec3& point,
   const double right = generic::step(shared_->geometry, expected, point, direction, limit);
   double length = entry.step(&own_->stack, context_, entry.data, point.x, point.y, point.z, limit);
   if (length < 0) length = bail_out(point, direction, limit);
-  if (std::memcmp(&length, &right, sizeof length) != 0 || !identical(own_->stack, expected)) {
+  if (!kernels::same_bits(length, right) || !identical(own_->stack, expected)) {
     ++own_->counts.differences;
     copy(expected, own_->stack);
   }
