@@ -107,6 +107,7 @@ double Navigator::safety(const State& from, const Vec3& point) {
     sample.safety = true;
     own_->profile.record(sample);
   }
+  own_->sphere = {from, point, safety};
   return safety;
 }
 
@@ -187,12 +188,15 @@ bool Navigator::is_unit(const Vec3& direction) {
   return std::abs(square - 1) <= 2 * unit_slack;
 }
 
+void Navigator::require_unit(const Vec3& direction) {
+  if (is_unit(direction)) return;
+  require_finite(direction, "the direction");
+  throw UsageError("the direction is not a unit vector: its length is " +
+                   std::to_string(std::hypot(direction.x, direction.y, direction.z)));
+}
+
 void Navigator::begin_ray(const Vec3& direction) {
-  if (!is_unit(direction)) {
-    require_finite(direction, "the direction");
-    throw UsageError("the direction is not a unit vector: its length is " +
-                     std::to_string(std::hypot(direction.x, direction.y, direction.z)));
-  }
+  require_unit(direction);
   kernels::set_ray(own_->stack, direction.x, direction.y, direction.z);
 }
 

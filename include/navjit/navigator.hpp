@@ -23,9 +23,10 @@ struct Shared;  ///< what a Runtime and its navigators share
 
 /// Counts of one navigator, beside the profile.
 struct NavigatorCounts {
-  std::uint64_t bail_outs = 0;    ///< states that a specialised navigator did not take
-  std::uint64_t differences = 0;  ///< shadow mode: answers that were not the generic one's
-  std::uint64_t restored = 0;     ///< states that were not the last one returned
+  std::uint64_t bail_outs = 0;      ///< states that a specialised navigator did not take
+  std::uint64_t differences = 0;    ///< shadow mode: answers that were not the generic one's
+  std::uint64_t restored = 0;       ///< states that were not the last one returned
+  std::uint64_t within_safety = 0;  ///< steps that stayed in the ball of the last safety
 };
 
 /// Answers where, how far and what next. One per thread; keeps the runtime's data alive. Points and
@@ -51,11 +52,15 @@ class Navigator {
   /// point is not finite, if the direction is not a unit vector, or if the limit is negative or not
   /// a number. (A state of another world is not recognised where it has the same touchable and
   /// volume numbers as one of this world; then it is taken for that.)
+  ///
+  /// A step that stays in the ball of the last safety() that was asked, in the same state, is the
+  /// limit, and nothing of the detector is looked at: most steps of particles that scatter.
   Step step(const State& state, const Vec3& point, const Vec3& direction,
             double limit = std::numeric_limits<double>::infinity());
 
   /// A lower bound of the distance to the nearest boundary, mm. Throws UsageError if the
-  /// state is outside the world or of another world, or if a coordinate is not finite.
+  /// state is outside the world or of another world, or if a coordinate is not finite. The answer
+  /// depends on the state and the point alone, and is kept for the steps that follow.
   double safety(const State& state, const Vec3& point);
 
   /// As step(), where the caller has a safety sphere: a step that stays in it is the limit, and
@@ -111,6 +116,7 @@ class Navigator {
     Profile profile;
     std::shared_ptr<ReadSide> read_side;
     NavigatorCounts counts;
+    SafetySphere sphere{};       ///< of the last safety that was asked
     std::uint64_t shadowed = 0;  ///< steps made in shadow mode
     explicit Own(std::size_t volumes);
   };
@@ -118,8 +124,9 @@ class Navigator {
   explicit Navigator(std::shared_ptr<detail::Shared> shared);
   /// Throws UsageError unless the point is finite and the limit is no less than 0.
   static void require_numbers(const Vec3& point, double limit);
-  /// Steps will be along another direction. Throws UsageError unless it is of unit
-  /// length.
+  /// Throws UsageError unless the direction is of unit length.
+  static void require_unit(const Vec3& direction);
+  /// Steps will be along another direction. Throws as require_unit().
   void begin_ray(const Vec3& direction);
   static bool is_unit(const Vec3& direction);
   /// The point is in the innermost level: into its daughters.
@@ -156,6 +163,12 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
   if (!((sum == 0) & (limit >= 0))) [[unlikely]]
     require_numbers(point, limit);
   Own& own = *own_;
+  if (limit < own.sphere.safety(from, point) && !shadow_) {
+    require_unit(direction);
+    ++own.counts.within_safety;
+    own.profile.count(from.volume());
+    return {limit, false, from};
+  }
   kernels::NavigationStack& stack = own.stack;
   const double* ray = stack.ray.given;
   if (!(kernels::same_bits(ray[0], direction.x) && kernels::same_bits(ray[1], direction.y) &&

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -17,14 +18,16 @@ using tests::uniform;
 class NavigatorApi : public ::testing::TestWithParam<JitMode> {
  protected:
   NavigatorApi()
-      : runtime_(tests::mixed_world(), {.jit = GetParam()}), navigator_(runtime_.navigator()) {}
+      : runtime_(tests::mixed_world(), {.jit = GetParam()}),
+        navigator_(runtime_.navigator()),
+        plain_(runtime_.navigator()) {}
 
   Vec3 anywhere() {
     return {uniform(random_, -99, 99), uniform(random_, -99, 99), uniform(random_, -99, 99)};
   }
 
   Runtime runtime_;
-  Navigator navigator_;
+  Navigator navigator_, plain_;  ///< the second is never asked for a safety
   std::mt19937_64 random_{5};
 };
 
@@ -41,7 +44,7 @@ TEST_P(NavigatorApi, StepsWithinASphereAreTheStepsWithout) {
     for (int n = 0; n < 5 && at.inside(); ++n) {
       const Vec3 direction = tests::random_direction(random_);
       const double limit = uniform(random_, 0, 1.2) * sphere.radius;
-      const Step right = navigator_.step(at, point, direction, limit);
+      const Step right = plain_.step(at, point, direction, limit);
       const Step step = navigator_.step(at, point, direction, limit, sphere);
       EXPECT_EQ(std::memcmp(&step.length, &right.length, sizeof(double)), 0);
       EXPECT_EQ(step.boundary, right.boundary);
@@ -54,6 +57,55 @@ TEST_P(NavigatorApi, StepsWithinASphereAreTheStepsWithout) {
   }
   EXPECT_GT(within, 1000);
   EXPECT_GT(beyond, 1000);
+}
+
+TEST_P(NavigatorApi, StepsWithinTheLastSafetyAreTheStepsOfOneWhoNeverAsked) {
+  // Particles that scatter, as simulations make them: the safety, a step, another direction.
+  std::uint64_t steps = 0, boundaries = 0;
+  for (int i = 0; i < 300; ++i) {
+    Vec3 point = anywhere();
+    Vec3 direction = tests::random_direction(random_);
+    State at = navigator_.locate(point, direction);
+    for (int n = 0; n < 40 && at.inside(); ++n) {
+      // Now and then the ball is one of some steps before, or of another state.
+      if (n % 5 != 4) navigator_.safety(at, point);
+      const double limit = -5 * std::log(1 - uniform(random_, 0, 1));
+      const Step right = plain_.step(at, point, direction, limit);
+      const Step step = navigator_.step(at, point, direction, limit);
+      ASSERT_EQ(std::memcmp(&step.length, &right.length, sizeof(double)), 0);
+      ASSERT_EQ(step.boundary, right.boundary);
+      ASSERT_EQ(step.next, right.next);
+      point += step.length * direction;
+      at = step.next;
+      ++steps;
+      boundaries += step.boundary;
+      if (!step.boundary) direction = tests::random_direction(random_);
+    }
+  }
+  EXPECT_GT(boundaries, 500U);
+  EXPECT_EQ(plain_.counts().within_safety, 0U);
+  const std::uint64_t within = navigator_.counts().within_safety;
+  if (GetParam() == JitMode::shadow) {
+    EXPECT_EQ(within, 0U) << "all steps are to be compared";
+  } else {
+    EXPECT_GT(within, steps / 4);
+  }
+}
+
+TEST_P(NavigatorApi, StepsWithinTheLastSafetyAreRefusedAsOthers) {
+  const Vec3 point{-60, -40, 4};  // in the midst of a tile
+  const State state = navigator_.locate(point, {0, 0, 1});
+  const double least = 0.5 * navigator_.safety(state, point);
+  ASSERT_GT(least, 0);
+  EXPECT_EQ(navigator_.step(state, point, {0, 0, 1}, least).length, least);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Vec3& bad : {Vec3{0, 0, 0}, Vec3{0, 0, 2}, Vec3{nan, 0, 1}}) {
+    EXPECT_THROW(navigator_.step(state, point, bad, least), UsageError);
+  }
+  EXPECT_THROW(navigator_.step(state, {nan, 0, 0}, {0, 0, 1}, least), UsageError);
+  EXPECT_THROW(navigator_.step(state, point, {0, 0, 1}, -1), UsageError);
+  EXPECT_THROW(navigator_.step(state, point, {0, 0, 1}, nan), UsageError);
+  EXPECT_THROW(navigator_.step(State{}, point, {0, 0, 1}, least), UsageError);
 }
 
 TEST_P(NavigatorApi, ASphereIsGoodForItsOwnStateAlone) {
@@ -123,9 +175,12 @@ TEST_P(NavigatorApi, RefusesBadArgumentsAndStaysGood) {
   EXPECT_EQ(navigator_.locate(point), state);
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, NavigatorApi, ::testing::Values(JitMode::off, JitMode::wait),
+INSTANTIATE_TEST_SUITE_P(Modes, NavigatorApi,
+                         ::testing::Values(JitMode::off, JitMode::wait, JitMode::shadow),
                          [](const auto& mode) {
-                           return mode.param == JitMode::off ? "Generic" : "Specialised";
+                           return mode.param == JitMode::off    ? "Generic"
+                                  : mode.param == JitMode::wait ? "Specialised"
+                                                                : "Compared";
                          });
 
 }  // namespace
