@@ -32,6 +32,13 @@ std::optional<kernels::Plane<double>> side_plane(const Vec3& p1, const Vec3& p2,
   return kernels::Plane<double>{a, b, c, d};
 }
 
+/// Where two sides meet at a height; not finite if they do not.
+Vec3 corner_of(const kernels::Plane<double>& f, const kernels::Plane<double>& g, double z) {
+  const double area = f.a * g.b - f.b * g.a;
+  const double at_f = -(f.c * z + f.d), at_g = -(g.c * z + g.d);
+  return {(at_f * g.b - f.b * at_g) / area, (f.a * at_g - at_f * g.a) / area, z};
+}
+
 }  // namespace
 
 Solid make_trap(std::string name, double hz, double theta, double phi, double hy1, double hx1,
@@ -59,7 +66,20 @@ Solid make_trap(std::string name, double hz, double theta, double phi, double hy
   };
   const auto front = side(0, 4, 5, 1), back = side(2, 3, 7, 6);
   const auto left = side(0, 2, 6, 4), right = side(1, 5, 7, 3);
-  if (!front || !back || !left || !right) {
+  bool closed = front && back && left && right;
+  if (closed) {
+    // The corners are not quite on the planes: the planes' own corners are those of the solid.
+    for (const auto& along : {*front, *back}) {
+      for (const auto& across : {*left, *right}) {
+        for (const double z : {-hz, hz}) {
+          const Vec3 c = corner_of(along, across, z);
+          closed = closed && std::isfinite(c.x) && std::isfinite(c.y);
+          e = merged(e, {c, c});
+        }
+      }
+    }
+  }
+  if (!closed) {
     PlanarPoint around[8];
     constexpr int order[8] = {0, 1, 3, 2, 4, 5, 7, 6};
     for (int i = 0; i < 8; ++i) around[i] = {corners[order[i]].x, corners[order[i]].y};
