@@ -110,7 +110,7 @@ void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level,
   // (docs/experiments.md).
   tuning.SLPVectorization = false;
   leave_wreck(std::make_unique<Optimiser>(machine, tuning), [&](Optimiser& o) {
-    o.callbacks.registerShouldRunOptionalPassCallback([stop](llvm::StringRef, llvm::Any) {
+    o.callbacks.registerShouldRunOptionalPassCallback([stop](llvm::StringRef, const llvm::Any&) {
       outlast_static_objects();
       return !stop.stop_requested();
     });

@@ -44,12 +44,17 @@ std::string draw(const ExperimentReport& report, const std::string& title,
     if (each.runs.empty()) continue;  // a signal came before
     const std::string block = "$v" + std::to_string(i);
     data += block + " << EOD\n" + lines_of(each, end) + "EOD\n";
-    const std::string look = " with lines lw 2 lc " + std::to_string(i + 1) + " title ";
-    rates += (rates.empty() ? "plot " : ", ") + block + " using 1:2" + look +
-             common::quoted(each.variant.name) + " noenhanced";
+    const std::string look = " with lines lw 2 lc " + std::to_string(i + 1) + " title " +
+                             common::quoted(each.variant.name) + " noenhanced";
+    const auto plot = [&](std::string& commands, const char* columns) {
+      commands += commands.empty() ? "plot " : ", ";
+      commands += block;
+      commands += columns;
+      commands += look;
+    };
+    plot(rates, " using 1:2");
     if (each.variant.mode == Mode::off) continue;
-    shares += (shares.empty() ? "plot " : ", ") + block + " using 1:3" + look +
-              common::quoted(each.variant.name) + " noenhanced";
+    plot(shares, " using 1:3");
   }
   std::string script = data + "set grid\nset xrange [0:" + common::literal(end) + "]\n";
   script += "set multiplot layout " + std::string(shares.empty() ? "1,1" : "2,1") + " title " +

@@ -65,6 +65,7 @@ void order_for_tree(std::span<const Extent> boxes, Clustering clustering, std::s
   for (const std::uint32_t i : order) members.push_back(boxes[i]);
   const Clusters clusters = cluster(clustering, members, static_cast<std::uint32_t>(capacity));
   std::vector<std::uint32_t> sorted;
+  sorted.reserve(order.size());
   for (const std::uint32_t i : clusters.order) sorted.push_back(order[i]);
   std::copy(sorted.begin(), sorted.end(), order.begin());
   for (std::size_t c = 0; c < clusters.size(); ++c) {

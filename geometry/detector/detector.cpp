@@ -42,7 +42,7 @@ Detector::Detector(std::shared_ptr<const World> world) : world_(std::move(world)
 
 const State& Detector::checked(const State& state) const {
   check_state(*world_, state);
-  return state;
+  return state;  // NOLINT(bugprone-return-const-ref-from-parameter): used in the same expression
 }
 
 std::size_t Detector::volumes() const { return world_->volumes.size(); }

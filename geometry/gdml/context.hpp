@@ -187,7 +187,8 @@ struct FileContext {
   /// Adds a definition unless the name is taken: the first one holds, as in Geant4.
   template <class T>
   void define(Definitions<T>& definitions, const XmlElement& element, const std::string& what,
-              const std::string& as, T value) {
+              const std::string& as,
+              T value) {  // NOLINT(performance-unnecessary-value-param): moved from
     if (!definitions.try_emplace(as, std::move(value)).second) {
       note(element, "left out, since the first of several " + what + "s of the same name holds");
     }

@@ -90,14 +90,13 @@ void read_matrix(FileContext& file, const XmlElement& element) {
   }
   const bool one_index = columns == 1 || columns == size;
   for (int i = 0; i < size; ++i) {
-    const std::string index = one_index
-                                  ? std::to_string(i)
-                                  : std::to_string(i / columns) + "_" + std::to_string(i % columns);
+    std::string constant = name + "_" + std::to_string(one_index ? i : i / columns);
+    if (!one_index) constant += "_" + std::to_string(i % columns);
     const std::optional<double> value = values[static_cast<std::size_t>(i)];
     if (value) {
-      define_constant(file, element, name + "_" + index, *value);
+      define_constant(file, element, constant, *value);
     } else {
-      file.evaluator.define_broken(name + "_" + index, problem);
+      file.evaluator.define_broken(constant, problem);
     }
   }
   if (!problem.empty()) file.leave_out(element, problem);

@@ -73,7 +73,7 @@ double centre(const Solid& solid, int axis) {
 }
 
 /// Of the parts, halved where they are furthest apart.
-Solid balanced_union(const std::string& name, std::span<Solid> parts) {
+Solid balanced_union(std::string name, std::span<Solid> parts) {
   if (parts.size() == 1) return parts[0];
   int widest = 0;
   double width = -1;
@@ -95,7 +95,8 @@ Solid balanced_union(const std::string& name, std::span<Solid> parts) {
   const std::size_t half = parts.size() / 2;
   const Solid a = balanced_union(name, parts.first(half));
   const Solid b = balanced_union(name, parts.subspan(half));
-  return make_boolean<Union>(name, SolidKind::union_of, a, b, merged(a.extent, b.extent), true);
+  return make_boolean<Union>(std::move(name), SolidKind::union_of, a, b, merged(a.extent, b.extent),
+                             true);
 }
 
 }  // namespace
@@ -130,7 +131,7 @@ Solid make_union(std::string name, const Solid& a, const Solid& b) {
   std::vector<Solid> parts;
   add_parts(a, parts);
   add_parts(b, parts);
-  return balanced_union(name, parts);
+  return balanced_union(std::move(name), parts);
 }
 
 Solid make_intersection(std::string name, const Solid& a, const Solid& b) {
@@ -148,7 +149,8 @@ Solid make_intersection(std::string name, const Solid& a, const Solid& b) {
 Solid make_subtraction(std::string name, const Solid& a, const Solid& b) {
   if (a.kind == SolidKind::subtraction_of) {
     const auto& first = holder_of<Subtraction>(a);
-    return make_subtraction(std::move(name), first.a, make_union(name + "_cut", first.b, b));
+    const Solid cut = make_union(name + "_cut", first.b, b);
+    return make_subtraction(std::move(name), first.a, cut);
   }
   return make_boolean<Subtraction>(std::move(name), SolidKind::subtraction_of, a, b, a.extent,
                                    false);

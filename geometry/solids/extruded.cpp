@@ -97,6 +97,7 @@ bool convex(const Polygon& polygon) {
 /// or crosses itself.
 std::vector<kernels::Facet> ears(const Polygon& polygon) {
   std::vector<int> left;
+  left.reserve(polygon.size());
   for (std::size_t i = 0; i < polygon.size(); ++i) left.push_back(static_cast<int>(i));
   const auto at = [&](int i) -> const PlanarPoint& { return polygon[static_cast<std::size_t>(i)]; };
   std::vector<kernels::Facet> made;
@@ -187,7 +188,8 @@ Solid make_extruded(std::string name, std::span<const PlanarPoint> given,
   }
   const int n = static_cast<int>(polygon.size()), last = static_cast<int>(sections.size()) - 1;
   const auto corner = [&](int section, int i) {
-    return corners[static_cast<std::size_t>(section * n + i % n)];
+    return corners[static_cast<std::size_t>(section) * polygon.size() +
+                   static_cast<std::size_t>(i % n)];
   };
   if (sections.size() == 2 && !crossing && convex(polygon)) {
     Extent e{corners[0], corners[0]};

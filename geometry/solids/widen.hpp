@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "geometry/solids/solid.hpp"
@@ -23,22 +24,23 @@ class WideSolid {
  private:
   kernels::AnySolid<Real> wide(const kernels::AnySolid<double>& s) {
     const void* shape = kernels::visit(s, [this](const auto& from) -> const void* {
-      auto to = wide(from);
-      return keep(std::make_shared<decltype(to)>(to));
+      auto to = this->wide(from);
+      return this->keep(std::make_shared<decltype(to)>(to));
     });
     return {s.kind, shape};
   }
   template <class Shape>
   const Shape* keep(std::shared_ptr<Shape> shape) {
-    kept_.push_back(shape);
-    return shape.get();
+    const Shape* kept = shape.get();
+    kept_.push_back(std::move(shape));
+    return kept;
   }
   template <class Element>
   auto wide_array(const Element* from, int count) {
     using WideElement = decltype(wide(*from));
     auto to = std::make_shared<std::vector<WideElement>>();
     for (int i = 0; i < count; ++i) to->push_back(wide(from[i]));
-    return keep(to)->data();
+    return keep(std::move(to))->data();
   }
 
   static Real wide(double x) { return static_cast<Real>(x); }
