@@ -45,8 +45,8 @@ std::vector<warmup::Variant> variants_of(const Options& options) {
         continue;
       }
       const std::string level = std::to_string(opt);
-      variants.push_back(
-          {options.optimisations.size() > 1 ? name + " -O" + level : name, mode, {"--opt", level}});
+      const std::string suffix = options.optimisations.size() > 1 ? " -O" + level : "";
+      variants.push_back({name + suffix, mode, {"--opt", level}});
     }
   }
   return variants;
