@@ -254,5 +254,26 @@ TEST_F(GdmlHostile, NumbersThatAreNone) {
   }
 }
 
+TEST_F(GdmlHostile, ScalesWithoutBounds) {
+  const std::string box = "<box name='b' x='60' y='1' z='1'/>";
+  for (const char* factor : {"1e-300", "-1e-31", "1e31", "1e300"}) {
+    expect_refused(Gdml{.solids = box + "<reflectedSolid name='s' solid='b' sx='48' sy='7' sz='" +
+                                  factor + "'/>",
+                        .structure = "<volume name='S'><solidref ref='s'/></volume>" +
+                                     volume("W", physvol("S"))},
+                   "between 1e-30 and 1e30");
+  }
+  // A solid that is scaled again and again.
+  std::string chain = box + "<reflectedSolid name='s0' solid='b' sx='1' sy='1' sz='1e-25'/>";
+  for (int i = 1; i < 4; ++i) {
+    chain += "<reflectedSolid name='s" + std::to_string(i) + "' solid='s" + std::to_string(i - 1) +
+             "' sx='1' sy='1' sz='1e-25'/>";
+  }
+  expect_refused(Gdml{.solids = chain,
+                      .structure = "<volume name='S'><solidref ref='s3'/></volume>" +
+                                   volume("W", physvol("S"))},
+                 "cannot be navigated");
+}
+
 }  // namespace
 }  // namespace navjit::testing
