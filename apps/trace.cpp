@@ -69,6 +69,7 @@ class Sink {
 /// Names of volumes as fields of a CSV file.
 std::vector<std::string> fields_of(const World& world) {
   std::vector<std::string> fields;
+  fields.reserve(world.volumes.size());
   for (const LogicalVolume& volume : world.volumes)
     fields.push_back(common::csv_field(volume.name));
   return fields;
