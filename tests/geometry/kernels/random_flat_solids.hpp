@@ -177,9 +177,11 @@ inline SignedDistance arb8_distance(const std::vector<Corner>& corners, Wide hz)
   };
 }
 
-/// A trap with sides that are not planar.
-inline SolidCase random_bent_trap(Random& random) {
-  const double s = random.scale(1e-3, 1e4), hz = s * random.scale(0.5, 2);
+/// A trap of size `s` with sides that are not planar. Where make_trap takes them for planar, as it
+/// does if no corner is 1e-5 mm off, it makes their mean planes: for a trap of some micrometres
+/// visibly another solid than the arb8 of its corners.
+inline SolidCase bent_trap(Random& random, double s) {
+  const double hz = s * random.scale(0.5, 2);
   const double theta = random.uniform(-0.5, 0.5), phi = random.uniform(-3, 3);
   double y[2], x[2][2], alpha[2];
   std::vector<Corner> corners;
@@ -197,9 +199,21 @@ inline SolidCase random_bent_trap(Random& random) {
                          static_cast<double>(shift * std::sin(Wide(phi)) + across)});
     }
   }
-  return {make_trap("bent", hz, theta, phi, y[0], x[0][0], x[0][1], alpha[0], y[1], x[1][0],
-                    x[1][1], alpha[1]),
-          arb8_distance(corners, hz), 4 * std::max(s, hz)};
+  Solid solid = make_trap("bent", hz, theta, phi, y[0], x[0][0], x[0][1], alpha[0], y[1], x[1][0],
+                          x[1][1], alpha[1]);
+  const double size = 4 * std::max(s, hz);
+  if (solid.kind != SolidKind::trap) return {std::move(solid), arb8_distance(corners, hz), size};
+  std::vector<WidePoint> planar;
+  for (const std::size_t i : {0, 1, 3, 2, 4, 5, 7, 6}) {
+    planar.push_back({corners[i].x, corners[i].y, i < 4 ? -hz : hz});
+  }
+  return {std::move(solid), hexahedron_distance(planar), size};
+}
+inline SolidCase random_bent_trap(Random& random) {
+  return bent_trap(random, random.scale(1e-3, 1e4));
+}
+inline SolidCase random_small_bent_trap(Random& random) {
+  return bent_trap(random, random.scale(1e-5, 1e-3));
 }
 
 inline SolidCase random_arb8(Random& random) {
@@ -305,6 +319,7 @@ constexpr Maker flat_makers[] = {{"extruded", random_extruded},
                                  {"tessellated", random_tessellated},
                                  {"arb8", random_arb8},
                                  {"bent_trap", random_bent_trap},
+                                 {"small_bent_trap", random_small_bent_trap},
                                  {"cut_tube", random_cut_tube},
                                  {"generic_polycone", random_generic_polycone},
                                  {"generic_polyhedra", random_generic_polyhedra},
