@@ -256,6 +256,7 @@ int main(int argc, char** argv) try {
   }
 
   std::vector<std::pair<double, VolumeId>> hottest;
+  hottest.reserve(time.of.size());
   for (const auto& [volume, counts] : time.of) {
     hottest.push_back({sum(counts, 0, phases - 1), volume});
   }

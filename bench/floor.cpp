@@ -1,12 +1,21 @@
 #include "bench/floor.hpp"
 
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "geometry/navigation/generic.hpp"
 
 namespace navjit::bench {
+namespace {
+
+bool same_bits(const Direction& a, const Direction& b) {
+  using Bits = std::array<std::uint64_t, sizeof(Direction) / sizeof(std::uint64_t)>;
+  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
+
+}  // namespace
 
 Floor::Floor(const Geometry& geometry, const std::vector<Ray>& rays)
     : tolerance_(geometry.tolerance()) {
@@ -42,8 +51,7 @@ Floor::Floor(const Geometry& geometry, const std::vector<Ray>& rays)
       frame.rotation = step.rotation;
       const Direction direction =
           kernels::to_local_direction(frame, ray.direction.x, ray.direction.y, ray.direction.z);
-      if (directions_.size() == first_direction ||
-          std::memcmp(&directions_.back(), &direction, sizeof direction) != 0) {
+      if (directions_.size() == first_direction || !same_bits(directions_.back(), direction)) {
         directions_.push_back(direction);
       }
       step.direction = &directions_.back();

@@ -167,7 +167,8 @@ int main(int argc, char** argv) try {
   }
   for (const std::string& variant : variants) {
     std::string overrides = "*=off";
-    for (const std::string& name : volumes) overrides += "," + name + "=" + variant;
+    const std::string forced = "=" + variant;
+    for (const std::string& name : volumes) overrides.append(",").append(name).append(forced);
     RuntimeOptions wait;
     wait.jit = JitMode::wait;
     setenv(overrides_variable, overrides.c_str(), 1);
@@ -187,7 +188,8 @@ int main(int argc, char** argv) try {
     VolumeId volume = 0;
     while (volume < world->volumes.size() && world->volumes[volume].name != name) ++volume;
     if (volume == world->volumes.size()) {
-      throw Error(detector + ": no volume " + name);
+      const std::string what = ": no volume " + name;
+      throw Error(detector + what);
     }
     std::vector<bench::SceneRay> rays = bench::rays_in_volume(generic, volume, count, seed);
 #ifdef NAVJIT_VECGEOM

@@ -141,7 +141,9 @@ Expected<ParsedUnit> parse(std::string_view source, std::string_view unit_name,
     // The source is the only file there is to include.
     llvm::IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem> files(
         new llvm::vfs::InMemoryFileSystem());
-    files->setCurrentWorkingDirectory("/");
+    if (const std::error_code error = files->setCurrentWorkingDirectory("/")) {
+      return Failure{"no root of files in memory: " + error.message()};
+    }
     files->addFile(
         name, 0,
         llvm::MemoryBuffer::getMemBufferCopy(llvm::StringRef(source.data(), source.size()), name));

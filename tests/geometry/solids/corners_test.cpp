@@ -94,8 +94,8 @@ TEST(Corners, KindsAreTheSimplestThatServe) {
 
 /// A comb whose gaps end on one line, turned: rounding must not let edges there cross.
 TEST(Corners, EdgesOnOneLineDoNotCross) {
-  for (int turn = 0; turn < 200; ++turn) {
-    const double phi = 0.05 + 0.03 * turn, c = std::cos(phi), s = std::sin(phi);
+  for (int step = 0; step < 200; ++step) {
+    const double phi = 0.05 + 0.03 * step, c = std::cos(phi), s = std::sin(phi);
     std::vector<PlanarPoint> comb{{5, -1}};
     for (int tooth = 0; tooth < 5; ++tooth) {
       const double x = 5 - 2.1 * tooth;
@@ -107,8 +107,8 @@ TEST(Corners, EdgesOnOneLineDoNotCross) {
     for (PlanarPoint& p : comb) p = {c * p.x - s * p.y, s * p.x + c * p.y};
     std::string note;
     const Solid solid = make_extruded("comb", comb, Sections{{0, 0, 0, 1}, {1, 0, 0, 1}}, &note);
-    EXPECT_EQ(solid.kind, SolidKind::prism) << turn;
-    EXPECT_EQ(note, "") << turn;
+    EXPECT_EQ(solid.kind, SolidKind::prism) << step;
+    EXPECT_EQ(note, "") << step;
   }
 }
 
