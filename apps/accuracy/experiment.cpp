@@ -94,6 +94,7 @@ std::optional<std::uint64_t> transport_all(Navigator& navigator, const World& wo
 void time_levels(std::vector<LevelEngine>& levels, const World& world, const std::vector<Ray>& rays,
                  int repetitions, ExperimentReport& report) {
   std::vector<Navigator> navigators;
+  navigators.reserve(levels.size());
   for (LevelEngine& level : levels) navigators.push_back(level.runtime().navigator());
   std::vector<std::vector<double>> times(levels.size());
   for (int r = -1; r < repetitions && !interrupted(); ++r) {  // the first one warms up
@@ -193,7 +194,7 @@ void add_vecgeom(const reference::WideGeometry& reference, const std::vector<Ray
 
 }  // namespace
 
-ExperimentReport run_experiment(std::shared_ptr<const World> world,
+ExperimentReport run_experiment(const std::shared_ptr<const World>& world,
                                 const ExperimentOptions& options) {
   const auto start = Clock::now();
   const reference::WideGeometry reference(world);

@@ -40,7 +40,7 @@ struct ExperimentReport {
 };
 
 /// Throws common::Interrupted if a signal comes before any ray is judged.
-ExperimentReport run_experiment(std::shared_ptr<const World> world,
+ExperimentReport run_experiment(const std::shared_ptr<const World>& world,
                                 const ExperimentOptions& options);
 
 }  // namespace navjit::accuracy

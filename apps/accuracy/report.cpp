@@ -92,6 +92,7 @@ void print_surfaces(const ExperimentReport& report) {
 
 std::vector<VolumeId> by_steps(const EngineFigures& figures) {
   std::vector<VolumeId> volumes;
+  volumes.reserve(figures.scenes.size());
   for (const auto& [volume, unused] : figures.scenes) volumes.push_back(volume);
   std::stable_sort(volumes.begin(), volumes.end(), [&](VolumeId a, VolumeId b) {
     return figures.scenes.at(a).steps > figures.scenes.at(b).steps;

@@ -1,5 +1,7 @@
 #include "apps/run/transport.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -58,7 +60,8 @@ class Watch {
         if (shown_s_ > 0) std::fputs("\r\033[K", stderr);
         processor_s = thread_seconds() - begun;
       });
-    } catch (const std::system_error&) {  // then nobody watches
+    } catch (const std::system_error& error) {  // then nobody watches
+      spdlog::debug("event=unwatched reason={}", error.what());
     }
   }
   /// Then the figures may be read.
@@ -92,6 +95,7 @@ class Watch {
       std::fprintf(stderr, "\r\033[K%s", progress_line(progress, columns).c_str());
       std::fflush(stderr);
     } catch (const std::bad_alloc&) {  // nothing depends on the line
+      std::fputs("\r\033[K", stderr);
     }
     shown_s_ = t;
     shown_steps_ = steps;

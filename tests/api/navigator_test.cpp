@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "navjit/runtime.hpp"
@@ -46,7 +45,7 @@ TEST_P(NavigatorApi, StepsWithinASphereAreTheStepsWithout) {
       const double limit = uniform(random_, 0, 1.2) * sphere.radius;
       const Step right = plain_.step(at, point, direction, limit);
       const Step step = navigator_.step(at, point, direction, limit, sphere);
-      EXPECT_EQ(std::memcmp(&step.length, &right.length, sizeof(double)), 0);
+      EXPECT_TRUE(kernels::same_bits(step.length, right.length));
       EXPECT_EQ(step.boundary, right.boundary);
       EXPECT_EQ(step.next, right.next);
       ++(limit < sphere.safety(at, point) ? within : beyond);
@@ -72,7 +71,7 @@ TEST_P(NavigatorApi, StepsWithinTheLastSafetyAreTheStepsOfOneWhoNeverAsked) {
       const double limit = -5 * std::log(1 - uniform(random_, 0, 1));
       const Step right = plain_.step(at, point, direction, limit);
       const Step step = navigator_.step(at, point, direction, limit);
-      ASSERT_EQ(std::memcmp(&step.length, &right.length, sizeof(double)), 0);
+      ASSERT_TRUE(kernels::same_bits(step.length, right.length));
       ASSERT_EQ(step.boundary, right.boundary);
       ASSERT_EQ(step.next, right.next);
       point += step.length * direction;

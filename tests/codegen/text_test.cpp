@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 #include <random>
 
@@ -14,11 +14,10 @@ TEST(Text, NumbersReadBackToTheSameBits) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 100000; ++i) {
     const std::uint64_t bits = random();
-    double value;
-    std::memcpy(&value, &bits, sizeof value);
+    const auto value = std::bit_cast<double>(bits);
     if (!std::isfinite(value)) continue;
     const double back = std::strtod(number(value).c_str(), nullptr);
-    EXPECT_EQ(std::memcmp(&value, &back, sizeof value), 0) << number(value);
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(back), bits) << number(value);
   }
   EXPECT_EQ(number(-0.0), "-0x0p+0");
   EXPECT_EQ(number(-std::numeric_limits<double>::infinity()), "-__builtin_inf()");

@@ -128,7 +128,7 @@ TEST(Aim, WhatIsNotThereIsRefused) {
   tests::add_volume(world, "unused", make_box("u", 1, 1, 1));
   for (const char* name : {"nobody", "unused"}) {
     try {
-      RayMaker(world, {.aim = name});
+      [[maybe_unused]] const RayMaker rays(world, {.aim = name});
       ADD_FAILURE() << name;
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find(std::string("'") + name + "'"), std::string::npos);

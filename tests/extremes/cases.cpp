@@ -38,7 +38,7 @@ Rays with_bad_numbers(const World& world, const std::vector<double>& values) {
   Rays rays;
   for (const double bad : values) {
     for (int i = 0; i < 6; ++i) {
-      Ray ray = plain_rays(world, 1, static_cast<std::uint64_t>(i + 1))[0];
+      Ray ray = plain_rays(world, 1, static_cast<std::uint64_t>(i) + 1)[0];
       double* numbers[6] = {&ray.position.x,  &ray.position.y,  &ray.position.z,
                             &ray.direction.x, &ray.direction.y, &ray.direction.z};
       *numbers[i] = bad;

@@ -208,7 +208,7 @@ TEST(Linker, CodeMovesAndOutlivesItsLinker) {
   }
   EXPECT_EQ((*code->function<int()>("f"))(), 5);
   Code moved = *std::move(code);
-  code.reset();
+  code = std::nullopt;
   EXPECT_EQ((*moved.function<int()>("f"))(), 5);
 }
 

@@ -1,8 +1,6 @@
 // Scenes bound to structures against the generic navigator, bit for bit.
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "analysis/plan.hpp"
 #include "codegen/structure.hpp"
 #include "geometry/gdml/read_world.hpp"
@@ -33,11 +31,11 @@ double share_by_structures(const std::shared_ptr<const World>& world, int rays) 
     State s = a.locate(p, ray.direction);
     for (int i = 0; i < 6 && s.inside(); ++i) {
       const double safety = a.safety(s, p), bound_safety = b.safety(s, p);
-      EXPECT_EQ(std::memcmp(&safety, &bound_safety, sizeof safety), 0) << safety;
+      EXPECT_TRUE(kernels::same_bits(safety, bound_safety)) << safety;
       const Vec3 v = tests::random_direction(random);
       const double limit = tests::uniform(random, 0, 30);
       const Step one = a.step(s, p, v, limit), other = b.step(s, p, v, limit);
-      EXPECT_EQ(std::memcmp(&one.length, &other.length, sizeof one.length), 0);
+      EXPECT_TRUE(kernels::same_bits(one.length, other.length));
       EXPECT_EQ(one.next, other.next);
       p = p + one.length * v;
       s = one.next;

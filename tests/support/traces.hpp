@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -25,8 +24,7 @@ struct Row {
 inline bool same_bits(const std::vector<Row>& a, const std::vector<Row>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].touchable != b[i].touchable ||
-        std::memcmp(&a[i].length, &b[i].length, sizeof(double)) != 0) {
+    if (a[i].touchable != b[i].touchable || !kernels::same_bits(a[i].length, b[i].length)) {
       return false;
     }
   }

@@ -44,12 +44,13 @@ inline WireAxes axes_of(const Stringing& s) {
 inline int string_wires(World& world, VolumeId mother, const Stringing& s,
                         std::mt19937_64& random) {
   const WireAxes axes = axes_of(s);
+  const int half = s.wires / 2;
   int strung = 0;
   for (int layer = 0; layer < s.layers; ++layer) {
     for (int i = 0; i < s.wires; ++i) {
       if (uniform(random, 0, 1) < s.missing) continue;
-      const double step = s.second_pitch > 0 && i > s.wires / 2 ? s.second_pitch : s.pitch;
-      const double at = (i - s.wires / 2) * step + (layer % 2) * s.pitch / 2;
+      const double step = s.second_pitch > 0 && i > half ? s.second_pitch : s.pitch;
+      const double at = (i - half) * step + (layer % 2) * s.pitch / 2;
       const double off = (layer - (s.layers - 1) / 2.0) * (0.9 * s.pitch);
       const double length =
           s.cut_at_frame ? s.half * (1.02 - std::abs(2.0 * i / s.wires - 1)) : s.half;

@@ -47,7 +47,9 @@ template <class Any>
 bool same_answers(const Any& boxed, std::mt19937_64& random) {
   Any plain = boxed;
   plain.a.boxed = plain.b.boxed = 0;
-  const auto equal = [](double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; };
+  const auto equal = [](double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+  };
   Vec3 p{uniform(random, -8, 8), uniform(random, -8, 8), uniform(random, -8, 8)};
   Vec3 d{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)};
   if (random() % 4 == 0) d = {random() % 2 == 0 ? 1.0 : -1.0, 0, 0};
