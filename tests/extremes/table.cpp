@@ -143,8 +143,8 @@ int main(int argc, char** argv) try {
     const extremes::Outcome& generic = outcomes.generic;
     const EngineFigures& f = generic.figures;
     good = right(extreme, outcomes) && good;
-    std::printf("| %s | %llu | %llu | %s%s | %s | %s | %llu |", extreme.name.c_str(),
-                static_cast<unsigned long long>(f.rays + generic.refused),
+    const unsigned long long rays = f.rays + generic.refused;
+    std::printf("| %s | %llu | %llu | %s%s | %s | %s | %llu |", extreme.name.c_str(), rays,
                 static_cast<unsigned long long>(f.made),
                 generic.refused > 0 ? (std::to_string(generic.refused) + " refused; ").c_str() : "",
                 faults(f).c_str(), largest(f.all.errors.across_ulp).c_str(),
