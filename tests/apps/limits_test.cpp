@@ -103,7 +103,8 @@ TEST(Limits, TooManyThreadsAreNamed) {
 
 TEST(Limits, AFullDiskLosesNothingThatWasThere) {
   const TemporaryFolder folder;
-  const std::string disk = folder.path(), log = ::testing::TempDir() + "/full_disk_log";
+  const std::string& disk = folder.path();
+  const std::string log = ::testing::TempDir() + "/full_disk_log";
   const int status = in_child([&] {
     if (unshare(CLONE_NEWNS) != 0 && unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) return 77;
     mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr);

@@ -50,7 +50,7 @@ TEST_P(Progress, FitsTheTerminal) {
   std::size_t shown = 0;
   for (std::size_t at = 0; (at = text.find("\r\x1b[K", at)) != std::string::npos;) {
     at += 4;
-    const std::size_t end = std::min(text.find("\r", at), text.size());
+    const std::size_t end = std::min(text.find('\r', at), text.size());
     EXPECT_LT(end - at, GetParam()) << text.substr(at, end - at);
     shown = std::max(shown, end - at);
     if (GetParam() >= 80 && end > at) {

@@ -40,10 +40,11 @@ int in_child(Work&& work) {
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("fork failed");
   if (child == 0) {
-    int code = 99;
+    int code = 0;
     try {
       code = work();
     } catch (...) {
+      code = 99;
     }
     _exit(code);
   }

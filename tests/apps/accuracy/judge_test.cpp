@@ -98,7 +98,7 @@ TEST(Judge, TellsAStepThatIsTooShort) {
 
 TEST(Judge, TellsAWrongNextVolume) {
   expect_told(
-      [](MadeRay& made, std::size_t i) { made.steps[i].touchable = *made.steps[i - 1].touchable; },
+      [](MadeRay& made, std::size_t i) { made.steps[i].touchable = made.steps[i - 1].touchable; },
       &JudgedStep::wrong_volume);
 }
 
