@@ -119,11 +119,10 @@ TEST(Streams, TraceNeedsNoMoreMemoryForMoreRays) {
   signal(SIGPIPE, SIG_IGN);
   // The address sanitizer would keep what is freed.
   setenv("ASAN_OPTIONS", "quarantine_size_mb=1", 1);
-  const std::string detector = NAVJIT_DETECTORS_DIR "/shashlik.gdml";
   for (const std::string source : {"1e12", "file"}) {
     const bool from_file = source == "file";
-    Process trace({NAVJIT_COMMAND, "trace", detector, "--rays", from_file ? rays : source,
-                   "--threads", "2", "--jit", "off", "--out", out},
+    Process trace({NAVJIT_COMMAND, "trace", NAVJIT_DETECTORS_DIR "/shashlik.gdml", "--rays",
+                   from_file ? rays : source, "--threads", "2", "--jit", "off", "--out", out},
                   folder.file("log"));
     // Rays without an end, until nobody reads them any more.
     std::thread writer;
