@@ -65,7 +65,6 @@ std::vector<DivisionCase> cases() {
   };
   const std::string phi = "startphi='10' deltaphi='240'";
   const std::string sides = phi + " numsides='4'";
-  const std::string cut = "<zplane z='-5' rmin='3.2' rmax='10'/><zplane z='5' rmin='";
   std::vector<DivisionCase> list = {
       {"TubeZ",
        tube + deg + "/>",
@@ -238,7 +237,7 @@ TEST_P(GdmlDivisions, AreThePlacementsTheyStandFor) {
   for (std::size_t i = 0; i < c.slices.size(); ++i) {
     std::string solid = c.slices[i].first;
     const std::string name = "s" + std::to_string(i), volume = "S_" + std::to_string(i);
-    solids += solid.insert(solid.find_first_of(" "), " name='" + name + "'");
+    solids += solid.insert(solid.find_first_of(' '), " name='" + name + "'");
     volumes += volume_of(volume, name);
     daughters += physvol(volume, c.slices[i].second);
   }
