@@ -39,7 +39,8 @@ inline std::vector<Extent> boxes(Generator& generator, std::size_t count, double
 inline std::vector<Extent> grid(int n, double edge) {
   std::vector<Extent> result;
   for (int i = 0; i < n * n * n; ++i) {
-    const Vec3 low{(i % n - n / 2) * edge, (i / n % n - n / 2) * edge, (i / n / n - n / 2) * edge};
+    const int x = i % n - n / 2, y = i / n % n - n / 2, z = i / n / n - n / 2;
+    const Vec3 low{x * edge, y * edge, z * edge};
     result.push_back({low, {low.x + edge, low.y + edge, low.z + edge}});
   }
   return result;

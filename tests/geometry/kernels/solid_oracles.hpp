@@ -64,7 +64,7 @@ inline std::vector<PlanarPoint> contour(const std::vector<ZPlane>& planes) {
   return polygon;
 }
 
-inline SignedDistance polycone_distance(std::vector<ZPlane> planes, Wide start, Wide delta) {
+inline SignedDistance polycone_distance(const std::vector<ZPlane>& planes, Wide start, Wide delta) {
   return [polygon = contour(planes), start, delta](const WidePoint& p) {
     return std::max(polygon_distance(polygon, std::hypot(p.x, p.y), p.z),
                     azimuth_distance(p, start, delta));

@@ -200,6 +200,7 @@ TEST(FacetsThatDoNotClose, CornersThatAreNotQuiteOneAreJoined) {
 
 TEST(FacetsThatDoNotClose, WhateverIsLeftIsNavigated) {
   std::mt19937_64 random(7);
+  int refused = 0;
   for (int i = 0; i < 40; ++i) {
     Mesh mesh = i % 2 == 0 ? ball(2) : block();
     for (int k = 0; k < 1 + i / 4; ++k) {
@@ -224,9 +225,11 @@ TEST(FacetsThatDoNotClose, WhateverIsLeftIsNavigated) {
     try {
       expect_navigable(make_tessellated("mesh", mesh), 100);
     } catch (const GeometryError&) {
+      ++refused;
     }
     ASSERT_FALSE(HasFatalFailure()) << "mesh " << i;
   }
+  EXPECT_LT(refused, 10);
 }
 
 TEST(FacetsThatDoNotClose, ThoseThatEncloseNothingAreRefused) {
