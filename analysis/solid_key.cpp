@@ -17,7 +17,7 @@ struct Key {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
   template <class Field>
-  void operator()(const char*, const Field& field) {
+  void operator()(const Field& field) {
     if constexpr (std::is_arithmetic_v<Field>) {
       add(field);
     } else {
@@ -25,9 +25,9 @@ struct Key {
     }
   }
   template <class Field>
-  void operator()(const char*, const Field* fields, int count) {
+  void operator()(const Field* fields, int count) {
     add(count);
-    for (int i = 0; i < count; ++i) (*this)("", fields[i]);
+    for (int i = 0; i < count; ++i) (*this)(fields[i]);
   }
 };
 

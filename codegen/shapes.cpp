@@ -45,12 +45,12 @@ struct LiteralWriter {
     }
   }
   template <class Field>
-  void operator()(const char*, const Field& field) {
+  void operator()(const Field& field) {
     separate();
     out += one(field);
   }
   template <class Field>
-  void operator()(const char*, const Field* fields, int count) {
+  void operator()(const Field* fields, int count) {
     separate();
     if (count == 0) {
       out += "nullptr";

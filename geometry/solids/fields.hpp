@@ -1,319 +1,129 @@
-// The fields of every kernel's shape, in declaration order: what code generation prints, the
-// fingerprint hashes, `inspect` shows and the high-precision reference converts.
-//
-// visit_fields(shape, visitor) calls visitor(name, field) for numbers and nested structs, and
-// visitor(name, pointer, count) for arrays.
+// The fields of the kernels' shapes in the order of declaration, found by the compiler: what code
+// generation prints, keys of solids hold and the high-precision reference converts. A shape is a
+// plain struct of numbers, of structs like itself, and of arrays, each a pointer that is followed
+// by the number of its elements.
 #pragma once
+
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 
 #include "geometry/solids/kernels.hpp"
 
 namespace navjit::kernels {
+namespace detail {
 
-template <class Real, class V>
-void visit_fields(const Box<Real>& s, V&& visit) {
-  visit("hx", s.hx);
-  visit("hy", s.hy);
-  visit("hz", s.hz);
+/// Stands for the value of any field where fields are counted.
+struct AnyField {
+  template <class Field>
+  operator Field() const;
+};
+
+/// How many values a struct can be made from.
+template <class Shape, class... Fields>
+constexpr std::size_t field_count() {
+  if constexpr (requires { Shape{Fields{}..., AnyField{}}; }) {
+    return field_count<Shape, Fields..., AnyField>();
+  } else {
+    return sizeof...(Fields);
+  }
 }
 
-template <class Real, class V>
-void visit_fields(const Wedge<Real>& s, V&& visit) {
-  visit("kind", s.kind);
-  visit("start_x", s.start_x);
-  visit("start_y", s.start_y);
-  visit("end_x", s.end_x);
-  visit("end_y", s.end_y);
+}  // namespace detail
+
+/// References to all fields of a shape, as a tuple.
+template <class Shape>
+constexpr auto fields_of(Shape& s) {
+  constexpr std::size_t count = detail::field_count<std::remove_const_t<Shape>>();
+  static_assert(count >= 1 && count <= 16, "a shape of more fields needs a line more here");
+  if constexpr (count == 1) {
+    auto& [a] = s;
+    return std::tie(a);
+  } else if constexpr (count == 2) {
+    auto& [a, b] = s;
+    return std::tie(a, b);
+  } else if constexpr (count == 3) {
+    auto& [a, b, c] = s;
+    return std::tie(a, b, c);
+  } else if constexpr (count == 4) {
+    auto& [a, b, c, d] = s;
+    return std::tie(a, b, c, d);
+  } else if constexpr (count == 5) {
+    auto& [a, b, c, d, e] = s;
+    return std::tie(a, b, c, d, e);
+  } else if constexpr (count == 6) {
+    auto& [a, b, c, d, e, f] = s;
+    return std::tie(a, b, c, d, e, f);
+  } else if constexpr (count == 7) {
+    auto& [a, b, c, d, e, f, g] = s;
+    return std::tie(a, b, c, d, e, f, g);
+  } else if constexpr (count == 8) {
+    auto& [a, b, c, d, e, f, g, h] = s;
+    return std::tie(a, b, c, d, e, f, g, h);
+  } else if constexpr (count == 9) {
+    auto& [a, b, c, d, e, f, g, h, i] = s;
+    return std::tie(a, b, c, d, e, f, g, h, i);
+  } else if constexpr (count == 10) {
+    auto& [a, b, c, d, e, f, g, h, i, j] = s;
+    return std::tie(a, b, c, d, e, f, g, h, i, j);
+  } else if constexpr (count == 11) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k] = s;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k);
+  } else if constexpr (count == 12) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l] = s;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
+  } else if constexpr (count == 13) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = s;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
+  } else if constexpr (count == 14) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = s;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
+  } else if constexpr (count == 15) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = s;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
+  } else {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = s;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
+  }
 }
 
-template <class Real, class V>
-void visit_fields(const Tube<Real>& s, V&& visit) {
-  visit("rmin", s.rmin);
-  visit("rmax", s.rmax);
-  visit("hz", s.hz);
-  visit("wedge", s.wedge);
+/// Calls f(index) for each field of the shape, with an index that is a constant.
+template <class Shape, class F>
+constexpr void for_each_field(F&& f) {
+  [&]<std::size_t... index>(std::index_sequence<index...>) {
+    (f(std::integral_constant<std::size_t, index>{}), ...);
+  }
+  (std::make_index_sequence<detail::field_count<Shape>()>{});
 }
 
-template <class Real, class V>
-void visit_fields(const ConicalFace<Real>& s, V&& visit) {
-  visit("radius", s.radius);
-  visit("slope", s.slope);
-  visit("cosine", s.cosine);
+namespace detail {
+
+template <class Shape, class V>
+void visit_each_field(const Shape& s, V&& visit) {
+  const auto fields = fields_of(s);
+  for_each_field<Shape>([&](auto at) {
+    const auto& field = std::get<at>(fields);
+    if constexpr (std::is_pointer_v<std::decay_t<decltype(field)>>) {
+      visit(field, std::get<at + 1>(fields));
+    } else {
+      visit(field);
+    }
+  });
 }
 
-template <class Real, class V>
-void visit_fields(const Cone<Real>& s, V&& visit) {
-  visit("hz", s.hz);
-  visit("outer", s.outer);
-  visit("inner", s.inner);
-  visit("bored", s.bored);
-  visit("wedge", s.wedge);
-}
+}  // namespace detail
 
-template <class Real, class V>
-void visit_fields(const FacePair<Real>& s, V&& visit) {
-  visit("across", s.across);
-  visit("along", s.along);
-  visit("offset", s.offset);
+/// Calls visit(field) for numbers and nested structs, and visit(pointer, count) for arrays. Not for
+/// solids that are made of other solids.
+template <template <class> class Shape, class Real, class V>
+void visit_fields(const Shape<Real>& s, V&& visit) {
+  detail::visit_each_field(s, visit);
 }
-
-template <class Real, class V>
-void visit_fields(const Trd<Real>& s, V&& visit) {
-  visit("hz", s.hz);
-  visit("x", s.x);
-  visit("y", s.y);
-}
-
-template <class Real, class V>
-void visit_fields(const Plane<Real>& s, V&& visit) {
-  visit("a", s.a);
-  visit("b", s.b);
-  visit("c", s.c);
-  visit("d", s.d);
-}
-
-template <class Real, class V>
-void visit_fields(const Trap<Real>& s, V&& visit) {
-  visit("hz", s.hz);
-  visit("y_minus", s.y_minus);
-  visit("y_plus", s.y_plus);
-  visit("x_minus", s.x_minus);
-  visit("x_plus", s.x_plus);
-}
-
-template <class Real, class V>
-void visit_fields(const Hull<Real>& s, V&& visit) {
-  visit("planes", s.planes, s.count);
-  visit("count", s.count);
-}
-
-template <class Real, class V>
-void visit_fields(const Vec3<Real>& s, V&& visit) {
-  visit("x", s.x);
-  visit("y", s.y);
-  visit("z", s.z);
-}
-
+/// What is made of whole numbers alone.
 template <class V>
 void visit_fields(const Facet& s, V&& visit) {
-  visit("a", s.a);
-  visit("b", s.b);
-  visit("c", s.c);
-}
-
-template <class Real, class V>
-void visit_fields(const FacetBox<Real>& s, V&& visit) {
-  visit("x_low", s.x_low);
-  visit("y_low", s.y_low);
-  visit("z_low", s.z_low);
-  visit("x_high", s.x_high);
-  visit("y_high", s.y_high);
-  visit("z_high", s.z_high);
-  visit("first", s.first);
-  visit("count", s.count);
-  visit("next", s.next);
-}
-
-template <class Real, class V>
-void visit_fields(const Facets<Real>& s, V&& visit) {
-  visit("corners", s.corners, s.corner_count);
-  visit("corner_count", s.corner_count);
-  visit("facets", s.facets, s.facet_count);
-  visit("facet_count", s.facet_count);
-  visit("boxes", s.boxes, s.box_count);
-  visit("box_count", s.box_count);
-}
-
-template <class Real, class V>
-void visit_fields(const PlanarCorner<Real>& s, V&& visit) {
-  visit("x", s.x);
-  visit("y", s.y);
-}
-
-template <class Real, class V>
-void visit_fields(const Prism<Real>& s, V&& visit) {
-  visit("corners", s.corners, s.count);
-  visit("count", s.count);
-  visit("z_low", s.z_low);
-  visit("z_high", s.z_high);
-  visit("x_low", s.x_low);
-  visit("x_high", s.x_high);
-  visit("y_low", s.y_low);
-  visit("y_high", s.y_high);
-}
-
-template <class Real, class V>
-void visit_fields(const TwistedFace<Real>& s, V&& visit) {
-  visit("a", s.a);
-  visit("b", s.b);
-  visit("c", s.c);
-  visit("d", s.d);
-  visit("e", s.e);
-  visit("f", s.f);
-  visit("g", s.g);
-}
-
-template <class Real, class V>
-void visit_fields(const Arb8<Real>& s, V&& visit) {
-  visit("hz", s.hz);
-  visit("hx", s.hx);
-  visit("hy", s.hy);
-  visit("first", s.first);
-  visit("second", s.second);
-  visit("third", s.third);
-  visit("fourth", s.fourth);
-}
-
-template <class Real, class V>
-void visit_fields(const CutTube<Real>& s, V&& visit) {
-  visit("rmin", s.rmin);
-  visit("rmax", s.rmax);
-  visit("low", s.low);
-  visit("high", s.high);
-  visit("wedge", s.wedge);
-}
-
-template <class Real, class V>
-void visit_fields(const Orb<Real>& s, V&& visit) {
-  visit("radius", s.radius);
-}
-
-template <class Real, class V>
-void visit_fields(const PolarLimit<Real>& s, V&& visit) {
-  visit("kind", s.kind);
-  visit("face", s.face);
-}
-
-template <class Real, class V>
-void visit_fields(const Sphere<Real>& s, V&& visit) {
-  visit("rmin", s.rmin);
-  visit("rmax", s.rmax);
-  visit("wedge", s.wedge);
-  visit("low", s.low);
-  visit("high", s.high);
-}
-
-template <class Real, class V>
-void visit_fields(const Section<Real>& s, V&& visit) {
-  visit("z_low", s.z_low);
-  visit("z_high", s.z_high);
-  visit("outer", s.outer);
-  visit("inner", s.inner);
-  visit("bored", s.bored);
-}
-
-template <class Real, class V>
-void visit_fields(const Ledge<Real>& s, V&& visit) {
-  visit("z", s.z);
-  visit("rmin", s.rmin);
-  visit("rmax", s.rmax);
-}
-
-template <class Real, class V>
-void visit_fields(const Polycone<Real>& s, V&& visit) {
-  visit("sections", s.sections, s.count);
-  visit("count", s.count);
-  visit("ledges", s.ledges, s.ledge_count);
-  visit("ledge_count", s.ledge_count);
-  visit("z_low", s.z_low);
-  visit("z_high", s.z_high);
-  visit("rmax", s.rmax);
-  visit("wedge", s.wedge);
-}
-
-template <class Real, class V>
-void visit_fields(const SideNormal<Real>& s, V&& visit) {
-  visit("x", s.x);
-  visit("y", s.y);
-}
-
-template <class Real, class V>
-void visit_fields(const Polyhedra<Real>& s, V&& visit) {
-  visit("sections", s.sections, s.count);
-  visit("count", s.count);
-  visit("ledges", s.ledges, s.ledge_count);
-  visit("ledge_count", s.ledge_count);
-  visit("z_low", s.z_low);
-  visit("z_high", s.z_high);
-  visit("rmax", s.rmax);
-  visit("wedge", s.wedge);
-  visit("sides", s.sides, s.side_count);
-  visit("side_count", s.side_count);
-}
-
-template <class Real, class V>
-void visit_fields(const Torus<Real>& s, V&& visit) {
-  visit("rmin", s.rmin);
-  visit("rmax", s.rmax);
-  visit("rtor", s.rtor);
-  visit("wedge", s.wedge);
-}
-
-template <class Real, class V>
-void visit_fields(const Quadric<Real>& s, V&& visit) {
-  visit("a", s.a);
-  visit("b", s.b);
-  visit("c", s.c);
-  visit("d", s.d);
-  visit("e", s.e);
-  visit("origin", s.origin);
-}
-
-template <class Real, class V>
-void visit_fields(const Saddle<Real>& s, V&& visit) {
-  visit("nx", s.nx);
-  visit("ny", s.ny);
-  visit("kappa", s.kappa);
-}
-
-template <class Real, class V>
-void visit_fields(const TwistedTube<Real>& s, V&& visit) {
-  visit("reach", s.reach);
-  visit("z_low", s.z_low);
-  visit("z_high", s.z_high);
-  visit("outer", s.outer);
-  visit("inner", s.inner);
-  visit("start", s.start);
-  visit("end", s.end);
-}
-
-template <class Real, class V>
-void visit_fields(const TwistedSide<Real>& s, V&& visit) {
-  visit("nu", s.nu);
-  visit("nw", s.nw);
-  visit("c0", s.c0);
-  visit("c1", s.c1);
-  visit("nu1", s.nu1);
-  visit("nw1", s.nw1);
-  visit("c2", s.c2);
-}
-
-template <class Real, class V>
-void visit_fields(const TwistedTrap<Real>& s, V&& visit) {
-  visit("hz", s.hz);
-  visit("rate", s.rate);
-  visit("shear_x", s.shear_x);
-  visit("shear_y", s.shear_y);
-  visit("hx", s.hx);
-  visit("hy", s.hy);
-  visit("reach", s.reach);
-  visit("right", s.right);
-  visit("left", s.left);
-  visit("back", s.back);
-  visit("front", s.front);
-  visit("steep", s.steep);
-  visit("steepening", s.steepening);
-  visit("curve", s.curve);
-}
-
-template <class Real, class V>
-void visit_fields(const QuadricSolid<Real>& s, V&& visit) {
-  visit("hx", s.hx);
-  visit("hy", s.hy);
-  visit("z_low", s.z_low);
-  visit("z_high", s.z_high);
-  visit("outer", s.outer);
-  visit("inner", s.inner);
-  visit("bored", s.bored);
+  detail::visit_each_field(s, visit);
 }
 
 }  // namespace navjit::kernels

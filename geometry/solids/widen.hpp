@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/solids/fields.hpp"
 #include "geometry/solids/solid.hpp"
 
 namespace navjit {
@@ -44,138 +45,28 @@ class WideSolid {
   }
 
   static Real wide(double x) { return static_cast<Real>(x); }
-
-  kernels::Box<Real> wide(const kernels::Box<double>& s) {
-    return {wide(s.hx), wide(s.hy), wide(s.hz)};
-  }
-  kernels::Wedge<Real> wide(const kernels::Wedge<double>& s) {
-    return {s.kind, wide(s.start_x), wide(s.start_y), wide(s.end_x), wide(s.end_y)};
-  }
-  kernels::Tube<Real> wide(const kernels::Tube<double>& s) {
-    return {wide(s.rmin), wide(s.rmax), wide(s.hz), wide(s.wedge)};
-  }
-  kernels::ConicalFace<Real> wide(const kernels::ConicalFace<double>& s) {
-    return {wide(s.radius), wide(s.slope), wide(s.cosine)};
-  }
-  kernels::Cone<Real> wide(const kernels::Cone<double>& s) {
-    return {wide(s.hz), wide(s.outer), wide(s.inner), s.bored, wide(s.wedge)};
-  }
-  kernels::FacePair<Real> wide(const kernels::FacePair<double>& s) {
-    return {wide(s.across), wide(s.along), wide(s.offset)};
-  }
-  kernels::Trd<Real> wide(const kernels::Trd<double>& s) {
-    return {wide(s.hz), wide(s.x), wide(s.y)};
-  }
-  kernels::Plane<Real> wide(const kernels::Plane<double>& s) {
-    return {wide(s.a), wide(s.b), wide(s.c), wide(s.d)};
-  }
-  kernels::Trap<Real> wide(const kernels::Trap<double>& s) {
-    return {wide(s.hz), wide(s.y_minus), wide(s.y_plus), wide(s.x_minus), wide(s.x_plus)};
-  }
-  kernels::Hull<Real> wide(const kernels::Hull<double>& s) {
-    return {wide_array(s.planes, s.count), s.count};
-  }
-  kernels::Vec3<Real> wide(const kernels::Vec3<double>& s) {
-    return {wide(s.x), wide(s.y), wide(s.z)};
-  }
+  static int wide(int n) { return n; }
   static kernels::Facet wide(const kernels::Facet& s) { return s; }
-  kernels::FacetBox<Real> wide(const kernels::FacetBox<double>& s) {
-    return {wide(s.x_low),  wide(s.y_low), wide(s.z_low), wide(s.x_high), wide(s.y_high),
-            wide(s.z_high), s.first,       s.count,       s.next};
+
+  /// Field by field.
+  template <template <class> class Shape>
+  Shape<Real> wide(const Shape<double>& from) {
+    Shape<Real> to{};
+    const auto wide_fields = kernels::fields_of(to);
+    const auto fields = kernels::fields_of(from);
+    kernels::for_each_field<Shape<double>>([&](auto at) {
+      const auto& field = std::get<at>(fields);
+      if constexpr (std::is_pointer_v<std::decay_t<decltype(field)>>) {
+        std::get<at>(wide_fields) = this->wide_array(field, std::get<at + 1>(fields));
+      } else {
+        std::get<at>(wide_fields) = this->wide(field);
+      }
+    });
+    return to;
   }
-  kernels::Facets<Real> wide(const kernels::Facets<double>& s) {
-    return {wide_array(s.corners, s.corner_count), s.corner_count,
-            wide_array(s.facets, s.facet_count),   s.facet_count,
-            wide_array(s.boxes, s.box_count),      s.box_count};
-  }
-  kernels::PlanarCorner<Real> wide(const kernels::PlanarCorner<double>& s) {
-    return {wide(s.x), wide(s.y)};
-  }
-  kernels::Prism<Real> wide(const kernels::Prism<double>& s) {
-    return {wide_array(s.corners, s.count),
-            s.count,
-            wide(s.z_low),
-            wide(s.z_high),
-            wide(s.x_low),
-            wide(s.x_high),
-            wide(s.y_low),
-            wide(s.y_high)};
-  }
-  kernels::TwistedFace<Real> wide(const kernels::TwistedFace<double>& s) {
-    return {wide(s.a), wide(s.b), wide(s.c), wide(s.d), wide(s.e), wide(s.f), wide(s.g)};
-  }
-  kernels::Arb8<Real> wide(const kernels::Arb8<double>& s) {
-    return {wide(s.hz),     wide(s.hx),    wide(s.hy),    wide(s.first),
-            wide(s.second), wide(s.third), wide(s.fourth)};
-  }
-  kernels::CutTube<Real> wide(const kernels::CutTube<double>& s) {
-    return {wide(s.rmin), wide(s.rmax), wide(s.low), wide(s.high), wide(s.wedge)};
-  }
+
   kernels::AnyScaled<Real> wide(const kernels::AnyScaled<double>& s) {
     return {wide(s.solid), wide(s.inverse_x), wide(s.inverse_y), wide(s.inverse_z), wide(s.most)};
-  }
-  kernels::Orb<Real> wide(const kernels::Orb<double>& s) { return {wide(s.radius)}; }
-  kernels::PolarLimit<Real> wide(const kernels::PolarLimit<double>& s) {
-    return {s.kind, wide(s.face)};
-  }
-  kernels::Sphere<Real> wide(const kernels::Sphere<double>& s) {
-    return {wide(s.rmin), wide(s.rmax), wide(s.wedge), wide(s.low), wide(s.high)};
-  }
-  kernels::Section<Real> wide(const kernels::Section<double>& s) {
-    return {wide(s.z_low), wide(s.z_high), wide(s.outer), wide(s.inner), s.bored};
-  }
-  kernels::Ledge<Real> wide(const kernels::Ledge<double>& s) {
-    return {wide(s.z), wide(s.rmin), wide(s.rmax)};
-  }
-  kernels::Polycone<Real> wide(const kernels::Polycone<double>& s) {
-    return {wide_array(s.sections, s.count),
-            s.count,
-            wide_array(s.ledges, s.ledge_count),
-            s.ledge_count,
-            wide(s.z_low),
-            wide(s.z_high),
-            wide(s.rmax),
-            wide(s.wedge)};
-  }
-  kernels::SideNormal<Real> wide(const kernels::SideNormal<double>& s) {
-    return {wide(s.x), wide(s.y)};
-  }
-  kernels::Polyhedra<Real> wide(const kernels::Polyhedra<double>& s) {
-    return {wide_array(s.sections, s.count),
-            s.count,
-            wide_array(s.ledges, s.ledge_count),
-            s.ledge_count,
-            wide(s.z_low),
-            wide(s.z_high),
-            wide(s.rmax),
-            wide(s.wedge),
-            wide_array(s.sides, s.side_count),
-            s.side_count};
-  }
-  kernels::Torus<Real> wide(const kernels::Torus<double>& s) {
-    return {wide(s.rmin), wide(s.rmax), wide(s.rtor), wide(s.wedge)};
-  }
-  kernels::Quadric<Real> wide(const kernels::Quadric<double>& s) {
-    return {wide(s.a), wide(s.b), wide(s.c), wide(s.d), wide(s.e), wide(s.origin)};
-  }
-  kernels::Saddle<Real> wide(const kernels::Saddle<double>& s) {
-    return {wide(s.nx), wide(s.ny), wide(s.kappa)};
-  }
-  kernels::TwistedTube<Real> wide(const kernels::TwistedTube<double>& s) {
-    return {wide(s.reach), wide(s.z_low), wide(s.z_high), wide(s.outer),
-            wide(s.inner), wide(s.start), wide(s.end)};
-  }
-  kernels::TwistedSide<Real> wide(const kernels::TwistedSide<double>& s) {
-    return {wide(s.nu), wide(s.nw), wide(s.c0), wide(s.c1), wide(s.nu1), wide(s.nw1), wide(s.c2)};
-  }
-  kernels::TwistedTrap<Real> wide(const kernels::TwistedTrap<double>& s) {
-    return {wide(s.hz),    wide(s.rate),  wide(s.shear_x),    wide(s.shear_y), wide(s.hx),
-            wide(s.hy),    wide(s.reach), wide(s.right),      wide(s.left),    wide(s.back),
-            wide(s.front), wide(s.steep), wide(s.steepening), wide(s.curve)};
-  }
-  kernels::QuadricSolid<Real> wide(const kernels::QuadricSolid<double>& s) {
-    return {wide(s.hx),    wide(s.hy),    wide(s.z_low), wide(s.z_high),
-            wide(s.outer), wide(s.inner), s.bored};
   }
   kernels::AnyPlaced<Real> wide(const kernels::AnyPlaced<double>& s) {
     kernels::AnyPlaced<Real> to{wide(s.solid), s.rotated, {}, {}};

@@ -164,20 +164,20 @@ TEST(Factories, OutliveTheirOperands) {
 
 struct FieldCounter {
   int numbers = 0, arrays = 0;
-  void operator()(const char*, double) { ++numbers; }
-  void operator()(const char*, int) { ++numbers; }
+  void operator()(double) { ++numbers; }
+  void operator()(int) { ++numbers; }
   template <class Struct>
-  void operator()(const char*, const Struct& fields) {
+  void operator()(const Struct& fields) {
     visit_fields(fields, *this);
   }
   template <class Element>
-  void operator()(const char*, const Element* elements, int count) {
+  void operator()(const Element* elements, int count) {
     ++arrays;
     for (int i = 0; i < count; ++i) visit_fields(elements[i], *this);
   }
 };
 
-TEST(Fields, NameEveryNumberOfAShape) {
+TEST(Fields, AreAllNumbersOfAShape) {
   const Solid s = make_polyhedra("s", Planes{{-1, 0, 2}, {1, 0.5, 2}}, 5, 0, 3);
   FieldCounter visitor;
   visit_fields(*static_cast<const kernels::Polyhedra<double>*>(s.shape.get()), visitor);
