@@ -4,6 +4,11 @@ string(APPEND code "namespace navjit::codegen {\n\nstd::string_view kernel_text(
 foreach(path IN LISTS KERNELS)
   get_filename_component(name ${path} NAME_WE)
   file(READ ${path} text)
+  # Generated code does without what follows.
+  string(FIND "${text}" "\n// Beside navigation." end)
+  if(end GREATER -1)
+    string(SUBSTRING "${text}" 0 ${end} text)
+  endif()
   string(APPEND code "  if (name == \"${name}\") {\n    return R\"navjit(${text})navjit\";\n  }\n")
 endforeach()
 string(APPEND code "  return {};\n}\n\n}  // namespace navjit::codegen\n")

@@ -84,3 +84,19 @@ Real safety_to_out(const Arb8<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+template <class Real>
+Vec3<Real> normal(const Arb8<Real>& s, const Vec3<Real>& p, Real tol) {
+  NearestFace<Real> best = no_face(tol);
+  offer_ends(best, -s.hz, s.hz, p.z);
+  offer_form(best, s.first, false, p);
+  offer_form(best, s.second, false, p);
+  offer_form(best, s.third, false, p);
+  offer_form(best, s.fourth, false, p);
+  return best.normal;
+}
+
+}  // namespace navjit::kernels

@@ -135,3 +135,17 @@ Real safety_to_out(const Box<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+template <class Real>
+Vec3<Real> normal(const Box<Real>& s, const Vec3<Real>& p, Real tol) {
+  NearestFace<Real> best = no_face(tol);
+  offer(best, absolute(p.x) - s.hx, Vec3<Real>{with_sign(Real(1), p.x), 0, 0});
+  offer(best, absolute(p.y) - s.hy, Vec3<Real>{0, with_sign(Real(1), p.y), 0});
+  offer(best, absolute(p.z) - s.hz, Vec3<Real>{0, 0, with_sign(Real(1), p.z)});
+  return best.normal;
+}
+
+}  // namespace navjit::kernels

@@ -222,3 +222,30 @@ Real safety_to_out(const Cone<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+template <class Real>
+constexpr Vec3<Real> conical_normal(const ConicalFace<Real>& f, const Radial<Real>& r) {
+  return {f.cosine * r.x, f.cosine * r.y, -f.slope};
+}
+template <class Real>
+void offer_nappe(NearestFace<Real>& best, const ConicalFace<Real>& f, bool hole,
+                 const Vec3<Real>& p, const Radial<Real>& r) {
+  const Real beyond = cone_distance(f, r.rho, p.z);
+  const Vec3<Real> n = conical_normal(f, r);
+  offer(best, hole ? -beyond : beyond, hole ? turned_over(n) : n);
+}
+template <class Real>
+Vec3<Real> normal(const Cone<Real>& s, const Vec3<Real>& p, Real tol) {
+  const Radial<Real> r = radial_at(p);
+  NearestFace<Real> best = no_face(tol);
+  offer_ends(best, -s.hz, s.hz, p.z);
+  offer_nappe(best, s.outer, false, p, r);
+  if (s.bored != 0) offer_nappe(best, s.inner, true, p, r);
+  offer_wedge(best, s.wedge, p);
+  return best.normal;
+}
+
+}  // namespace navjit::kernels

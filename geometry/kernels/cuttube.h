@@ -74,3 +74,17 @@ Real safety_to_out(const CutTube<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+template <class Real>
+Vec3<Real> normal(const CutTube<Real>& s, const Vec3<Real>& p, Real tol) {
+  NearestFace<Real> best = no_face(tol);
+  offer_plane(best, s.high, p);
+  offer_plane(best, s.low, p);
+  offer_cylinders(best, s.rmin, s.rmax, s.wedge, p);
+  return best.normal;
+}
+
+}  // namespace navjit::kernels

@@ -341,3 +341,33 @@ Real safety_to_out(const Facets<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+/// The facet that the point is nearest to; of those that are so to within the tolerance the
+/// largest, since a sliver's normal means little.
+template <class Real>
+Vec3<Real> normal(const Facets<Real>& s, const Vec3<Real>& p, Real tol) {
+  const Real within = square_root(surface_distance2(s, p, infinity<Real>())) + tol;
+  const Real limit = within * within;
+  Vec3<Real> best{0, 0, 0};
+  for (int i = 0; i < s.box_count;) {
+    const FacetBox<Real>& box = s.boxes[i];
+    if (box_distance2(box, p) > limit) {
+      i = box.next;
+      continue;
+    }
+    for (int k = box.first; k < box.first + box.count; ++k) {
+      const Facet& f = s.facets[k];
+      const Vec3<Real> u = difference(s.corners[f.b], s.corners[f.a]);
+      const Vec3<Real> v = difference(s.corners[f.c], s.corners[f.a]);
+      const Vec3<Real> n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+      if (dot(n, n) > dot(best, best) && facet_distance2(s, f, p) <= limit) best = n;
+    }
+    ++i;
+  }
+  return unit_vector(best);
+}
+
+}  // namespace navjit::kernels

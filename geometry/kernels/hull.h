@@ -55,3 +55,15 @@ Real safety_to_out(const Hull<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+template <class Real>
+Vec3<Real> normal(const Hull<Real>& s, const Vec3<Real>& p, Real tol) {
+  NearestFace<Real> best = no_face(tol);
+  for (int i = 0; i < s.count; ++i) offer_plane(best, s.planes[i], p);
+  return best.normal;
+}
+
+}  // namespace navjit::kernels

@@ -108,3 +108,13 @@ Real safety_to_out(const Orb<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+template <class Real>
+Vec3<Real> normal(const Orb<Real>&, const Vec3<Real>& p, Real) {
+  return unit_vector(p);
+}
+
+}  // namespace navjit::kernels

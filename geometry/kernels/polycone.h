@@ -56,3 +56,18 @@ Real safety_to_out(const Polycone<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+template <class Real>
+Vec3<Real> face_normal(const Polycone<Real>&, const ConicalFace<Real>& f, const Vec3<Real>& p,
+                       Real) {
+  return conical_normal(f, radial_at(p));
+}
+template <class Real>
+Vec3<Real> normal(const Polycone<Real>& s, const Vec3<Real>& p, Real tol) {
+  return sections_normal(s, p, tol);
+}
+
+}  // namespace navjit::kernels

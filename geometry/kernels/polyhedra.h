@@ -89,3 +89,24 @@ Real safety_to_out(const Polyhedra<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+/// That of the side whose distance face_distance gives.
+template <class Real>
+Vec3<Real> face_normal(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const Vec3<Real>& p,
+                       Real tol) {
+  NearestFace<Real> best = no_face(tol);
+  for (int i = 0; i < s.side_count; ++i) {
+    const SideNormal<Real>& n = s.sides[i];
+    offer(best, n.x * p.x + n.y * p.y, Vec3<Real>{f.cosine * n.x, f.cosine * n.y, -f.slope});
+  }
+  return best.normal;
+}
+template <class Real>
+Vec3<Real> normal(const Polyhedra<Real>& s, const Vec3<Real>& p, Real tol) {
+  return sections_normal(s, p, tol);
+}
+
+}  // namespace navjit::kernels

@@ -254,3 +254,23 @@ Real safety_to_out(const Prism<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+/// The edge that the point is nearest to, or an end if that is nearer.
+template <class Real>
+Vec3<Real> normal(const Prism<Real>& s, const Vec3<Real>& p, Real tol) {
+  const NearestEdge<Real> near = nearest_edge(s, p.x, p.y);
+  const Real off = square_root(near.distance2);
+  const bool in = is_in_polygon(s, p.x, p.y);
+  NearestFace<Real> best = no_face(tol);
+  const Real middle = (s.z_low + s.z_high) / 2, half = (s.z_high - s.z_low) / 2;
+  offer(best, absolute(p.z - middle) - half, Vec3<Real>{0, 0, with_sign(Real(1), p.z - middle)});
+  const PlanarCorner<Real>&a = s.corners[near.edge == 0 ? s.count - 1 : near.edge - 1],
+        &b = s.corners[near.edge];
+  offer(best, in ? -off : off, unit_vector(Vec3<Real>{b.y - a.y, a.x - b.x, 0}));
+  return best.normal;
+}
+
+}  // namespace navjit::kernels

@@ -184,3 +184,29 @@ Real safety_to_out(const QuadricSolid<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+/// The direction of a form's gradient: half of its slopes along the axes are what `form_at` gives.
+template <class Face, class Real>
+Vec3<Real> form_normal(const Face& f, const Vec3<Real>& p) {
+  const Direction<Real> x{1, 0, 0, 0, 0, 0}, y{0, 1, 0, 0, 0, 0}, z{0, 0, 1, 0, 0, 0};
+  return unit_vector(Vec3<Real>{form_at(f, p, x).b, form_at(f, p, y).b, form_at(f, p, z).b});
+}
+template <class Face, class Real>
+void offer_form(NearestFace<Real>& best, const Face& f, bool hole, const Vec3<Real>& p) {
+  const Real beyond = face_distance(f, p);
+  const Vec3<Real> n = form_normal(f, p);
+  offer(best, hole ? -beyond : beyond, hole ? turned_over(n) : n);
+}
+template <class Real>
+Vec3<Real> normal(const QuadricSolid<Real>& s, const Vec3<Real>& p, Real tol) {
+  NearestFace<Real> best = no_face(tol);
+  offer_ends(best, s.z_low, s.z_high, p.z);
+  offer_form(best, s.outer, false, p);
+  if (s.bored != 0) offer_form(best, s.inner, true, p);
+  return best.normal;
+}
+
+}  // namespace navjit::kernels

@@ -58,3 +58,15 @@ Real safety_to_out(const Scaled<Real, S>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+/// The nearest face is that of the solid before it was stretched.
+template <class Real, class S>
+Vec3<Real> normal(const Scaled<Real, S>& s, const Vec3<Real>& p, Real tol) {
+  const Vec3<Real> n = normal(s.solid, to_local(s, p), tol * s.most);
+  return unit_vector(Vec3<Real>{s.inverse_x * n.x, s.inverse_y * n.y, s.inverse_z * n.z});
+}
+
+}  // namespace navjit::kernels

@@ -215,3 +215,55 @@ Real sections_safety_to_out(const Sections& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+/// Is the solid below this plane across z, or above? Below is where a section that ends in it has
+/// more of the point in its ring than any that starts in it.
+template <class Sections, class Real>
+bool is_below(const Sections& s, const Ledge<Real>& ledge, const Vec3<Real>& p, Real rho,
+              Real tol) {
+  Real below = infinity<Real>(), above = infinity<Real>();
+  for (int i = 0; i < s.count; ++i) {
+    const Section<Real>& section = s.sections[i];
+    const bool ends = absolute(section.z_high - ledge.z) <= tol;
+    if (!ends && !(absolute(section.z_low - ledge.z) <= tol)) continue;
+    Real& nearest = ends ? below : above;
+    nearest = smaller(ring_distance(s, section, from_section(section, p), rho), nearest);
+  }
+  return below <= above;
+}
+
+/// The nearest of all pieces of the surface. Not the one that the point is most beyond: the solid
+/// is not where all of them hold.
+template <class Sections, class Real>
+Vec3<Real> sections_normal(const Sections& s, const Vec3<Real>& p, Real tol) {
+  const Real rho = square_root(p.x * p.x + p.y * p.y);
+  NearestFace<Real> best = no_face(tol);
+  for (int i = 0; i < s.ledge_count; ++i) {
+    const Ledge<Real>& ledge = s.ledges[i];
+    const Real beyond = face_distance(s, ConicalFace<Real>{ledge.rmax, 0, 1}, p, rho);
+    const Real within = -face_distance(s, ConicalFace<Real>{ledge.rmin, 0, 1}, p, rho);
+    const Real away = larger(larger(beyond, within), absolute(p.z - ledge.z));
+    const Real up = is_below(s, ledge, p, rho, tol) ? Real(1) : Real(-1);
+    offer(best, -away, Vec3<Real>{0, 0, up});
+  }
+  for (int i = 0; i < s.count; ++i) {
+    const Section<Real>& section = s.sections[i];
+    const Real along = larger(section.z_low - p.z, p.z - section.z_high);
+    const Vec3<Real> q = from_section(section, p);
+    const Real outer = absolute(face_distance(s, section.outer, q, rho));
+    offer(best, -larger(along, outer), face_normal(s, section.outer, q, tol));
+    if (section.bored == 0) continue;
+    const Real inner = absolute(face_distance(s, section.inner, q, rho));
+    offer(best, -larger(along, inner), turned_over(face_normal(s, section.inner, q, tol)));
+  }
+  if (s.wedge.kind != 0) {
+    const NearestFace<Real> side = wedge_face(s.wedge, p, tol);
+    offer(best, -absolute(side.beyond), side.normal);
+  }
+  return best.normal;
+}
+
+}  // namespace navjit::kernels

@@ -127,3 +127,22 @@ Real safety_to_out(const Sphere<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+template <class Real>
+Vec3<Real> normal(const Sphere<Real>& s, const Vec3<Real>& p, Real tol) {
+  const Radial<Real> r = radial_at(p);
+  const Vec3<Real> away = unit_vector(p);
+  NearestFace<Real> best = no_face(tol);
+  offer(best, length(p) - s.rmax, away);
+  if (s.rmin > 0) offer(best, s.rmin - length(p), turned_over(away));
+  offer_wedge(best, s.wedge, p);
+  for (const PolarLimit<Real>* limit : {&s.low, &s.high}) {
+    if (limit->kind != 0) offer_nappe(best, limit->face, limit->kind == 2, p, r);
+  }
+  return best.normal;
+}
+
+}  // namespace navjit::kernels

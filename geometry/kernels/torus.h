@@ -285,3 +285,20 @@ Real safety_to_out(const Torus<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+template <class Real>
+Vec3<Real> normal(const Torus<Real>& s, const Vec3<Real>& p, Real tol) {
+  const Radial<Real> r = radial_at(p);
+  const Real across = r.rho - s.rtor, d = ring_distance(s.rtor, p);
+  const Vec3<Real> away = unit_vector(Vec3<Real>{across * r.x, across * r.y, p.z});
+  NearestFace<Real> best = no_face(tol);
+  offer(best, d - s.rmax, away);
+  if (s.rmin > 0) offer(best, s.rmin - d, turned_over(away));
+  offer_wedge(best, s.wedge, p);
+  return best.normal;
+}
+
+}  // namespace navjit::kernels

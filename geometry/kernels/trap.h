@@ -95,3 +95,23 @@ Real safety_to_out(const Trap<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+template <class Real>
+constexpr void offer_plane(NearestFace<Real>& best, const Plane<Real>& f, const Vec3<Real>& p) {
+  offer(best, plane_distance(f, p), Vec3<Real>{f.a, f.b, f.c});
+}
+template <class Real>
+Vec3<Real> normal(const Trap<Real>& s, const Vec3<Real>& p, Real tol) {
+  NearestFace<Real> best = no_face(tol);
+  offer(best, absolute(p.z) - s.hz, Vec3<Real>{0, 0, with_sign(Real(1), p.z)});
+  offer_plane(best, s.y_minus, p);
+  offer_plane(best, s.y_plus, p);
+  offer_plane(best, s.x_minus, p);
+  offer_plane(best, s.x_plus, p);
+  return best.normal;
+}
+
+}  // namespace navjit::kernels

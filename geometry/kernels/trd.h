@@ -94,3 +94,17 @@ Real safety_to_out(const Trd<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+template <class Real>
+Vec3<Real> normal(const Trd<Real>& s, const Vec3<Real>& p, Real tol) {
+  NearestFace<Real> best = no_face(tol);
+  offer(best, absolute(p.z) - s.hz, Vec3<Real>{0, 0, with_sign(Real(1), p.z)});
+  offer(best, pair_distance(s.x, p.x, p.z), Vec3<Real>{with_sign(s.x.across, p.x), 0, s.x.along});
+  offer(best, pair_distance(s.y, p.y, p.z), Vec3<Real>{0, with_sign(s.y.across, p.y), s.y.along});
+  return best.normal;
+}
+
+}  // namespace navjit::kernels

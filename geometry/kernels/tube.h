@@ -140,3 +140,25 @@ Real safety_to_out(const Tube<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+/// A tube's outer and inner face and its wedge.
+template <class Real>
+void offer_cylinders(NearestFace<Real>& best, Real rmin, Real rmax, const Wedge<Real>& w,
+                     const Vec3<Real>& p) {
+  const Radial<Real> r = radial_at(p);
+  offer(best, r.rho - rmax, Vec3<Real>{r.x, r.y, 0});
+  if (rmin > 0) offer(best, rmin - r.rho, Vec3<Real>{-r.x, -r.y, 0});
+  offer_wedge(best, w, p);
+}
+template <class Real>
+Vec3<Real> normal(const Tube<Real>& s, const Vec3<Real>& p, Real tol) {
+  NearestFace<Real> best = no_face(tol);
+  offer_ends(best, -s.hz, s.hz, p.z);
+  offer_cylinders(best, s.rmin, s.rmax, s.wedge, p);
+  return best.normal;
+}
+
+}  // namespace navjit::kernels

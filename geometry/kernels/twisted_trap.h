@@ -266,3 +266,20 @@ Real safety_to_out(const TwistedTrap<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+template <class Real>
+Vec3<Real> normal(const TwistedTrap<Real>& s, const Vec3<Real>& p, Real tol) {
+  NearestFace<Real> best = no_face(tol);
+  offer_ends(best, -s.hz, s.hz, p.z);
+  const Turn<Real> turn = turn_by(s.rate * p.z);
+  for (int k = 0; k < 4; ++k) {
+    const TwistedValue<Real> at = value_at(s, side_of(s, k), p, turn);
+    offer(best, at.value / gradient(at), unit_vector(Vec3<Real>{at.nx, at.ny, at.nz}));
+  }
+  return best.normal;
+}
+
+}  // namespace navjit::kernels

@@ -86,3 +86,19 @@ Real safety_to_out(const TwistedTube<Real>& s, const Vec3<Real>& p) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+template <class Real>
+Vec3<Real> normal(const TwistedTube<Real>& s, const Vec3<Real>& p, Real tol) {
+  NearestFace<Real> best = no_face(tol);
+  offer_ends(best, s.z_low, s.z_high, p.z);
+  offer_form(best, s.outer, false, p);
+  offer_form(best, s.inner, true, p);
+  offer_form(best, s.start, false, p);
+  offer_form(best, s.end, false, p);
+  return best.normal;
+}
+
+}  // namespace navjit::kernels

@@ -75,3 +75,23 @@ Real wedge_distance(const Wedge<Real>& w, Real x, Real y) {
 }
 
 }  // namespace navjit::kernels
+
+// Beside navigation.
+namespace navjit::kernels {
+
+/// The side of the wedge that counts for the point. The outward normals are the same whether
+/// the wedge is less than half a turn or more.
+template <class Real>
+NearestFace<Real> wedge_face(const Wedge<Real>& w, const Vec3<Real>& p, Real tol) {
+  if (w.kind == 0) return no_face(tol);
+  const WedgeForm<Real> at = wedge_form(w, p.x, p.y);
+  const Vec3<Real> start{w.start_y, -w.start_x, 0}, end{-w.end_y, w.end_x, 0};
+  return {wedge_distance(w, p.x, p.y), at.second > at.first + tol ? end : start, tol};
+}
+template <class Real>
+void offer_wedge(NearestFace<Real>& best, const Wedge<Real>& w, const Vec3<Real>& p) {
+  const NearestFace<Real> side = wedge_face(w, p, best.tol);
+  if (w.kind != 0) offer(best, side.beyond, side.normal);
+}
+
+}  // namespace navjit::kernels

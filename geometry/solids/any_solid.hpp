@@ -114,4 +114,9 @@ Real safety_to_out(const AnySolid<Real>& s, const Vec3<Real>& p) {
   return visit(s, [&](const auto& shape) { return safety_to_out(shape, p); });
 }
 
+template <class Real>
+Vec3<Real> normal(const AnySolid<Real>& s, const Vec3<Real>& p, Real tol) {
+  return visit(s, [&](const auto& shape) { return normal(shape, p, tol); });
+}
+
 }  // namespace navjit::kernels

@@ -4,6 +4,7 @@
 // clang-format off
 #include "navjit/detail/vectors.h"
 #include "geometry/kernels/prelude.h"
+#include "geometry/kernels/nearest_face.h"
 #include "geometry/kernels/convex.h"
 #include "geometry/kernels/box.h"
 #include "geometry/kernels/trd.h"

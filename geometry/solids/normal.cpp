@@ -1,7 +1,5 @@
 #include "geometry/solids/normal.hpp"
 
-#include "geometry/solids/any_normal.hpp"
-
 namespace navjit {
 
 Vec3 normal(const kernels::AnySolid<double>& solid, const Vec3& p, double tolerance) {

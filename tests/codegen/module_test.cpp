@@ -100,5 +100,13 @@ TEST(KernelTexts, HoldEveryKernelOfEveryKind) {
   }
 }
 
+TEST(KernelTexts, EndWhereNavigationDoes) {
+  for (const char* name : kernel_order()) {
+    const std::string_view text = kernel_text(name);
+    EXPECT_EQ(text.find(" normal("), std::string_view::npos) << name;
+    EXPECT_TRUE(text.ends_with("}  // namespace navjit::kernels\n")) << name;
+  }
+}
+
 }  // namespace
 }  // namespace navjit::codegen

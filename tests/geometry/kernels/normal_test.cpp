@@ -2,7 +2,6 @@
 // know nothing of them.
 #include <gtest/gtest.h>
 
-#include "geometry/solids/any_normal.hpp"
 #include "geometry/solids/normal.hpp"
 #include "geometry/solids/widen.hpp"
 #include "tests/geometry/kernels/random_curved_solids.hpp"
