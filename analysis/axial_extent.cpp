@@ -5,9 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "analysis/axis.hpp"
-#include "geometry/solids/kernels.hpp"
+#include "geometry/solids/solid.hpp"
 #include "navjit/vector.hpp"
 
 namespace navjit {
@@ -88,83 +89,29 @@ AxialExtent by_box(const Solid& solid, const Transformation& t, int axis) {
   return result;
 }
 
-/// Of a solid about its own z axis.
-struct Round {
-  double near, far;
-  kernels::Wedge<double> wedge{};
-};
-
-/// Of a face that is not nearly a plane across the axis; else `flat`.
-double radius_at(const kernels::ConicalFace<double>& face, double z, double flat) {
-  return face.cosine > 1e-3 ? (face.radius + face.slope * z) / face.cosine : flat;
+/// What SolidFacts says of the solid, if it is known to be about its z axis.
+std::optional<Round> round_of(const Solid& solid) {
+  return kernels::visit(solid.any(), []<class Shape>(const Shape& s) -> std::optional<Round> {
+    if constexpr (requires { SolidFacts<Shape>::round(s); }) return SolidFacts<Shape>::round(s);
+    return std::nullopt;
+  });
 }
 
-template <class Sections>
-Round round_sections(const Sections& s) {
-  Round round{s.rmax, s.rmax, s.wedge};
-  for (int i = 0; i < s.count; ++i) {
-    const auto& section = s.sections[i];
-    const double height = section.z_high - section.z_low;
-    if (section.bored == 0) {
-      round.near = 0;
-    } else {
-      round.near = std::min(
-          {round.near, radius_at(section.inner, 0, 0), radius_at(section.inner, height, 0)});
-    }
-  }
-  round.near = std::max(round.near, 0.0);
-  return round;
-}
-
-template <class Shape>
-const Shape& as(const Solid& solid) {
-  return *static_cast<const Shape*>(solid.shape.get());
-}
-
-/// False: not one of the solids that are known to be about their z axis.
-bool is_round(const Solid& solid, Round& round) {
-  switch (solid.kind) {
-    case SolidKind::tube: {
-      const auto& s = as<kernels::Tube<double>>(solid);
-      round = {s.rmin, s.rmax, s.wedge};
-      return true;
-    }
-    case SolidKind::cut_tube: {
-      const auto& s = as<kernels::CutTube<double>>(solid);
-      round = {s.rmin, s.rmax, s.wedge};
-      return true;
-    }
-    case SolidKind::cone: {
-      const auto& s = as<kernels::Cone<double>>(solid);
-      round = {s.bored == 0 ? 0.0
-                            : std::max(0.0, std::min(radius_at(s.inner, -s.hz, 0),
-                                                     radius_at(s.inner, s.hz, 0))),
-               std::max(radius_at(s.outer, -s.hz, INFINITY), radius_at(s.outer, s.hz, INFINITY)),
-               s.wedge};
-      return true;
-    }
-    case SolidKind::polycone:
-      round = round_sections(as<kernels::Polycone<double>>(solid));
-      return true;
-    case SolidKind::polyhedra:
-      round = round_sections(as<kernels::Polyhedra<double>>(solid));
-      return true;
-    case SolidKind::sphere: {
-      const auto& s = as<kernels::Sphere<double>>(solid);
-      round = {0, s.rmax, s.wedge};
-      return true;
-    }
-    default:
-      return false;
-  }
+/// The radius of a ball about the solid's origin that holds it, where SolidFacts knows one.
+std::optional<double> ball_of(const Solid& solid) {
+  return kernels::visit(solid.any(), []<class Shape>(const Shape& s) -> std::optional<double> {
+    if constexpr (requires { SolidFacts<Shape>::ball(s); }) return SolidFacts<Shape>::ball(s);
+    return std::nullopt;
+  });
 }
 
 }  // namespace
 
 AxialExtent axial_extent(const Solid& solid, const Transformation& t, int axis) {
   AxialExtent result = by_box(solid, t, axis);
-  Round round{};
-  if (!is_round(solid, round)) return result;
+  const std::optional<Round> known = round_of(solid);
+  if (!known) return result;
+  const Round& round = *known;
   // The solid's own axis in the mother's frame: a row of the rotation.
   const double* r = t.rotation;
   const Vec3 own{r[6], r[7], r[8]};
@@ -202,10 +149,8 @@ AxialExtent central_extent(const Solid& solid, const Transformation& t) {
     result.far = std::max(result.far, norm(corner));
   }
   const Vec3 at{t.translation[0], t.translation[1], t.translation[2]};
-  if (solid.kind == SolidKind::orb) {
-    result.far = std::min(result.far, norm(at) + as<kernels::Orb<double>>(solid).radius);
-  } else if (solid.kind == SolidKind::sphere) {
-    result.far = std::min(result.far, norm(at) + as<kernels::Sphere<double>>(solid).rmax);
+  if (const std::optional<double> ball = ball_of(solid)) {
+    result.far = std::min(result.far, norm(at) + *ball);
   }
   result.near = safety_to_in(solid.any(), to_local(t, Vec3{0, 0, 0}));
   return result;

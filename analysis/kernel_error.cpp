@@ -8,74 +8,18 @@ namespace {
 
 const double root3 = std::sqrt(3.0);
 
-/// Directions that count as along a face (kernels::along_a_face) drift off it.
-double drift(double path) { return 0x1p-50 * path; }
-
-/// A face across an axis, `offset` from the origin: (h - p) * (1 / v), three roundings.
-double slab(double offset, const KernelUse& use) {
-  return rounding(3) * (use.reach + offset) + drift(use.path);
-}
-
-/// A plane n.p + d: four roundings of the distance, three of the rate, one of the quotient.
-double plane(double offset, const KernelUse& use) {
-  return rounding(5) * (use.reach + std::abs(offset)) + rounding(3) * use.path + drift(use.path);
-}
-double plane(const kernels::Plane<double>& f, const KernelUse& use) { return plane(f.d, use); }
-
-/// From the error of a squared radius, square * r^2 + cross * r * reach + far * reach^2, that of
-/// the radius.
-double round(double r, double reach, double square, double cross, double far) {
-  if (r <= 0) return 0;
-  const double squared = square * r * r + cross * r * reach + far * reach * reach;
-  return std::min(squared / r, std::sqrt(squared));
-}
-
-/// An infinite cylinder: the discriminant from the moment of the ray, the root from it.
-double cylinder(double r, const KernelUse& use) {
-  return round(r, use.reach, rounding(24), rounding(20), 100 * rounding(1) * rounding(1)) +
-         2 * drift(use.path);
-}
-double ball(double r, const KernelUse& use) {
-  return round(r, use.reach, rounding(30), rounding(25), 160 * rounding(1) * rounding(1));
-}
-double wedge(const kernels::Wedge<double>& w, const KernelUse& use) {
-  return w.kind == 0 ? 0 : plane(0, use);
-}
-
 struct ErrorOf {
   const KernelUse& use;
   using Bound = std::optional<double>;
 
-  /// All that no bound is derived for.
+  /// What SolidFacts says; nothing where no bound is derived.
   template <class Shape>
-  Bound operator()(const Shape&) const {
+  Bound operator()(const Shape& s) const {
+    if constexpr (requires { SolidFacts<Shape>::error(s, use); }) {
+      return SolidFacts<Shape>::error(s, use);
+    }
     return std::nullopt;
   }
-  Bound operator()(const kernels::Box<double>& s) const {
-    return slab(std::max({s.hx, s.hy, s.hz}), use);
-  }
-  Bound operator()(const kernels::Trd<double>& s) const {
-    return std::max({slab(s.hz, use), plane(s.x.offset, use), plane(s.y.offset, use)});
-  }
-  Bound operator()(const kernels::Trap<double>& s) const {
-    return std::max({slab(s.hz, use), plane(s.x_minus, use), plane(s.x_plus, use),
-                     plane(s.y_minus, use), plane(s.y_plus, use)});
-  }
-  Bound operator()(const kernels::Hull<double>& s) const {
-    double error = 0;
-    for (int i = 0; i < s.count; ++i) error = std::max(error, plane(s.planes[i], use));
-    return error;
-  }
-  Bound operator()(const kernels::Tube<double>& s) const {
-    return std::max(
-        {slab(s.hz, use), cylinder(s.rmax, use), cylinder(s.rmin, use), wedge(s.wedge, use)});
-  }
-  Bound operator()(const kernels::Orb<double>& s) const { return ball(s.radius, use); }
-  Bound operator()(const kernels::Sphere<double>& s) const {
-    if (s.low.kind != 0 || s.high.kind != 0) return std::nullopt;
-    return std::max({ball(s.rmax, use), ball(s.rmin, use), wedge(s.wedge, use)});
-  }
-
   Bound operator()(const kernels::AnyPlaced<double>& s) const {
     const double skew = s.rotated == 0 ? 0 : skew_of(s.rotation);
     const double from =

@@ -1,9 +1,10 @@
-// How each kind of solid is spelled in generated code. A new kernel needs a line here.
+// How each kind of solid is spelled in generated code.
 #pragma once
 
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/solids/solid.hpp"
 
@@ -14,7 +15,7 @@ std::span<const char* const> kernels_of(SolidKind kind);
 /// The type of a kind that is not made of other solids, in namespace navjit::kernels.
 std::string shape_type(SolidKind kind);
 /// All kernel files of solids, in the order in which they have to appear.
-std::span<const char* const> kernel_order();
+std::vector<std::string_view> kernel_order();
 
 /// Kernel files of what scenes are made of beside solids, but for the scene itself; in order.
 std::span<const char* const> scene_kernels();

@@ -17,10 +17,10 @@ std::string kernels_for(const Shapes& shapes) {
     text += (small ? inlined : "") + std::string(kernel_text(kernel)) + (small ? as_it_is : "");
   };
   for (const char* head : {"vectors", "prelude"}) add(head, true);
-  for (const char* kernel : kernel_order()) {
+  for (const std::string_view kernel : kernel_order()) {
     // Constants fold only into kernels that are inlined; the large ones would be inlined into each
     // other again and again.
-    if (shapes.kernels().contains(kernel)) add(kernel, inlines_everywhere(kernel));
+    if (shapes.kernels().contains(std::string(kernel))) add(kernel, inlines_everywhere(kernel));
   }
   for (const char* kernel : scene_kernels()) add(kernel, true);
   add("scene", false);

@@ -13,16 +13,6 @@ namespace {
 
 using kernels::AnySolid;
 
-// The types of what shapes have arrays of.
-std::string element_type(const kernels::Section<double>&) { return "Section<double>"; }
-std::string element_type(const kernels::Ledge<double>&) { return "Ledge<double>"; }
-std::string element_type(const kernels::SideNormal<double>&) { return "SideNormal<double>"; }
-std::string element_type(const kernels::Plane<double>&) { return "Plane<double>"; }
-std::string element_type(const kernels::Vec3<double>&) { return "Vec3<double>"; }
-std::string element_type(const kernels::Facet&) { return "Facet"; }
-std::string element_type(const kernels::PlanarCorner<double>&) { return "PlanarCorner<double>"; }
-std::string element_type(const kernels::FacetBox<double>&) { return "FacetBox<double>"; }
-
 /// Writes the fields of a shape as an initialiser; arrays become constants of their own.
 struct LiteralWriter {
   std::string& definitions;
@@ -56,11 +46,12 @@ struct LiteralWriter {
       out += "nullptr";
       return;
     }
-    const std::string type = element_type(fields[0]);
+    static_assert(element_name<Field> != nullptr, "say its name beside the facts of the solid");
     std::string text;
     for (int i = 0; i < count; ++i) text += (i == 0 ? "" : ", ") + one(fields[i]);
     const std::string name = "array_" + std::to_string(arrays++);
-    definitions += "constexpr " + type + " " + name + "[] = {" + text + "};\n";
+    definitions +=
+        "constexpr " + std::string(element_name<Field>) + " " + name + "[] = {" + text + "};\n";
     out += name;
   }
 };

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "analysis/axial_extent.hpp"
-#include "geometry/solids/kernels.hpp"
+#include "geometry/solids/list.hpp"
 
 // clang-format off
 #include "geometry/kernels/nest.h"

@@ -7,7 +7,7 @@
 #include "analysis/patterns/wire_rows.hpp"
 #include "geometry/navigation/geometry.hpp"
 #include "geometry/solids/extent.hpp"
-#include "geometry/solids/kernels.hpp"
+#include "geometry/solids/list.hpp"
 #include "navjit/vector.hpp"
 
 // clang-format off

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <span>
 
-#include "geometry/solids/facets.hpp"
+#include "geometry/solids/bodies.hpp"
 
 namespace navjit {
 namespace {
@@ -113,6 +113,33 @@ Solid make_arb8(std::string name, double hz, std::span<const PlanarPoint, 8> giv
                                     faces[2],
                                     faces[3]};
   return detail::make_solid(std::move(name), SolidKind::arb8, shape, e);
+}
+
+/// The integral over z of the area within, from the straight lines that the corners run along.
+double SolidFacts<kernels::Arb8<double>>::volume(const Shape& s) {
+  const kernels::TwistedFace<double>* faces[] = {&s.first, &s.second, &s.third, &s.fourth};
+  // Corners where two neighbouring sides meet; the area is quadratic in z.
+  const auto area_at = [&](double z) {
+    double x[4], y[4];
+    int corners = 0;
+    for (int i = 0; i < 4; ++i) {
+      const auto &f = *faces[i], &g = *faces[(i + 1) % 4];
+      const double fa = f.a * z + f.e, fb = f.b * z + f.f, fc = (f.c * z + f.d) * z + f.g;
+      const double ga = g.a * z + g.e, gb = g.b * z + g.f, gc = (g.c * z + g.d) * z + g.g;
+      const double det = fa * gb - fb * ga;
+      if (std::abs(det) < 1e-12 * std::hypot(fa, fb) * std::hypot(ga, gb)) continue;
+      x[corners] = (fb * gc - fc * gb) / det;
+      y[corners++] = (fc * ga - fa * gc) / det;
+    }
+    double twice = 0;
+    for (int i = 2; i < corners; ++i) {
+      twice += (x[i - 1] - x[0]) * (y[i] - y[0]) - (y[i - 1] - y[0]) * (x[i] - x[0]);
+    }
+    return std::abs(twice) / 2;
+  };
+  // Gauss's three points, so that no section is looked at where a side has no length.
+  const double far = s.hz * std::sqrt(0.6);
+  return s.hz / 9 * (5 * area_at(-far) + 8 * area_at(0) + 5 * area_at(far));
 }
 
 }  // namespace navjit

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "geometry/solids/make.hpp"
 
 namespace navjit {
@@ -25,6 +27,21 @@ Solid make_cone(std::string name, double rmin1, double rmax1, double rmin2, doub
   const Extent extent = merged(detail::sector_extent(rmin1, rmax1, start_phi, delta_phi, -hz, hz),
                                detail::sector_extent(rmin2, rmax2, start_phi, delta_phi, -hz, hz));
   return detail::make_solid(std::move(name), SolidKind::cone, shape, extent);
+}
+
+double SolidFacts<kernels::Cone<double>>::volume(const Shape& s) {
+  double integral = detail::squared_radius_integral(s.outer, -s.hz, s.hz);
+  if (s.bored != 0) integral -= detail::squared_radius_integral(s.inner, -s.hz, s.hz);
+  return detail::angle_of(s.wedge) / 2 * integral;
+}
+
+Round SolidFacts<kernels::Cone<double>>::round(const Shape& s) {
+  using detail::radius_at;
+  return {s.bored == 0
+              ? 0.0
+              : std::max(0.0, std::min(radius_at(s.inner, -s.hz, 0), radius_at(s.inner, s.hz, 0))),
+          std::max(radius_at(s.outer, -s.hz, INFINITY), radius_at(s.outer, s.hz, INFINITY)),
+          s.wedge};
 }
 
 }  // namespace navjit

@@ -58,4 +58,23 @@ Solid make_cut_tube(std::string name, double rmin, double rmax, double hz, doubl
   return detail::make_solid(std::move(name), SolidKind::cut_tube, shape, e);
 }
 
+double SolidFacts<kernels::CutTube<double>>::volume(const Shape& s) {
+  // The integral of the height over the sector: linear in x and y.
+  const auto& w = s.wedge;
+  const auto at = [](const kernels::Plane<double>& f) { return -f.d / f.c; };
+  const double tilt_x = s.low.a / s.low.c - s.high.a / s.high.c;
+  const double tilt_y = s.low.b / s.low.c - s.high.b / s.high.c;
+  const double squares = (s.rmax - s.rmin) * (s.rmax + s.rmin) / 2;
+  const double cubes = (s.rmax * s.rmax * s.rmax - s.rmin * s.rmin * s.rmin) / 3;
+  double volume = detail::angle_of(w) * squares * (at(s.high) - at(s.low));
+  if (w.kind != 0) {
+    volume += cubes * (tilt_x * (w.end_y - w.start_y) + tilt_y * (w.start_x - w.end_x));
+  }
+  return volume;
+}
+
+Round SolidFacts<kernels::CutTube<double>>::round(const Shape& s) {
+  return {s.rmin, s.rmax, s.wedge};
+}
+
 }  // namespace navjit

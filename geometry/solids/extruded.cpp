@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "geometry/solids/facets.hpp"
+#include "geometry/solids/bodies.hpp"
 #include "geometry/solids/windings.hpp"
 
 namespace navjit {

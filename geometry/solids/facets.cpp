@@ -1,4 +1,4 @@
-#include "geometry/solids/facets.hpp"
+#include "geometry/solids/bodies.hpp"
 
 #include <algorithm>
 #include <array>
@@ -107,21 +107,6 @@ void join_corners(Holder& h, double size) {
 
 }  // namespace
 
-double facets_volume(const kernels::Facets<double>& s) {
-  const Vec3& o = s.corners[0];
-  double volume = 0;
-  for (int i = 0; i < s.facet_count; ++i) {
-    const Facet& f = s.facets[i];
-    const Vec3 a = kernels::difference(s.corners[f.a], o),
-               b = kernels::difference(s.corners[f.b], o);
-    const Vec3 c = kernels::difference(s.corners[f.c], o);
-    volume += (a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
-               a.z * (b.x * c.y - b.y * c.x)) /
-              6;
-  }
-  return volume;
-}
-
 Solid make_facets(std::string name, std::vector<Vec3> corners, std::vector<Facet> facets,
                   std::string* note) {
   require(!facets.empty() && facets.size() <= 10'000'000, name,
@@ -140,7 +125,7 @@ Solid make_facets(std::string name, std::vector<Vec3> corners, std::vector<Facet
   if (note != nullptr && !repaired.empty()) *note = repaired;
   require(holder->facets.size() >= 4, name, "it has less than four facets");
   holder->point();
-  const double volume = facets_volume(holder->shape);
+  const double volume = SolidFacts<kernels::Facets<double>>::volume(holder->shape);
   require(std::abs(volume) > 1e-12 * size * size * size && std::isfinite(volume), name,
           "its facets enclose no volume");
   if (volume < 0) {
@@ -166,6 +151,21 @@ Solid make_tessellated(std::string name, std::span<const FacetCorners> facets, s
   }
   detail::require(!triangles.empty(), name, "it has no facets");
   return detail::make_facets(std::move(name), std::move(corners), std::move(triangles), note);
+}
+
+double SolidFacts<kernels::Facets<double>>::volume(const Shape& s) {
+  const Vec3& o = s.corners[0];
+  double volume = 0;
+  for (int i = 0; i < s.facet_count; ++i) {
+    const kernels::Facet& f = s.facets[i];
+    const Vec3 a = kernels::difference(s.corners[f.a], o),
+               b = kernels::difference(s.corners[f.b], o);
+    const Vec3 c = kernels::difference(s.corners[f.c], o);
+    volume += (a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
+               a.z * (b.x * c.y - b.y * c.x)) /
+              6;
+  }
+  return volume;
 }
 
 }  // namespace navjit

@@ -1,35 +1,26 @@
-// Bodies of planes, of triangles and upright prisms. Private to geometry/solids.
+// Bodies within triangles: tessellated and extruded solids.
 #pragma once
 
-#include <span>
-#include <vector>
+#include "geometry/solids/facts.hpp"
 
-#include "geometry/solids/make.hpp"
+#include "geometry/kernels/facets.h"
 
-namespace navjit::detail {
+namespace navjit {
 
-/// The convex body behind planes with unit normals, which must enclose it.
-Solid make_hull(std::string name, std::vector<kernels::Plane<double>> planes, const Extent& extent);
-/// The volume behind the planes, mm^3.
-double hull_volume(const kernels::Hull<double>& hull);
+template <>
+struct SolidFacts<kernels::Facets<double>> {
+  using Shape = kernels::Facets<double>;
 
-/// The upright prism over a polygon: its corners anticlockwise, none on a line with its neighbours,
-/// no edge crossing another. The corners' own z do not matter.
-Solid make_prism(std::string name, std::span<const Vec3> corners, double z_low, double z_high);
-/// mm^3.
-double prism_volume(const kernels::Prism<double>& s);
+  static constexpr std::array kernel_files{"convex", "facets"};
+  /// Negative if the triangles face inwards.
+  static double volume(const Shape& s);
+};
 
-/// The plane through three points, with its normal towards the side from which they run
-/// anticlockwise; all zero if they are on a line.
-kernels::Plane<double> plane_through(const Vec3& a, const Vec3& b, const Vec3& c);
+template <>
+inline constexpr const char* element_name<kernels::Vec3<double>> = "Vec3<double>";
+template <>
+inline constexpr const char* element_name<kernels::Facet> = "Facet";
+template <>
+inline constexpr const char* element_name<kernels::FacetBox<double>> = "FacetBox<double>";
 
-/// The body that these triangles bound: all turned over if they face inwards. Those that do not
-/// close on one another, one edge of one against one edge of another, are closed as close_facets
-/// does it; `note`, unless null, is then set to what was done. Throws GeometryError if they enclose
-/// nothing.
-Solid make_facets(std::string name, std::vector<Vec3> corners, std::vector<kernels::Facet> facets,
-                  std::string* note);
-/// The volume within the triangles, mm^3; negative if they face inwards.
-double facets_volume(const kernels::Facets<double>& s);
-
-}  // namespace navjit::detail
+}  // namespace navjit

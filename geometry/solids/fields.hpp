@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "geometry/solids/kernels.hpp"
+#include "geometry/solids/list.hpp"
 
 namespace navjit::kernels {
 namespace detail {

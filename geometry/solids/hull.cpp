@@ -1,8 +1,9 @@
 #include <algorithm>
+#include <optional>
 
-#include "geometry/solids/facets.hpp"
+#include "geometry/solids/bodies.hpp"
 
-namespace navjit::detail {
+namespace navjit {
 namespace {
 
 using Plane = kernels::Plane<double>;
@@ -76,6 +77,8 @@ Measure measure(const std::vector<Plane>& planes, const Vec3& apex, double reach
 
 }  // namespace
 
+namespace detail {
+
 kernels::Plane<double> plane_through(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = kernels::difference(b, a), w = kernels::difference(c, a);
   Vec3 n{u.y * w.z - u.z * w.y, u.z * w.x - u.x * w.z, u.x * w.y - u.y * w.x};
@@ -87,8 +90,17 @@ kernels::Plane<double> plane_through(const Vec3& a, const Vec3& b, const Vec3& c
   return {n.x, n.y, n.z, -(n.x * a.x + n.y * a.y + n.z * a.z)};
 }
 
-double hull_volume(const kernels::Hull<double>& hull) {
-  const std::vector<Plane> planes(hull.planes, hull.planes + hull.count);
+Solid make_hull(std::string name, std::vector<Plane> planes, const Extent& extent) {
+  const auto holder = std::make_shared<Holder>(Holder{std::move(planes), {}});
+  holder->shape = {holder->planes.data(), static_cast<int>(holder->planes.size())};
+  return {std::move(name), SolidKind::hull, std::shared_ptr<const void>(holder, &holder->shape),
+          extent};
+}
+
+}  // namespace detail
+
+double SolidFacts<kernels::Hull<double>>::volume(const Shape& s) {
+  const std::vector<Plane> planes(s.planes, s.planes + s.count);
   // The planes' own distances from the origin bound a body that makes sense well enough.
   double reach = 0;
   for (const Plane& f : planes) reach = std::max(reach, std::abs(f.d));
@@ -106,11 +118,11 @@ double hull_volume(const kernels::Hull<double>& hull) {
   return measure(planes, apex, 2 * closer).volume;
 }
 
-Solid make_hull(std::string name, std::vector<Plane> planes, const Extent& extent) {
-  const auto holder = std::make_shared<Holder>(Holder{std::move(planes), {}});
-  holder->shape = {holder->planes.data(), static_cast<int>(holder->planes.size())};
-  return {std::move(name), SolidKind::hull, std::shared_ptr<const void>(holder, &holder->shape),
-          extent};
+std::optional<double> SolidFacts<kernels::Hull<double>>::error(const Shape& s,
+                                                               const KernelUse& use) {
+  double error = 0;
+  for (int i = 0; i < s.count; ++i) error = std::max(error, face_error::plane(s.planes[i].d, use));
+  return error;
 }
 
-}  // namespace navjit::detail
+}  // namespace navjit

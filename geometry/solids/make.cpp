@@ -65,4 +65,21 @@ Extent sector_extent(double rmin, double rmax, double start, double delta, doubl
   return e;
 }
 
+double angle_of(const kernels::Wedge<double>& w) {
+  if (w.kind == 0) return 2 * std::numbers::pi;
+  const double angle = std::atan2(w.start_x * w.end_y - w.start_y * w.end_x,
+                                  w.start_x * w.end_x + w.start_y * w.end_y);
+  return angle > 0 ? angle : angle + 2 * std::numbers::pi;
+}
+
+double squared_radius_integral(const kernels::ConicalFace<double>& f, double from, double to) {
+  const double r1 = (f.radius + f.slope * from) / f.cosine;
+  const double r2 = (f.radius + f.slope * to) / f.cosine;
+  return (to - from) * (r1 * r1 + r1 * r2 + r2 * r2) / 3;
+}
+
+double radius_at(const kernels::ConicalFace<double>& face, double z, double flat) {
+  return face.cosine > 1e-3 ? (face.radius + face.slope * z) / face.cosine : flat;
+}
+
 }  // namespace navjit::detail

@@ -29,6 +29,13 @@ kernels::Wedge<double> make_wedge(double start, double delta, const std::string&
 Extent sector_extent(double rmin, double rmax, double start, double delta, double zmin,
                      double zmax);
 
+/// The angle that a wedge leaves, rad.
+double angle_of(const kernels::Wedge<double>& w);
+/// Integral of the squared radius over z in [from, to].
+double squared_radius_integral(const kernels::ConicalFace<double>& f, double from, double to);
+/// Of a face that is not nearly a plane across the axis; else `flat`.
+double radius_at(const kernels::ConicalFace<double>& face, double z, double flat);
+
 template <class Shape>
 Solid make_solid(std::string name, SolidKind kind, const Shape& shape, const Extent& extent) {
   return {std::move(name), kind, std::make_shared<const Shape>(shape), extent};

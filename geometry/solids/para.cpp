@@ -1,7 +1,7 @@
 // Solids of flat faces that are convex by construction: parallelepipeds and tetrahedra.
 #include <algorithm>
 
-#include "geometry/solids/facets.hpp"
+#include "geometry/solids/bodies.hpp"
 
 namespace navjit {
 

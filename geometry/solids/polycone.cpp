@@ -35,4 +35,12 @@ Solid make_generic_polycone(std::string name, std::span<const ContourPoint> cont
   return polycone(std::move(name), std::move(sections), planes, start_phi, delta_phi);
 }
 
+double SolidFacts<kernels::Polycone<double>>::volume(const Shape& s) {
+  return detail::sections_volume(s, detail::angle_of(s.wedge) / 2);
+}
+
+Round SolidFacts<kernels::Polycone<double>>::round(const Shape& s) {
+  return detail::round_sections(s);
+}
+
 }  // namespace navjit

@@ -80,4 +80,13 @@ Solid make_generic_polyhedra(std::string name, std::span<const ContourPoint> con
   return polyhedra(std::move(name), std::move(sections), planes, sides, start_phi, turns);
 }
 
+double SolidFacts<kernels::Polyhedra<double>>::volume(const Shape& s) {
+  return detail::sections_volume(
+      s, s.side_count * std::tan(detail::angle_of(s.wedge) / (2 * s.side_count)));
+}
+
+Round SolidFacts<kernels::Polyhedra<double>>::round(const Shape& s) {
+  return detail::round_sections(s);
+}
+
 }  // namespace navjit

@@ -1,4 +1,4 @@
-#include "geometry/solids/facets.hpp"
+#include "geometry/solids/bodies.hpp"
 
 namespace navjit::detail {
 namespace {
@@ -9,16 +9,6 @@ struct Holder {
 };
 
 }  // namespace
-
-double prism_volume(const kernels::Prism<double>& s) {
-  const kernels::PlanarCorner<double>& o = s.corners[0];
-  double twice_area = 0;
-  for (int i = 2; i < s.count; ++i) {
-    const kernels::PlanarCorner<double>&a = s.corners[i - 1], &b = s.corners[i];
-    twice_area += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
-  }
-  return twice_area / 2 * (s.z_high - s.z_low);
-}
 
 Solid make_prism(std::string name, std::span<const Vec3> corners, double z_low, double z_high) {
   const auto holder = std::make_shared<Holder>();
@@ -42,3 +32,17 @@ Solid make_prism(std::string name, std::span<const Vec3> corners, double z_low, 
 }
 
 }  // namespace navjit::detail
+
+namespace navjit {
+
+double SolidFacts<kernels::Prism<double>>::volume(const Shape& s) {
+  const kernels::PlanarCorner<double>& o = s.corners[0];
+  double twice_area = 0;
+  for (int i = 2; i < s.count; ++i) {
+    const kernels::PlanarCorner<double>&a = s.corners[i - 1], &b = s.corners[i];
+    twice_area += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+  }
+  return twice_area / 2 * (s.z_high - s.z_low);
+}
+
+}  // namespace navjit

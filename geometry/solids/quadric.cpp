@@ -102,4 +102,20 @@ Solid make_hype(std::string name, double rmin, double rmax, double inner_stereo,
   return detail::make_solid(std::move(name), SolidKind::hype, shape, extent_of(shape));
 }
 
+double detail::quadric_volume(const kernels::Quadric<double>& f, double low, double high) {
+  if (f.c > 0) {
+    const double reach = std::sqrt(-f.e / f.c);
+    low = std::max(low, -reach);
+    high = std::min(high, reach);
+  }
+  const auto primitive = [&](double z) { return z * (f.e + z * (f.d / 2 + z * (f.c / 3))); };
+  return std::numbers::pi / std::sqrt(f.a * f.b) *
+         (primitive(low - f.origin) - primitive(high - f.origin));
+}
+
+double SolidFacts<kernels::QuadricSolid<double>>::volume(const Shape& s) {
+  const double outer = detail::quadric_volume(s.outer, s.z_low, s.z_high);
+  return s.bored == 0 ? outer : outer - detail::quadric_volume(s.inner, s.z_low, s.z_high);
+}
+
 }  // namespace navjit

@@ -1,6 +1,7 @@
 // The contour of a polycone or polyhedra, cut into rings. Private to geometry/solids.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "geometry/solids/make.hpp"
@@ -39,5 +40,35 @@ struct SectionsHolder {
   SectionsHolder(const SectionsHolder&) = delete;
   SectionsHolder& operator=(const SectionsHolder&) = delete;
 };
+
+/// `area_factor`: the area of a section within the squared radius 1, mm^3.
+template <class Shape>
+double sections_volume(const Shape& s, double area_factor) {
+  double integral = 0;
+  for (int i = 0; i < s.count; ++i) {
+    const auto& section = s.sections[i];
+    const double length = section.z_high - section.z_low;
+    integral += squared_radius_integral(section.outer, 0, length);
+    if (section.bored != 0) integral -= squared_radius_integral(section.inner, 0, length);
+  }
+  return area_factor * integral;
+}
+
+template <class Shape>
+Round round_sections(const Shape& s) {
+  Round round{s.rmax, s.rmax, s.wedge};
+  for (int i = 0; i < s.count; ++i) {
+    const auto& section = s.sections[i];
+    const double height = section.z_high - section.z_low;
+    if (section.bored == 0) {
+      round.near = 0;
+    } else {
+      round.near = std::min(
+          {round.near, radius_at(section.inner, 0, 0), radius_at(section.inner, height, 0)});
+    }
+  }
+  round.near = std::max(round.near, 0.0);
+  return round;
+}
 
 }  // namespace navjit::detail

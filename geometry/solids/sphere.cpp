@@ -1,6 +1,7 @@
 // Balls and spherical shells.
 #include <algorithm>
 #include <numbers>
+#include <optional>
 
 #include "geometry/solids/make.hpp"
 
@@ -56,6 +57,38 @@ Solid make_sphere(std::string name, double rmin, double rmax, double start_phi, 
   e.max.z = std::max(rmin * low.x, rmax * low.x);
   e.min.z = std::min(rmin * high.x, rmax * high.x);
   return detail::make_solid(std::move(name), SolidKind::sphere, shape, e);
+}
+
+double SolidFacts<kernels::Orb<double>>::volume(const Shape& s) {
+  return 4 * pi / 3 * s.radius * s.radius * s.radius;
+}
+
+double SolidFacts<kernels::Orb<double>>::ball(const Shape& s) { return s.radius; }
+
+std::optional<double> SolidFacts<kernels::Orb<double>>::error(const Shape& s,
+                                                              const KernelUse& use) {
+  return face_error::ball(s.radius, use);
+}
+
+double SolidFacts<kernels::Sphere<double>>::volume(const Shape& s) {
+  const auto cosine = [](const kernels::PolarLimit<double>& limit, double none) {
+    if (limit.kind == 0) return none;
+    return limit.face.slope < 0 ? -limit.face.cosine : limit.face.cosine;
+  };
+  const double heights = cosine(s.low, 1) - cosine(s.high, -1);
+  const double shell = (s.rmax - s.rmin) * (s.rmax * s.rmax + s.rmax * s.rmin + s.rmin * s.rmin);
+  return detail::angle_of(s.wedge) / 3 * heights * shell;
+}
+
+Round SolidFacts<kernels::Sphere<double>>::round(const Shape& s) { return {0, s.rmax, s.wedge}; }
+
+double SolidFacts<kernels::Sphere<double>>::ball(const Shape& s) { return s.rmax; }
+
+std::optional<double> SolidFacts<kernels::Sphere<double>>::error(const Shape& s,
+                                                                 const KernelUse& use) {
+  if (s.low.kind != 0 || s.high.kind != 0) return std::nullopt;
+  return std::max({face_error::ball(s.rmax, use), face_error::ball(s.rmin, use),
+                   face_error::wedge(s.wedge, use)});
 }
 
 }  // namespace navjit

@@ -39,6 +39,16 @@ Vec3 corner_of(const kernels::Plane<double>& f, const kernels::Plane<double>& g,
   return {(at_f * g.b - f.b * at_g) / area, (f.a * at_g - at_f * g.a) / area, z};
 }
 
+/// Area of the trapezoid at height z: the sides across y are parallel to x in every section.
+double area_at(const kernels::Trap<double>& s, double z) {
+  const auto y_on = [&](const kernels::Plane<double>& f) { return -(f.c * z + f.d) / f.b; };
+  const auto x_on = [&](const kernels::Plane<double>& f, double y) {
+    return -(f.b * y + f.c * z + f.d) / f.a;
+  };
+  const double y1 = y_on(s.y_minus), y2 = y_on(s.y_plus), y = (y1 + y2) / 2;
+  return (y2 - y1) * (x_on(s.x_plus, y) - x_on(s.x_minus, y));
+}
+
 }  // namespace
 
 Solid make_trap(std::string name, double hz, double theta, double phi, double hy1, double hx1,
@@ -87,6 +97,18 @@ Solid make_trap(std::string name, double hz, double theta, double phi, double hy
   }
   const kernels::Trap<double> shape{hz, *front, *back, *left, *right};
   return detail::make_solid(std::move(name), SolidKind::trap, shape, e);
+}
+
+double SolidFacts<kernels::Trap<double>>::volume(const Shape& s) {
+  // The area is quadratic in z.
+  return s.hz / 3 * (area_at(s, -s.hz) + 4 * area_at(s, 0) + area_at(s, s.hz));
+}
+
+std::optional<double> SolidFacts<kernels::Trap<double>>::error(const Shape& s,
+                                                               const KernelUse& use) {
+  return std::max({face_error::slab(s.hz, use), face_error::plane(s.x_minus.d, use),
+                   face_error::plane(s.x_plus.d, use), face_error::plane(s.y_minus.d, use),
+                   face_error::plane(s.y_plus.d, use)});
 }
 
 }  // namespace navjit

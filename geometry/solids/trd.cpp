@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include "geometry/solids/make.hpp"
 
@@ -24,6 +25,22 @@ Solid make_trd(std::string name, double hx1, double hx2, double hy1, double hy2,
   const double hx = std::max(hx1, hx2), hy = std::max(hy1, hy2);
   return detail::make_solid(std::move(name), SolidKind::trd, shape,
                             {{-hx, -hy, -hz}, {hx, hy, hz}});
+}
+
+double SolidFacts<kernels::Trd<double>>::volume(const Shape& s) {
+  // Half lengths in x and y are linear in z.
+  const auto half = [](const kernels::FacePair<double>& f, double z) {
+    return (f.offset - f.along * z) / f.across;
+  };
+  const double x = half(s.x, 0), y = half(s.y, 0);
+  const double dx = half(s.x, s.hz) - x, dy = half(s.y, s.hz) - y;
+  return 8 * s.hz * (x * y + dx * dy / 3);
+}
+
+std::optional<double> SolidFacts<kernels::Trd<double>>::error(const Shape& s,
+                                                              const KernelUse& use) {
+  return std::max({face_error::slab(s.hz, use), face_error::plane(s.x.offset, use),
+                   face_error::plane(s.y.offset, use)});
 }
 
 }  // namespace navjit

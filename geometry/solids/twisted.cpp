@@ -163,4 +163,24 @@ Solid make_twistedtrap(std::string name, double twist, double hz, double theta, 
                       hy2, hx3, hx4, alpha);
 }
 
+double SolidFacts<kernels::TwistedTube<double>>::volume(const Shape& s) {
+  // Every section is a sector of the same angle.
+  const double angle = detail::angle_of({1, s.start.ny, -s.start.nx, -s.end.ny, s.end.nx});
+  return angle / (2 * pi) *
+         (detail::quadric_volume(s.outer, s.z_low, s.z_high) -
+          detail::quadric_volume(s.inner, s.z_low, s.z_high));
+}
+
+double SolidFacts<kernels::TwistedTrap<double>>::volume(const Shape& s) {
+  // Sections are trapezoids with the sides across w parallel; twist and shear keep their area.
+  const auto area = [&](double z) {
+    const double height = s.back.c0 + s.back.c1 * z + s.front.c0 + s.front.c1 * z;
+    const auto middle = [&](const kernels::TwistedSide<double>& f) {
+      return (f.c0 + (f.c1 + f.c2 * z) * z) / (f.nu + f.nu1 * z);
+    };
+    return height * (middle(s.right) - middle(s.left));
+  };
+  return s.hz / 3 * (area(-s.hz) + 4 * area(0) + area(s.hz));
+}
+
 }  // namespace navjit

@@ -7,7 +7,7 @@
 
 #include "analysis/patterns/grid.hpp"
 #include "analysis/patterns/pattern.hpp"
-#include "geometry/solids/kernels.hpp"
+#include "geometry/solids/list.hpp"
 #include "tests/support/worlds.hpp"
 
 // clang-format off

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <numeric>
@@ -9,6 +10,7 @@
 
 #include "codegen/kernel_names.hpp"
 #include "codegen/kernel_texts.hpp"
+#include "geometry/solids/kinds.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace navjit::codegen {
@@ -85,23 +87,36 @@ TEST(Module, HostileNamesStayOutOfTheCode) {
 }
 
 TEST(KernelTexts, HoldEveryKernelOfEveryKind) {
-  for (const char* name : kernel_order()) EXPECT_FALSE(kernel_text(name).empty()) << name;
+  for (const std::string_view name : kernel_order())
+    EXPECT_FALSE(kernel_text(name).empty()) << name;
   std::vector<const char*> others{"vectors", "prelude", "scene"};
   others.insert(others.end(), scene_kernels().begin(), scene_kernels().end());
   for (const char* name : others) {
     EXPECT_FALSE(kernel_text(name).empty()) << name;
     EXPECT_EQ(kernel_text(name).find("#include"), std::string_view::npos);
   }
-  for (int kind = 0; kind <= static_cast<int>(SolidKind::subtraction_of); ++kind) {
-    for (const char* name : kernels_of(static_cast<SolidKind>(kind))) {
+  for (const KindFacts& kind : all_kinds()) {
+    for (const char* name : kernels_of(kind.kind)) {
       EXPECT_FALSE(kernel_text(name).empty()) << name;
     }
-    EXPECT_FALSE(kernels_of(static_cast<SolidKind>(kind)).empty());
+    EXPECT_FALSE(kernels_of(kind.kind).empty()) << kind.name;
+  }
+}
+
+TEST(KernelTexts, StandInTheOrderThatEachSolidNeeds) {
+  const std::vector<std::string_view> order = kernel_order();
+  for (const KindFacts& kind : all_kinds()) {
+    auto at = order.begin();
+    for (const std::string_view name : kind.kernel_files) {
+      const auto found = std::find(at, order.end(), name);
+      ASSERT_NE(found, order.end()) << name << " of " << kind.name << " comes too early";
+      at = found;
+    }
   }
 }
 
 TEST(KernelTexts, EndWhereNavigationDoes) {
-  for (const char* name : kernel_order()) {
+  for (const std::string_view name : kernel_order()) {
     const std::string_view text = kernel_text(name);
     EXPECT_EQ(text.find(" normal("), std::string_view::npos) << name;
     EXPECT_TRUE(text.ends_with("}  // namespace navjit::kernels\n")) << name;

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "geometry/navigation/geometry.hpp"
-#include "geometry/solids/kernels.hpp"
+#include "geometry/solids/list.hpp"
 #include "navjit/vector.hpp"
 #include "tests/support/worlds.hpp"
 

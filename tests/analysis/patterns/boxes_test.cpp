@@ -9,7 +9,7 @@
 #include "analysis/plan.hpp"
 #include "geometry/navigation/generic.hpp"
 #include "geometry/solids/extent.hpp"
-#include "geometry/solids/kernels.hpp"
+#include "geometry/solids/list.hpp"
 #include "navjit/vector.hpp"
 #include "tests/support/worlds.hpp"
 

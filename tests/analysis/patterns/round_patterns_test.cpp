@@ -12,7 +12,7 @@
 #include "analysis/patterns/pattern.hpp"
 #include "analysis/patterns/rings.hpp"
 #include "analysis/plan.hpp"
-#include "geometry/solids/kernels.hpp"
+#include "geometry/solids/list.hpp"
 #include "navjit/vector.hpp"
 #include "tests/analysis/patterns/arrangement.hpp"
 #include "tests/support/worlds.hpp"

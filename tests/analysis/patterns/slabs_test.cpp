@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "geometry/solids/kernels.hpp"
+#include "geometry/solids/list.hpp"
 #include "tests/support/worlds.hpp"
 
 // clang-format off

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "geometry/solids/kernels.hpp"
+#include "geometry/solids/list.hpp"
 #include "tests/support/worlds.hpp"
 
 // clang-format off

@@ -186,11 +186,5 @@ TEST(Fields, AreAllNumbersOfAShape) {
   EXPECT_EQ(visitor.numbers, 9 + 2 * 3 + 3 + 3 + 5 + 5 * 2);
 }
 
-TEST(Kinds, HaveNames) {
-  EXPECT_STREQ(kind_name(make_orb("s", 1).kind), "orb");
-  EXPECT_STREQ(kind_name(SolidKind::polyhedra), "polyhedra");
-  EXPECT_STREQ(kind_name(SolidKind::subtraction_of), "subtraction");
-}
-
 }  // namespace
 }  // namespace navjit

@@ -1,0 +1,38 @@
+// What the library knows of a solid beside its mathematics.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "geometry/solids/kernel_use.hpp"
+
+namespace navjit {
+
+/// Of a solid that is round about its z axis, or nearly: between which radii it is, mm, and where
+/// it is cut along the axis.
+struct Round {
+  double near, far;
+  kernels::Wedge<double> wedge{};
+};
+
+/// The facts of a shape, specialised in the solid's own header, with these members:
+///
+///   constexpr std::array kernel_files{...}    the kernels that its code is made of beside the
+///                                             prelude, in the order in which they build on one
+///                                             another, its own last
+///   double volume(const Shape&)               mm^3; not of what is made of other solids
+///
+/// and, if there is something to say, these:
+///
+///   Round round(const Shape&)                 about its z axis: what patterns of daughters need
+///   double ball(const Shape&)                 the radius of a ball about its origin that holds it
+///   optional<double> error(const Shape&, const KernelUse&)
+///                                             a bound of how far off a crossing may be, mm
+template <class Shape>
+struct SolidFacts;
+
+/// The name in generated code of what shapes have arrays of; specialised beside the facts.
+template <class Element>
+inline constexpr const char* element_name = nullptr;
+
+}  // namespace navjit

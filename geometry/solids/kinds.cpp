@@ -1,0 +1,33 @@
+#include "geometry/solids/kinds.hpp"
+
+#include "navjit/solids.hpp"
+
+namespace navjit {
+namespace {
+
+constexpr KindFacts kinds[] = {
+#define NAVJIT_ROW(kind, name, Shape) \
+  {SolidKind::kind, name, #Shape "<double>", SolidFacts<kernels::Shape<double>>::kernel_files},
+    NAVJIT_SOLIDS(NAVJIT_ROW, NAVJIT_ROW)
+#undef NAVJIT_ROW
+};
+
+}  // namespace
+
+std::span<const KindFacts> all_kinds() { return kinds; }
+
+const KindFacts& facts_of(SolidKind kind) {
+  for (const KindFacts& facts : kinds) {
+    if (facts.kind == kind) return facts;
+  }
+  __builtin_unreachable();
+}
+
+const char* kind_name(SolidKind kind) {
+  for (const KindFacts& facts : kinds) {
+    if (facts.kind == kind) return facts.name;
+  }
+  return "unknown";
+}
+
+}  // namespace navjit

@@ -1,0 +1,21 @@
+// What is known of a kind of solid as such.
+#pragma once
+
+#include <span>
+
+#include "geometry/solids/list.hpp"
+
+namespace navjit {
+
+struct KindFacts {
+  SolidKind kind;
+  const char* name;                           ///< in output
+  const char* shape;                          ///< in generated code, if not made of other solids
+  std::span<const char* const> kernel_files;  ///< SolidFacts::kernel_files
+};
+
+/// Of all kinds, in the order of the list.
+std::span<const KindFacts> all_kinds();
+const KindFacts& facts_of(SolidKind kind);
+
+}  // namespace navjit
