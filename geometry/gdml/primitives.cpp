@@ -1,5 +1,6 @@
 // Solids that are given by their own dimensions. GDML gives whole lengths of boxes and trapezoids
-// and along z; the factories take halves.
+// and along z; the factories take halves. Those that take numbers and nothing else say themselves
+// what they are called (SolidFacts::elements).
 #include <algorithm>
 #include <cmath>
 
@@ -131,15 +132,6 @@ Solid read_trap(const Dimensions& d, const std::string& name) {
   return trap;
 }
 
-Solid read_orb(const Dimensions& d, const std::string& name) {
-  return make_orb(name, d.length("r"));
-}
-
-Solid read_sphere(const Dimensions& d, const std::string& name) {
-  return make_sphere(name, d.length("rmin", 0), d.length("rmax"), d.angle("startphi", 0),
-                     d.angle("deltaphi"), d.angle("starttheta", 0), d.angle("deltatheta"));
-}
-
 DivisibleShape read_polycone(const Dimensions& d) {
   return {.tag = "polycone",
           .start = d.angle("startphi", 0),
@@ -194,40 +186,6 @@ Solid read_torus(const Dimensions& d, const std::string& name) {
                     d.angle("deltaphi"));
 }
 
-Solid read_ellipsoid(const Dimensions& d, const std::string& name) {
-  return make_ellipsoid(name, d.length("ax"), d.length("by"), d.length("cz"), d.length("zcut1", 0),
-                        d.length("zcut2", 0));
-}
-
-// Half lengths for once.
-Solid read_eltube(const Dimensions& d, const std::string& name) {
-  return make_eltube(name, d.length("dx"), d.length("dy"), d.length("dz"));
-}
-
-// dx and dy are slopes.
-Solid read_elcone(const Dimensions& d, const std::string& name) {
-  return make_elcone(name, d.plain("dx"), d.plain("dy"), d.length("zmax"), d.length("zcut"));
-}
-
-// The length is a half.
-Solid read_paraboloid(const Dimensions& d, const std::string& name) {
-  return make_paraboloid(name, d.length("rlo"), d.length("rhi"), d.length("dz"));
-}
-
-Solid read_hype(const Dimensions& d, const std::string& name) {
-  return make_hype(name, d.length("rmin", 0), d.length("rmax"), d.angle("inst", 0),
-                   d.angle("outst", 0), d.half("z"));
-}
-
-Solid read_twistedbox(const Dimensions& d, const std::string& name) {
-  return make_twistedbox(name, d.angle("PhiTwist"), d.half("x"), d.half("y"), d.half("z"));
-}
-
-Solid read_twistedtrd(const Dimensions& d, const std::string& name) {
-  return make_twistedtrd(name, d.half("x1"), d.half("x2"), d.half("y1"), d.half("y2"), d.half("z"),
-                         d.angle("PhiTwist"));
-}
-
 Solid read_twistedtrap(const Dimensions& d, const std::string& name) {
   Solid trap = make_twistedtrap(name, d.angle("PhiTwist"), d.half("z"), d.angle("Theta", 0),
                                 d.angle("Phi", 0), d.half("y1"), d.half("x1"), d.half("x2"),
@@ -274,6 +232,20 @@ NamedSolid divisible(FileContext& file, const XmlElement& element, const std::st
   return result;
 }
 
+double value_of(const Dimensions& d, const Attribute& a) {
+  switch (a.meaning) {
+    case Attribute::Meaning::number:
+      return a.optional ? d.plain(a.name, 0) : d.plain(a.name);
+    case Attribute::Meaning::length:
+      return a.optional ? d.length(a.name, 0) : d.length(a.name);
+    case Attribute::Meaning::half_length:
+      return d.half(a.name);
+    case Attribute::Meaning::angle:
+      return a.optional ? d.angle(a.name, 0) : d.angle(a.name);
+  }
+  __builtin_unreachable();
+}
+
 constexpr SolidKindReader readers[] = {
     {"box", divisible<read_box>},
     {"tube", divisible<read_tube>},
@@ -283,16 +255,7 @@ constexpr SolidKindReader readers[] = {
     {"trap", primitive<read_trap>},
     {"polycone", divisible<read_polycone>},
     {"polyhedra", divisible<read_polyhedra>},
-    {"sphere", primitive<read_sphere>},
-    {"orb", primitive<read_orb>},
     {"torus", primitive<read_torus>},
-    {"ellipsoid", primitive<read_ellipsoid>},
-    {"eltube", primitive<read_eltube>},
-    {"elcone", primitive<read_elcone>},
-    {"paraboloid", primitive<read_paraboloid>},
-    {"hype", primitive<read_hype>},
-    {"twistedbox", primitive<read_twistedbox>},
-    {"twistedtrd", primitive<read_twistedtrd>},
     {"twistedtrap", primitive<read_twistedtrap>},
     {"twistedtubs", primitive<read_twistedtubs>},
 };
@@ -300,6 +263,18 @@ constexpr SolidKindReader readers[] = {
 }  // namespace
 
 std::span<const SolidKindReader> primitive_readers() { return readers; }
+
+NamedSolid read_by_numbers(FileContext& file, const XmlElement& element, const std::string& name,
+                           const SolidElement& words) {
+  const Dimensions dimensions(file, element);
+  std::array<double, SolidElement::most> values{};
+  for (std::size_t i = 0; i < words.count; ++i) {
+    values[i] = value_of(dimensions, words.attributes[i]);
+  }
+  NamedSolid result;
+  result.solid = words.make(name, values);
+  return result;
+}
 
 std::span<const SolidKindReader> dimension_readers() {
   static constexpr SolidKindReader table[] = {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "geometry/solids/kinds.hpp"
+
 namespace navjit::gdml {
 namespace {
 
@@ -11,6 +13,14 @@ SolidReader find_reader(std::string_view tag) {
     const auto found = std::find_if(readers.begin(), readers.end(),
                                     [&](const SolidKindReader& r) { return r.tag == tag; });
     if (found != readers.end()) return found->read;
+  }
+  for (const KindFacts& kind : all_kinds()) {
+    for (const SolidElement& words : kind.elements) {
+      if (words.tag != tag) continue;
+      return [&words](FileContext& file, const XmlElement& element, const std::string& name) {
+        return read_by_numbers(file, element, name, words);
+      };
+    }
   }
   return nullptr;
 }

@@ -1,20 +1,26 @@
-// The readers of single solids, by group; solids.cpp has the table that knows them all.
+// The readers of single solids, by group; solids.cpp knows them all.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "geometry/gdml/context.hpp"
+#include "geometry/solids/gdml_words.hpp"
 
 namespace navjit::gdml {
 
 /// What a reader of solids makes of an element.
-using SolidReader = NamedSolid (*)(FileContext&, const XmlElement&, const std::string& name);
+using SolidReader =
+    std::function<NamedSolid(FileContext&, const XmlElement&, const std::string& name)>;
 
 struct SolidKindReader {
   std::string_view tag;
-  SolidReader read;
+  NamedSolid (*read)(FileContext&, const XmlElement&, const std::string& name);
 };
 
+/// A solid of which SolidFacts says what GDML calls it.
+NamedSolid read_by_numbers(FileContext& file, const XmlElement& element, const std::string& name,
+                           const SolidElement& words);
 /// box, tube, cone, ...
 std::span<const SolidKindReader> primitive_readers();
 /// tube, polycone and polyhedra as a paramvol gives their dimensions

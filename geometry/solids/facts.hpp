@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "geometry/solids/gdml_words.hpp"
 #include "geometry/solids/kernel_use.hpp"
 
 namespace navjit {
@@ -28,6 +29,7 @@ struct Round {
 ///   double ball(const Shape&)                 the radius of a ball about its origin that holds it
 ///   optional<double> error(const Shape&, const KernelUse&)
 ///                                             a bound of how far off a crossing may be, mm
+///   constexpr std::array elements{...}        those of GDML whose numbers are all it takes
 template <class Shape>
 struct SolidFacts;
 

@@ -5,9 +5,16 @@
 namespace navjit {
 namespace {
 
+template <class Shape>
+constexpr std::span<const gdml::SolidElement> elements_of() {
+  if constexpr (requires { SolidFacts<Shape>::elements; }) return SolidFacts<Shape>::elements;
+  return {};
+}
+
 constexpr KindFacts kinds[] = {
-#define NAVJIT_ROW(kind, name, Shape) \
-  {SolidKind::kind, name, #Shape "<double>", SolidFacts<kernels::Shape<double>>::kernel_files},
+#define NAVJIT_ROW(kind, name, Shape)                                                          \
+  {SolidKind::kind, name, #Shape "<double>", SolidFacts<kernels::Shape<double>>::kernel_files, \
+   elements_of<kernels::Shape<double>>()},
     NAVJIT_SOLIDS(NAVJIT_ROW, NAVJIT_ROW)
 #undef NAVJIT_ROW
 };

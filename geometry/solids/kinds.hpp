@@ -9,9 +9,10 @@ namespace navjit {
 
 struct KindFacts {
   SolidKind kind;
-  const char* name;                           ///< in output
-  const char* shape;                          ///< in generated code, if not made of other solids
-  std::span<const char* const> kernel_files;  ///< SolidFacts::kernel_files
+  const char* name;                              ///< in output
+  const char* shape;                             ///< in generated code, if not made of other solids
+  std::span<const char* const> kernel_files;     ///< SolidFacts::kernel_files
+  std::span<const gdml::SolidElement> elements;  ///< SolidFacts::elements
 };
 
 /// Of all kinds, in the order of the list.

@@ -15,6 +15,7 @@ struct SolidFacts<kernels::Orb<double>> {
   static double volume(const Shape& s);
   static double ball(const Shape& s);
   static std::optional<double> error(const Shape& s, const KernelUse& use);
+  static constexpr std::array elements{gdml::made_by<make_orb>("orb", {gdml::length("r")})};
 };
 
 }  // namespace navjit

@@ -13,6 +13,22 @@ struct SolidFacts<kernels::QuadricSolid<double>> {
 
   static constexpr std::array kernel_files{"convex", "pairs", "quadric"};
   static double volume(const Shape& s);
+  static constexpr std::array elements{
+      gdml::made_by<make_ellipsoid>(
+          "ellipsoid", {gdml::length("ax"), gdml::length("by"), gdml::length("cz"),
+                        gdml::length("zcut1", gdml::zero), gdml::length("zcut2", gdml::zero)}),
+      // Half lengths for once.
+      gdml::made_by<make_eltube>("eltube",
+                                 {gdml::length("dx"), gdml::length("dy"), gdml::length("dz")}),
+      // dx and dy are slopes.
+      gdml::made_by<make_elcone>("elcone", {gdml::number("dx"), gdml::number("dy"),
+                                            gdml::length("zmax"), gdml::length("zcut")}),
+      // The length is a half.
+      gdml::made_by<make_paraboloid>(
+          "paraboloid", {gdml::length("rlo"), gdml::length("rhi"), gdml::length("dz")}),
+      gdml::made_by<make_hype>("hype", {gdml::length("rmin", gdml::zero), gdml::length("rmax"),
+                                        gdml::angle("inst", gdml::zero),
+                                        gdml::angle("outst", gdml::zero), gdml::half("z")})};
 };
 
 namespace detail {

@@ -16,6 +16,10 @@ struct SolidFacts<kernels::Sphere<double>> {
   static Round round(const Shape& s);
   static double ball(const Shape& s);
   static std::optional<double> error(const Shape& s, const KernelUse& use);
+  static constexpr std::array elements{gdml::made_by<make_sphere>(
+      "sphere",
+      {gdml::length("rmin", gdml::zero), gdml::length("rmax"), gdml::angle("startphi", gdml::zero),
+       gdml::angle("deltaphi"), gdml::angle("starttheta", gdml::zero), gdml::angle("deltatheta")})};
 };
 
 }  // namespace navjit

@@ -33,6 +33,20 @@ TEST(Kinds, KnowTheirShapesAndKernels) {
   const KindFacts& cut_tube = facts_of(SolidKind::cut_tube);
   EXPECT_STREQ(cut_tube.shape, "CutTube<double>");
   EXPECT_STREQ(cut_tube.kernel_files.back(), "cuttube");
+  EXPECT_TRUE(cut_tube.elements.empty());
+}
+
+TEST(GdmlWords, SayWhatMakesASolid) {
+  const KindFacts& orb = facts_of(SolidKind::orb);
+  ASSERT_EQ(orb.elements.size(), 1U);
+  const gdml::SolidElement& element = orb.elements[0];
+  EXPECT_EQ(element.tag, "orb");
+  ASSERT_EQ(element.count, 1U);
+  EXPECT_STREQ(element.attributes[0].name, "r");
+  const Solid made = element.make("ball", {7});
+  EXPECT_EQ(made.kind, SolidKind::orb);
+  EXPECT_EQ(made.name, "ball");
+  EXPECT_EQ(made.extent.max.z, 7);
 }
 
 }  // namespace
