@@ -35,6 +35,7 @@ inline std::vector<Ray> rays_of(const RayOptions& options, const World& world) {
   }
   const common::RayMaker maker(world, source);
   std::vector<Ray> rays;
+  rays.reserve(options.count);
   for (std::uint64_t i = 0; i < options.count; ++i) rays.push_back(maker.ray(i));
   return rays;
 }

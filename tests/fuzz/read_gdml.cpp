@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 
 #include "tests/fuzz/mutate.hpp"
 #include "tests/fuzz/use_detector.hpp"
@@ -20,7 +19,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     navjit::fuzz::mutate_once(text, random);
   }
   const std::size_t length = std::min(text.size(), most);
-  std::memcpy(data, text.data(), length);
+  std::copy_n(text.data(), length, data);
   return length;
 }
 
