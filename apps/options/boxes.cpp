@@ -41,8 +41,7 @@ void add_boxes(CLI::App& command, GeometryOptions& options) {
             }
           },
           "how daughters' boxes are searched: auto, linear, wide-tree, two-level\nor regular-tree, "
-          "the last "
-          "two with :surface, :k-means or :furthest")
+          "the last two with :surface, :k-means or :furthest")
       ->option_text("[VOLUME=]SEARCH,...");
 }
 

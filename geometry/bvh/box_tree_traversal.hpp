@@ -47,16 +47,6 @@ class DepthFirst {
   std::uint32_t count_ = 0;
 };
 
-/// The same object, of which the compiler no longer knows the contents: they are read from memory
-/// where they are used. A test's dozen vectors would else be kept in registers, all of which every
-/// visit has to save.
-template <class Object>
-const Object& in_memory(const Object& object) {
-  const Object* at = &object;
-  asm("" : "+r"(at) : : "memory");
-  return *at;
-}
-
 /// A few candidates, taken out nearest first and by number among equals. Taking one out looks at
 /// all: most queries shrink their limit at once and need no complete order. Kept small and not
 /// initialised: it lives on the stack of every query. Those who fill it empty it in time.
@@ -159,9 +149,8 @@ void BoxTree::descend(const Test& test, double limit, const Visit& visit) const 
 /// The same where lanes are boxes or groups. What is kept are the groups on the way down to the
 /// present one, each with the candidates that are left of it.
 template <class Test, class Visit>
-void BoxTree::descend_wide(const Test& made, double limit, const Visit& visit) const {
+void BoxTree::descend_wide(const Test& test, double limit, const Visit& visit) const {
   using detail::Candidates;
-  const Test& test = detail::in_memory(made);
   if (groups_.empty()) return;
   struct Left {
     Candidates candidates;

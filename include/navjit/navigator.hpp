@@ -163,7 +163,8 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
   if (!((sum == 0) & (limit >= 0))) [[unlikely]]
     require_numbers(point, limit);
   Own& own = *own_;
-  if (limit < own.sphere.safety(from, point) && !shadow_) {
+  // Most steps are longer than the whole ball: no root is taken for them.
+  if (limit < own.sphere.radius && limit < own.sphere.safety(from, point) && !shadow_) {
     require_unit(direction);
     ++own.counts.within_safety;
     own.profile.count(from.volume());
