@@ -356,6 +356,65 @@ std::vector<LegEnd> VecGeomPeer::follow(const double (&start)[3], std::span<cons
   return ends;
 }
 
+VecGeomPeer::Totals VecGeomPeer::fly(std::span<const Flight> flights, bool safety,
+                                     double& safeties) const {
+  struct Place {
+    OwnedState state;
+    Vector position{};
+    explicit Place(int depth) : state(depth) {}
+  };
+  Totals totals;
+  const vecgeom::VPlacedVolume* world = vecgeom::GeoManager::Instance().GetWorld();
+  const OwnedState first(state_depth_);
+  const OwnedState second(state_depth_);
+  NavigationState* in = first.get();
+  NavigationState* next = second.get();
+  Vector position{};
+  std::vector<std::unique_ptr<Place>> waiting;
+  std::size_t waits = 0;  // places are kept: a new state is an allocation
+  for (const Flight& flight : flights) {
+    position = to_vector(flight.start);
+    in->Clear();
+    vecgeom::GlobalLocator::LocateGlobalPoint(world, position, *in, true);
+    waits = 0;
+    for (const FlightStep& planned : flight.steps) {
+      if (!in->IsOutside()) {
+        if (safety) {
+          safeties += in->Top()->GetLogicalVolume()->GetSafetyEstimator()->ComputeSafety(
+              position, *in);
+        }
+        const Vector direction = to_vector(planned.direction);
+        for (int zero_steps = 0; zero_steps < zero_steps_allowed && !in->IsOutside();
+             ++zero_steps) {
+          if (!keep_last_exited_) forget_last_exited(*in, world);
+          const double step =
+              in->Top()->GetLogicalVolume()->GetNavigator()->ComputeStepAndPropagatedState(
+                  position, direction, planned.limit, *in, *next);
+          position += step * direction;
+          totals.length += step;
+          const bool boundary = next->IsOnBoundary();
+          std::swap(in, next);
+          if (!boundary || step > no_length) break;
+          ++totals.zero_steps;
+        }
+        ++totals.steps;
+      }
+      if (planned.secondary) {
+        if (waits == waiting.size()) waiting.push_back(std::make_unique<Place>(state_depth_));
+        Place& place = *waiting[waits++];
+        in->CopyTo(place.state.get());
+        place.position = position;
+      }
+      if (planned.stops && waits > 0) {
+        const Place& place = *waiting[--waits];
+        place.state.get()->CopyTo(in);
+        position = place.position;
+      }
+    }
+  }
+  return totals;
+}
+
 VecGeomPeer::States VecGeomPeer::prepare_states(std::span<const Ray> rays) const {
   auto impl = std::make_unique<States::Impl>(static_cast<int>(rays.size()), state_depth_);
   impl->volumes.reserve(rays.size());

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "flight.hpp"
+
 namespace navjit::peers {
 
 /// How VecGeom searches a volume's daughters. Whatever is chosen, a volume without daughters gets
@@ -118,6 +120,9 @@ class VecGeomPeer {
   /// Carries one track along its legs, from a point within the world. Ends early where it is stuck
   /// or leaves the world.
   std::vector<LegEnd> follow(const double (&start)[3], std::span<const Leg> legs) const;
+
+  /// Makes flights; with the safety before each step, if wanted, which adds to `safeties`, mm.
+  Totals fly(std::span<const Flight> flights, bool safety, double& safeties) const;
 
   /// Locates the rays' starting points.
   States prepare_states(std::span<const Ray> rays) const;

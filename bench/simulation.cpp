@@ -1,0 +1,159 @@
+// Particles that scatter in matter and have secondaries, with the safety asked before each step:
+// navjit's generic and specialised navigators and, for a single detector and where it was found,
+// VecGeom's, make the same flights in one process, in turn.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "bench/choices.hpp"
+#include "bench/ray_options.hpp"
+#include "bench/shower.hpp"
+#include "common/clock.hpp"
+#include "common/statistics.hpp"
+#include "geometry/gdml/read_world.hpp"
+
+namespace {
+
+using namespace navjit;
+
+struct Options {
+  bench::RayOptions rays;
+  bench::ShowerOptions shower;
+  int repetitions = 7;
+  bool safety = true, peers = true;
+};
+
+struct Engine {
+  std::string name;
+  std::function<void()> prepare;  ///< before each repetition, not timed
+  std::function<bench::Followed()> run;
+  bench::Followed done{};
+  std::vector<double> ns{};  ///< of all flights, by repetition
+};
+
+struct Specialised {
+  Runtime runtime;
+  Navigator navigator;
+  explicit Specialised(const std::shared_ptr<const World>& world, JitMode mode)
+      : runtime(world, [mode] {
+          RuntimeOptions options;
+          options.jit = mode;
+          return options;
+        }()),
+        navigator(runtime.navigator()) {}
+};
+
+/// Until nothing is left to be specialised and what came last was judged, as in a long run.
+void warm_up(Specialised& made, const std::vector<peers::Flight>& flights, bool safety) {
+  for (const double seconds : {3.0, 2.0}) {
+    const double until = common::thread_ns() + 1e9 * seconds;
+    while (common::thread_ns() < until) bench::follow(made.navigator, flights, safety);
+    made.runtime.wait_until_idle();
+  }
+}
+
+std::vector<Ray> primaries_in(const World& world, bench::RayOptions options) {
+  try {
+    return bench::rays_of(options, world);
+  } catch (const Error&) {
+    options.aim.clear();  // nothing to aim at
+    return bench::rays_of(options, world);
+  }
+}
+
+#ifdef NAVJIT_VECGEOM
+void add_vecgeom(const std::string& detector, const std::vector<peers::Flight>& flights,
+                 bool safety, std::vector<Engine>& engines) {
+  std::string error;
+  const std::shared_ptr<peers::VecGeomPeer> peer = peers::VecGeomPeer::load(detector, error);
+  if (!peer) {
+    std::printf("VecGeom does not read this file: %s\n", error.c_str());
+    return;
+  }
+  for (const auto& [name, navigator] : bench::vecgeom_navigators) {
+    engines.push_back({name, [peer, n = navigator] { peer->use(n); },
+                       [peer, &flights, safety] {
+                         bench::Followed done;
+                         const auto totals = peer->fly(flights, safety, done.safeties);
+                         done.steps = totals.steps;
+                         done.length = totals.length;
+                         return done;
+                       }});
+  }
+}
+#endif
+
+/// The speed-up that specialisation brings.
+double measure(const std::string& file, const Options& options) {
+  const auto world = std::make_shared<const World>(read_world(file));
+  const std::vector<Ray> primaries = primaries_in(*world, options.rays);
+  Specialised generic(world, JitMode::off), made(world, JitMode::on);
+  const auto flights = bench::shower(generic.runtime, primaries, options.shower);
+  std::vector<Engine> engines;
+  for (Specialised* s : {&generic, &made}) {
+    engines.push_back({s == &made ? "navjit specialised" : "navjit generic", [] {},
+                       [&flights, s, safety = options.safety] {
+                         return bench::follow(s->navigator, flights, safety);
+                       }});
+  }
+  warm_up(made, flights, options.safety);
+#ifdef NAVJIT_VECGEOM
+  if (options.peers) add_vecgeom(file, flights, options.safety, engines);
+#endif
+  for (int r = -1; r < options.repetitions; ++r) {  // the first one warms up and is not counted
+    for (Engine& engine : engines) {
+      engine.prepare();
+      const double start = common::thread_ns();
+      engine.done = engine.run();
+      if (r >= 0) engine.ns.push_back(common::thread_ns() - start);
+    }
+  }
+  for (const Engine& engine : engines) {
+    const common::Summary gain = common::ratio(engines[0].ns, engine.ns);
+    std::printf("| %s | %s | %llu | %.9g | %.7g | %.1f | %.2f (%.2f..%.2f) |\n",
+                std::filesystem::path(file).stem().c_str(), engine.name.c_str(),
+                static_cast<unsigned long long>(engine.done.steps), engine.done.length,
+                engine.done.safeties,
+                common::summarise(engine.ns).median / static_cast<double>(engine.done.steps),
+                gain.median, gain.low, gain.high);
+  }
+  std::fflush(stdout);
+  return common::ratio(engines[0].ns, engines[1].ns).median;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  CLI::App app{"Particles that scatter and have secondaries: navjit and VecGeom side by side"};
+  std::vector<std::string> detectors;
+  Options options;
+  options.rays.count = 1000;
+  options.rays.aim = "auto";
+  app.add_option("detectors", detectors, "GDML files")->required();
+  bench::add_ray_options(app, options.rays);
+  app.add_option("--mean-step", options.shower.mean_step,
+                 "mm, in what is denser than a gas (default: a fifth of the radiation length)");
+  app.add_option("--steps", options.shower.most_steps, "that end within a volume, of a primary");
+  app.add_option("--repetitions", options.repetitions, "of each engine, in turn");
+  app.add_flag("!--without-safety", options.safety, "no safety before each step");
+  app.add_flag("!--without-peers", options.peers, "navjit alone");
+  CLI11_PARSE(app, argc, argv);
+  if (detectors.size() > 1) options.peers = false;  // VecGeom holds one detector in a process
+  std::printf(
+      "| detector | engine | steps | length, mm | safeties, mm | ns/step | speed-up over navjit "
+      "generic (quartiles) |\n|---|---|--:|--:|--:|--:|--:|\n");
+  double log_sum = 0, worst = INFINITY;
+  for (const std::string& detector : detectors) {
+    const double gain = measure(detector, options);
+    log_sum += std::log(gain);
+    worst = std::min(worst, gain);
+  }
+  std::printf("\nSpecialised: %.2f times on average, %.2f at worst\n",
+              std::exp(log_sum / static_cast<double>(detectors.size())), worst);
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "simulation: %s\n", error.what());
+  return 1;
+}
