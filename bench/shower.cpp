@@ -60,8 +60,7 @@ std::vector<peers::Flight> shower(Runtime& runtime, const std::vector<Ray>& prim
       waiting.pop_back();
       while (particle.state.inside() && particle.left > 0) {
         const double mean = mean_step_in(detector.material(particle.state), options.mean_step);
-        const double limit =
-            std::isinf(mean) ? mean : -mean * std::log(1 - uniform(random, 0, 1));
+        const double limit = std::isinf(mean) ? mean : -mean * std::log(1 - uniform(random, 0, 1));
         const Vec3 direction = particle.direction;
         const Step step = moved(navigator, particle.state, particle.point, direction, limit);
         particle.left -= step.boundary ? 1 : 10;
@@ -70,8 +69,8 @@ std::vector<peers::Flight> shower(Runtime& runtime, const std::vector<Ray>& prim
           secondary = uniform(random, 0, 1) < 0.05 && particle.left > 20;
           if (secondary) {
             particle.left /= 2;
-            waiting.push_back({particle.state, particle.point, scattered(direction, 1, random),
-                               particle.left});
+            waiting.push_back(
+                {particle.state, particle.point, scattered(direction, 1, random), particle.left});
           }
           particle.direction = scattered(direction, secondary ? isotropic : 0.2, random);
         }
@@ -92,20 +91,22 @@ Followed follow(Navigator& navigator, const std::vector<peers::Flight>& flights,
   struct Place {
     State state;
     Vec3 point;
+    bool on_boundary;
   };
   std::vector<Place> waiting;
   for (const peers::Flight& flight : flights) {
     const auto direction_of = [](const peers::FlightStep& step) {
       return Vec3{step.direction[0], step.direction[1], step.direction[2]};
     };
-    Place at{{}, {flight.start[0], flight.start[1], flight.start[2]}};
+    Place at{{}, {flight.start[0], flight.start[1], flight.start[2]}, false};
     at.state = navigator.locate(at.point, direction_of(flight.steps.front()));
     waiting.clear();
     for (const peers::FlightStep& planned : flight.steps) {
       if (at.state.inside()) {
         const Vec3 direction = direction_of(planned);
-        if (safety) done.safeties += navigator.safety(at.state, at.point);
+        if (safety && !at.on_boundary) done.safeties += navigator.safety(at.state, at.point);
         const Step step = moved(navigator, at.state, at.point, direction, planned.limit);
+        at.on_boundary = step.boundary;
         ++done.steps;
         done.length += step.length;
       }

@@ -37,7 +37,8 @@ struct Followed {
   double safeties = 0;  ///< their sum, mm
 };
 
-/// Makes the flights again with a navigator, asking for the safety before each step if wanted.
+/// Makes the flights again with a navigator, asking for the safety, if wanted, before each step
+/// that does not start on a boundary: there it is 0, and multiple scattering does not ask.
 Followed follow(Navigator& navigator, const std::vector<peers::Flight>& flights, bool safety);
 
 }  // namespace navjit::bench

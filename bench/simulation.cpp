@@ -37,11 +37,12 @@ struct Specialised {
   Runtime runtime;
   Navigator navigator;
   explicit Specialised(const std::shared_ptr<const World>& world, JitMode mode)
-      : runtime(world, [mode] {
-          RuntimeOptions options;
-          options.jit = mode;
-          return options;
-        }()),
+      : runtime(world,
+                [mode] {
+                  RuntimeOptions options;
+                  options.jit = mode;
+                  return options;
+                }()),
         navigator(runtime.navigator()) {}
 };
 

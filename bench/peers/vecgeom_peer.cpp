@@ -361,6 +361,7 @@ VecGeomPeer::Totals VecGeomPeer::fly(std::span<const Flight> flights, bool safet
   struct Place {
     OwnedState state;
     Vector position{};
+    bool on_boundary = false;
     explicit Place(int depth) : state(depth) {}
   };
   Totals totals;
@@ -370,6 +371,7 @@ VecGeomPeer::Totals VecGeomPeer::fly(std::span<const Flight> flights, bool safet
   NavigationState* in = first.get();
   NavigationState* next = second.get();
   Vector position{};
+  bool on_boundary = false;
   std::vector<std::unique_ptr<Place>> waiting;
   std::size_t waits = 0;  // places are kept: a new state is an allocation
   for (const Flight& flight : flights) {
@@ -377,11 +379,12 @@ VecGeomPeer::Totals VecGeomPeer::fly(std::span<const Flight> flights, bool safet
     in->Clear();
     vecgeom::GlobalLocator::LocateGlobalPoint(world, position, *in, true);
     waits = 0;
+    on_boundary = false;
     for (const FlightStep& planned : flight.steps) {
       if (!in->IsOutside()) {
-        if (safety) {
-          safeties += in->Top()->GetLogicalVolume()->GetSafetyEstimator()->ComputeSafety(
-              position, *in);
+        if (safety && !on_boundary) {
+          safeties +=
+              in->Top()->GetLogicalVolume()->GetSafetyEstimator()->ComputeSafety(position, *in);
         }
         const Vector direction = to_vector(planned.direction);
         for (int zero_steps = 0; zero_steps < zero_steps_allowed && !in->IsOutside();
@@ -392,9 +395,9 @@ VecGeomPeer::Totals VecGeomPeer::fly(std::span<const Flight> flights, bool safet
                   position, direction, planned.limit, *in, *next);
           position += step * direction;
           totals.length += step;
-          const bool boundary = next->IsOnBoundary();
+          on_boundary = next->IsOnBoundary();
           std::swap(in, next);
-          if (!boundary || step > no_length) break;
+          if (!on_boundary || step > no_length) break;
           ++totals.zero_steps;
         }
         ++totals.steps;
@@ -404,11 +407,13 @@ VecGeomPeer::Totals VecGeomPeer::fly(std::span<const Flight> flights, bool safet
         Place& place = *waiting[waits++];
         in->CopyTo(place.state.get());
         place.position = position;
+        place.on_boundary = on_boundary;
       }
       if (planned.stops && waits > 0) {
         const Place& place = *waiting[--waits];
         place.state.get()->CopyTo(in);
         position = place.position;
+        on_boundary = place.on_boundary;
       }
     }
   }

@@ -121,7 +121,8 @@ class VecGeomPeer {
   /// or leaves the world.
   std::vector<LegEnd> follow(const double (&start)[3], std::span<const Leg> legs) const;
 
-  /// Makes flights; with the safety before each step, if wanted, which adds to `safeties`, mm.
+  /// Makes flights; with the safety before each step that does not start on a boundary, if
+  /// wanted, which adds to `safeties`, mm.
   Totals fly(std::span<const Flight> flights, bool safety, double& safeties) const;
 
   /// Locates the rays' starting points.
