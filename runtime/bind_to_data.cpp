@@ -24,6 +24,8 @@ constexpr double most_ms = 20;
 /// what may be wrong is the data.
 constexpr std::size_t states_made_up = 64;
 constexpr std::size_t states_made_up_for_one_of_many = 8;
+/// Leaves of one mother that are bound one by one where all scenes are; more are one of many.
+constexpr std::size_t leaves_alone = 32;
 /// Of all steps, for a scene to be bound: with the many that share the rest of a run little could
 /// be won. A guess.
 constexpr double least_share = 0.0005;
@@ -189,6 +191,29 @@ bool bind_hot_to_data(Specialisation& spec) {
     spec.leaves_due.pop_back();
   }
   return false;
+}
+
+void bind_all_to_data(Specialisation& spec) {
+  const Geometry& geometry = spec.shared->geometry;
+  // Mothers first: what leaves a daughter is then relocated by a navigator that is bound, which in
+  // a plane of thousands of wires is much faster.
+  std::vector<VolumeId> order{geometry.world().top};
+  std::vector<char> met(geometry.size(), 0);
+  met[geometry.world().top] = 1;
+  for (std::size_t i = 0; i < order.size() && !spec.stopping(); ++i) {
+    bind_to_data(spec, order[i]);
+    std::size_t leaves = 0;
+    for (const Daughter& d : geometry.scene(order[i]).daughters) {
+      if (met[d.volume] != 0) continue;
+      met[d.volume] = 1;
+      const bool leaf = geometry.scene(d.volume).daughters.empty();
+      if (leaf && ++leaves > leaves_alone) {
+        bind_one_of_many(spec, d.volume);
+      } else {
+        order.push_back(d.volume);
+      }
+    }
+  }
 }
 
 double bound_ns(const Specialisation& spec, VolumeId volume) {

@@ -9,6 +9,9 @@ namespace navjit {
 /// Binds what is hot and not bound yet, the hottest first, for some ms. True if more is left.
 bool bind_hot_to_data(Specialisation& spec);
 
+/// Binds all scenes of the tree, hot or not.
+void bind_all_to_data(Specialisation& spec);
+
 /// Verifies, times and installs a navigator of the library with this scene's numbers, if it is
 /// faster than the generic one on the states at hand.
 void bind_to_data(Specialisation& spec, VolumeId volume);

@@ -2,7 +2,6 @@
 
 #include <spdlog/spdlog.h>
 
-
 #include "runtime/log_text.hpp"
 
 namespace navjit {

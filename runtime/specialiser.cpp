@@ -13,6 +13,7 @@
 #include "runtime/choose.hpp"
 #include "runtime/gather.hpp"
 #include "runtime/judge.hpp"
+#include "runtime/processor_time.hpp"
 #include "runtime/remembered_modules.hpp"
 #include "runtime/watch.hpp"
 
@@ -132,9 +133,7 @@ void Specialiser::wait_until_idle() {
 }
 
 void Specialiser::specialise_all() {
-  for (std::size_t v = 0; v < spec_.facts.reachable.size() && !spec_.stopping(); ++v) {
-    if (spec_.facts.reachable[v]) bind_to_data(spec_, static_cast<VolumeId>(v));
-  }
+  bind_all_to_data(spec_);
   if (!spec_.maker) return;
   if (!spec_.shared->options.specialiser.constants) {
     // What constants will replace anyway need not have it.
@@ -160,10 +159,12 @@ void Specialiser::specialise_all() {
     return spec_.facts.touchables[a] > spec_.facts.touchables[b];
   });
   double expected = 0;
+  const double started = thread_seconds();
   for (const VolumeId volume : volumes) {
     expected += expected_compile_ms(spec_.shared->geometry,
                                     plan_scene(spec_.shared->geometry, spec_.facts, volume));
-    if (expected > spec_.shared->options.specialiser.wait_ms) break;
+    const double spent = 1e3 * (thread_seconds() - started);
+    if (std::max(expected, spent) > spec_.shared->options.specialiser.wait_ms) break;
     batch.push_back(volume);
     if (batch.size() == spec_.shared->options.specialiser.batch) flush();
     if (spec_.hopeless || spec_.stopping()) return;

@@ -132,9 +132,14 @@ double time_per_step(const Geometry& geometry, const kernels::Context& context,
     }
     return 1e9 * (thread_seconds() - start) / static_cast<double>(count);
   };
-  double with = infinity, without = infinity;
-  for (int repetition = 0; repetition < 8; ++repetition) {
-    with = std::min(with, pass(true));
+  // What is slow is known well enough after few passes.
+  constexpr int most_passes = 8, least_passes = 2;
+  constexpr double long_enough_ns = 1e6;
+  double with = infinity, without = infinity, spent = 0;
+  for (int n = 0; n < least_passes || (n < most_passes && spent < long_enough_ns); ++n) {
+    const double ns = pass(true);
+    spent += ns * static_cast<double>(count);
+    with = std::min(with, ns);
     without = std::min(without, pass(false));
   }
   return std::max(with - without, 0.1);

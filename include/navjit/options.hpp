@@ -58,9 +58,9 @@ struct SpecialiserOptions {
   /// the hottest scenes came first, and what is left wins little. Not for JitMode::wait.
   double compile_first_ms = 2500;
   double compile_share = 0.15;
-  /// Expected time for all that JitMode::wait compiles at the most; what occurs most often in the
+  /// Time for all that JitMode::wait compiles, expected or measured, at the most; what occurs most often in the
   /// detector comes first, and the rest is bound to data alone.
-  double wait_ms = 8000;
+  double wait_ms = 6000;
   double half_life_s = 2;  ///< of the execution counts that decide what is compiled first
   int nice = 5;            ///< priority of the thread that compiles, as of nice(1); 0 to 19
   int optimisation = 2;    ///< of the compiler
