@@ -95,16 +95,10 @@ struct Sums {
   int count = 0;
 };
 
-void measure(const std::string& file, bench::RayOptions options, int repetitions, bool constants,
-             bool log, bool judged, Sums& sums) {
+void measure(const std::string& file, const bench::RayOptions& options, int repetitions,
+             bool constants, bool log, bool judged, Sums& sums) {
   const auto world = std::make_shared<const World>(read_world(file));
-  std::vector<Ray> rays;
-  try {
-    rays = bench::rays_of(options, *world);
-  } catch (const std::exception&) {
-    options.aim.clear();  // nothing to aim at
-    rays = bench::rays_of(options, *world);
-  }
+  const std::vector<Ray> rays = bench::rays_of_any(options, *world);
   std::vector<std::unique_ptr<Engine>> engines;
   for (int binding = 0; binding < (constants ? 4 : 2); ++binding) {
     RuntimeOptions o;

@@ -40,4 +40,15 @@ inline std::vector<Ray> rays_of(const RayOptions& options, const World& world) {
   return rays;
 }
 
+/// The same; isotropic rays over the world where there is nothing to aim at.
+inline std::vector<Ray> rays_of_any(RayOptions options, const World& world) {
+  try {
+    return rays_of(options, world);
+  } catch (const Error&) {
+    if (options.aim.empty()) throw;
+    options.aim.clear();
+    return rays_of(options, world);
+  }
+}
+
 }  // namespace navjit::bench

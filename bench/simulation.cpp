@@ -55,15 +55,6 @@ void warm_up(Specialised& made, const std::vector<peers::Flight>& flights, bool 
   }
 }
 
-std::vector<Ray> primaries_in(const World& world, bench::RayOptions options) {
-  try {
-    return bench::rays_of(options, world);
-  } catch (const Error&) {
-    options.aim.clear();  // nothing to aim at
-    return bench::rays_of(options, world);
-  }
-}
-
 #ifdef NAVJIT_VECGEOM
 void add_vecgeom(const std::string& detector, const std::vector<peers::Flight>& flights,
                  bool safety, std::vector<Engine>& engines) {
@@ -89,7 +80,7 @@ void add_vecgeom(const std::string& detector, const std::vector<peers::Flight>& 
 /// The speed-up that specialisation brings.
 double measure(const std::string& file, const Options& options) {
   const auto world = std::make_shared<const World>(read_world(file));
-  const std::vector<Ray> primaries = primaries_in(*world, options.rays);
+  const std::vector<Ray> primaries = bench::rays_of_any(options.rays, *world);
   Specialised generic(world, JitMode::off), made(world, JitMode::on);
   const auto flights = bench::shower(generic.runtime, primaries, options.shower);
   std::vector<Engine> engines;

@@ -24,7 +24,8 @@ constexpr double most_ms = 20;
 /// what may be wrong is the data.
 constexpr std::size_t states_made_up = 64;
 constexpr std::size_t states_made_up_for_one_of_many = 8;
-/// Leaves of one mother that are bound one by one where all scenes are; more are one of many.
+/// Where all scenes are bound: so many leaves of one mother are timed one by one, and the others
+/// are bound as they are, each one of many alike.
 constexpr std::size_t leaves_alone = 32;
 /// Of all steps, for a scene to be bound: with the many that share the rest of a run little could
 /// be won. A guess.

@@ -58,7 +58,7 @@ struct SpecialiserOptions {
   /// the hottest scenes came first, and what is left wins little. Not for JitMode::wait.
   double compile_first_ms = 2500;
   double compile_share = 0.15;
-  /// Time for all that JitMode::wait compiles, expected or measured: what occurs most often in the
+  /// The most that JitMode::wait compiles for, expected or measured. What occurs most often in the
   /// detector comes first, and the rest is bound to data alone.
   double wait_ms = 6000;
   double half_life_s = 2;  ///< of the execution counts that decide what is compiled first
