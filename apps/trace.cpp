@@ -9,6 +9,7 @@
 #include "apps/commands.hpp"
 #include "apps/options/detector.hpp"
 #include "apps/options/numbers.hpp"
+#include "apps/options/observe.hpp"
 #include "apps/options/runtime.hpp"
 #include "apps/options/source.hpp"
 #include "common/interruption.hpp"
@@ -26,6 +27,7 @@ struct Options {
   Detector detector;
   RayOptions rays;
   unsigned threads = 1;
+  Observation observation;
   RuntimeOptions runtime;
   std::string out;  ///< empty: standard output
 };
@@ -76,8 +78,9 @@ std::vector<std::string> fields_of(const World& world) {
 }
 
 /// Appends a ray's steps to `rows`. `fields` has the names of the volumes.
-void trace_ray(Navigator& navigator, const World& world, const std::vector<std::string>& fields,
-               const Ray& ray, std::uint64_t number, Rows& rows) {
+void trace_ray(ObservedNavigator navigator, const World& world,
+               const std::vector<std::string>& fields, const Ray& ray, std::uint64_t number,
+               Rows& rows) {
   char text[64];
   std::size_t step = 0;
   State last;
@@ -99,8 +102,10 @@ int trace(const Options& options) {
   Sink sink(options.out);
   const auto detector = read(options.detector);
   common::check_origin(options.rays.source, detector);
-  Runtime runtime(detector, options.runtime);
-  const World& world = runtime.world();
+  const World& world = *detector;
+  const ObservedDetector seen(detector, options.observation);
+  log_observation(seen);
+  Runtime runtime(seen.detector(), options.runtime);
   const std::vector<std::string> fields = fields_of(world);
   common::RayStream stream(options.rays.rays, options.rays.source, world);
   const common::Interruptible interruptible;
@@ -133,7 +138,8 @@ int trace(const Options& options) {
       const Work& work = piece->work;
       Rows rows;
       while (rows.rays < work.rays.size() && common::interruption() == 0 && !stop) {
-        trace_ray(navigator, world, fields, work.rays[rows.rays], work.first + rows.rays, rows);
+        trace_ray({seen, navigator}, world, fields, work.rays[rows.rays], work.first + rows.rays,
+                  rows);
       }
       const bool complete = rows.rays == work.rays.size();
       chunks.give(piece->number, std::move(rows), complete);
@@ -165,6 +171,7 @@ void add_trace(CLI::App& app, Action& action) {
   command.add_option("--out", options->out, "CSV file (default: standard output)")
       ->option_text("FILE");
   add_threads(command, options->threads);
+  add_observe(command, options->observation);
   add_runtime_options(command, options->runtime);
   command.callback([options, &action] { action = [options] { return trace(*options); }; });
 }

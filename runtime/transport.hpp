@@ -22,9 +22,10 @@ struct RayTotals {
 constexpr int stuck_after = 100;
 
 /// Transports one ray until it leaves the world, calling sink(state, length) for each step with the
-/// state it was made in. A ray that starts outside makes no steps.
-template <class Sink>
-RayTotals transport(Navigator& navigator, const Ray& ray, double tolerance, Sink&& sink) {
+/// state it was made in. A ray that starts outside makes no steps. The navigator may be a Navigator
+/// or an ObservedNavigator.
+template <class AnyNavigator, class Sink>
+RayTotals transport(AnyNavigator& navigator, const Ray& ray, double tolerance, Sink&& sink) {
   RayTotals totals;
   Vec3 point = ray.position;
   int standing = 0;
@@ -46,7 +47,8 @@ RayTotals transport(Navigator& navigator, const Ray& ray, double tolerance, Sink
   return totals;
 }
 
-inline RayTotals transport(Navigator& navigator, const Ray& ray, double tolerance) {
+template <class AnyNavigator>
+RayTotals transport(AnyNavigator& navigator, const Ray& ray, double tolerance) {
   return transport(navigator, ray, tolerance, [](const State&, double) {});
 }
 

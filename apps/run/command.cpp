@@ -6,6 +6,7 @@
 #include "apps/commands.hpp"
 #include "apps/options/detector.hpp"
 #include "apps/options/numbers.hpp"
+#include "apps/options/observe.hpp"
 #include "apps/options/outputs.hpp"
 #include "apps/options/runtime.hpp"
 #include "apps/options/source.hpp"
@@ -22,6 +23,7 @@ struct Options {
   Detector detector;
   RayOptions rays{.rays = "100000"};
   unsigned threads = 1;
+  Observation observation;
   RuntimeOptions runtime;
   std::string report;        ///< JSON file; empty: none
   std::string save_profile;  ///< file for `navjit specialise`; empty: none
@@ -36,13 +38,15 @@ int run(const Options& options) {
   common::check_origin(options.rays.source, world);
   common::RayStream rays(options.rays.rays, options.rays.source, *world);
   const double all_begun = process_seconds(), own_begun = thread_seconds();
-  Runtime runtime(world, options.runtime);
+  const ObservedDetector seen(world, options.observation);
+  log_observation(seen);
+  Runtime runtime(seen.detector(), options.runtime);
   // With --jit wait this thread has compiled.
   const double own_made = options.runtime.jit == JitMode::wait ? 0 : thread_seconds() - own_begun;
   const common::Interruptible interruptible;
 
   RunReport report;
-  report.transport = transport_rays(runtime, rays, options.threads);
+  report.transport = transport_rays(runtime, seen, rays, options.threads);
   const Transport& made = report.transport;
   if (options.runtime.jit != JitMode::off) {
     report.compile_cpu_seconds = std::max(
@@ -50,13 +54,15 @@ int run(const Options& options) {
   }
   report.interrupted = common::interruption() != 0;
   report.detector = options.detector.file;
+  report.seen = &seen;
   report.jit = options.runtime.jit;
   report.level = options.runtime.level;
   report.budget = options.runtime.budget;
   report.runtime = runtime.final_report(report.interrupted ? 0 : 1);
   if (report.any_specialised() && !report.interrupted && options.runtime.jit != JitMode::shadow) {
     const double seconds = std::clamp(made.seconds / 4, 0.02, longest_comparison);
-    report.compared = compare_with_generic(runtime, options.runtime, made.first_rays, seconds);
+    report.compared =
+        compare_with_generic(runtime, seen, options.runtime, made.first_rays, seconds);
   }
   print_table(report);
   attempt_all({[&] { profile.write([&] { return profile_text(runtime.step_profile()); }); },
@@ -83,6 +89,7 @@ void add_run(CLI::App& app, Action& action) {
   command.add_option("--save-profile", options->save_profile, "write what navjit specialise needs")
       ->option_text("FILE");
   add_threads(command, options->threads);
+  add_observe(command, options->observation);
   add_runtime_options(command, options->runtime);
   command.callback([options, &action] { action = [options] { return run(*options); }; });
 }

@@ -18,7 +18,8 @@ struct Side {
 
 }  // namespace
 
-std::optional<Comparison> compare_with_generic(Runtime& specialised, const RuntimeOptions& options,
+std::optional<Comparison> compare_with_generic(Runtime& specialised, const ObservedDetector& seen,
+                                               const RuntimeOptions& options,
                                                const std::vector<Ray>& rays, double seconds) {
   const double begun = thread_seconds();
   RuntimeOptions off = options;
@@ -30,8 +31,9 @@ std::optional<Comparison> compare_with_generic(Runtime& specialised, const Runti
   const double tolerance = specialised.world().tolerance;
   const auto make = [&](Side& side, std::uint64_t first, std::uint64_t last) {
     const double start = thread_seconds();
+    ObservedNavigator observed(seen, side.navigator);
     for (std::uint64_t i = first; i < last && common::interruption() == 0; ++i) {
-      side.steps += transport(side.navigator, rays[i], tolerance).steps;
+      side.steps += transport(observed, rays[i], tolerance).steps;
     }
     side.seconds += thread_seconds() - start;
   };

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "navjit/observation.hpp"
 #include "navjit/runtime.hpp"
 #include "runtime/transport.hpp"
 
@@ -19,7 +20,8 @@ struct Comparison {
 
 /// For about so long at the most; `options` are those that `specialised` was made with. Nothing if
 /// a signal was noted before there was anything to tell.
-std::optional<Comparison> compare_with_generic(Runtime& specialised, const RuntimeOptions& options,
+std::optional<Comparison> compare_with_generic(Runtime& specialised, const ObservedDetector& seen,
+                                               const RuntimeOptions& options,
                                                const std::vector<Ray>& rays, double seconds);
 
 }  // namespace navjit::apps

@@ -9,6 +9,7 @@
 #include "common/text.hpp"
 
 #include "apps/run/machine.hpp"
+#include "apps/run/observation.hpp"
 #include "apps/warmup/series.hpp"
 #include "navjit/version.hpp"
 #include "runtime/version.hpp"
@@ -150,6 +151,7 @@ void print_table(const RunReport& report) {
         report.runtime.code_bytes / 1024, static_cast<unsigned long long>(t.bail_outs));
   }
   if (report.budget) print_budget(report);
+  if (report.seen != nullptr) print_observation(*report.seen);
 }
 
 std::string json_text(const RunReport& report) {
@@ -201,6 +203,7 @@ std::string json_text(const RunReport& report) {
       {"code_bytes", report.runtime.code_bytes},
   };
   if (report.budget) json["budget_mm"] = *report.budget;
+  if (report.seen != nullptr) json["observe"] = to_json(*report.seen);
   auto& scenes = json["scenes"] = nlohmann::ordered_json::array();
   for (const SceneReport& s : report.runtime.scenes) {
     scenes.push_back({{"volume", s.volume},

@@ -7,6 +7,7 @@
 
 #include "apps/run/compare.hpp"
 #include "apps/run/transport.hpp"
+#include "navjit/observation.hpp"
 #include "navjit/options.hpp"
 #include "navjit/report.hpp"
 
@@ -14,6 +15,7 @@ namespace navjit::apps {
 
 struct RunReport {
   std::string detector;
+  const ObservedDetector* seen = nullptr;
   Transport transport;
   bool interrupted = false;
   double compile_cpu_seconds = 0;  ///< processor time of all but the navigating threads

@@ -113,7 +113,8 @@ class Watch {
 
 }  // namespace
 
-Transport transport_rays(Runtime& runtime, common::RayStream& rays, unsigned threads) {
+Transport transport_rays(Runtime& runtime, const ObservedDetector& seen, common::RayStream& rays,
+                         unsigned threads) {
   const double tolerance = runtime.world().tolerance;
   Transport result;
   result.threads = threads;
@@ -144,6 +145,7 @@ Transport transport_rays(Runtime& runtime, common::RayStream& rays, unsigned thr
     } const at_the_end{chunks};
     const double begun = thread_seconds();
     Navigator navigator = runtime.navigator();
+    ObservedNavigator observed(seen, navigator);
     for (bool complete = true; complete;) {
       const auto piece = chunks.take();
       if (!piece) break;
@@ -151,7 +153,7 @@ Transport transport_rays(Runtime& runtime, common::RayStream& rays, unsigned thr
       for (const Ray& ray : piece->work) {
         complete = common::interruption() == 0 && !stop;
         if (!complete) break;
-        const RayTotals made = transport(navigator, ray, tolerance);
+        const RayTotals made = transport(observed, ray, tolerance);
         ++totals.rays;
         totals.steps += made.steps;
         totals.length += made.length;

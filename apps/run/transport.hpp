@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/rays.hpp"
+#include "navjit/observation.hpp"
 #include "navjit/runtime.hpp"
 
 namespace navjit::apps {
@@ -29,6 +30,8 @@ constexpr std::size_t rays_kept = 1 << 16;
 
 /// Transports the rays with a progress line on a terminal, until all are made or a signal was noted
 /// (common/interruption.hpp). Throws what common::in_parallel, RayStream and navigators throw.
-Transport transport_rays(Runtime& runtime, common::RayStream& rays, unsigned threads);
+/// `runtime` navigates what is left of `seen`.
+Transport transport_rays(Runtime& runtime, const ObservedDetector& seen, common::RayStream& rays,
+                         unsigned threads);
 
 }  // namespace navjit::apps

@@ -22,6 +22,7 @@
 #include "navjit/log.hpp"
 #include "navjit/material.hpp"
 #include "navjit/navigator.hpp"
+#include "navjit/observation.hpp"
 #include "navjit/options.hpp"
 #include "navjit/report.hpp"
 #include "navjit/runtime.hpp"

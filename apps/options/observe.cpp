@@ -1,0 +1,39 @@
+#include "apps/options/observe.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+
+#include "navjit/errors.hpp"
+
+namespace navjit::apps {
+
+void add_observe(CLI::App& command, Observation& observation) {
+  command
+      .add_option_function<std::string>(
+          "--observe",
+          [&observation](const std::string& text) {
+            try {
+              observation = parse_observation(text);
+            } catch (const UsageError& error) {
+              throw CLI::ValidationError("--observe", error.what());
+            }
+          },
+          "boundaries where steps end: all, or those of materials,\nregions, and volumes that "
+          "count")
+      ->option_text("all|materials[,VOLUME...]");
+}
+
+void log_observation(const ObservedDetector& seen) {
+  const ObservationReport& report = seen.report();
+  for (const ObservationReport::Entry& entry : report.gone) {
+    spdlog::debug("event=dissolved volume={} mother={} placements={}", entry.volume, entry.mother,
+                  entry.placements);
+  }
+  for (const ObservationReport::Entry& entry : report.left) {
+    spdlog::debug("event=left volume={} mother={} placements={} why=\"{}\"", entry.volume,
+                  entry.mother, entry.placements, entry.why);
+  }
+}
+
+}  // namespace navjit::apps

@@ -1,0 +1,154 @@
+// What a run observes of a detector, and the detector without what it does not.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "navjit/detail/api.hpp"
+#include "navjit/detector.hpp"
+#include "navjit/navigator.hpp"
+#include "navjit/vector.hpp"
+
+namespace NAVJIT_API navjit {
+
+/// Which boundaries a run wants to see. Fewer boundaries are fewer steps (docs/observation.md).
+struct Observation {
+  enum class Kind : std::uint8_t {
+    all,        ///< every boundary
+    materials,  ///< where the material or the region changes, and those of volumes that count
+  };
+  Kind kind = Kind::all;
+  /// Logical volumes that count by name, beside those that GDML marks (SensDet). All that have the
+  /// name do.
+  std::vector<std::string> volumes{};
+
+  friend bool operator==(const Observation&, const Observation&) = default;
+};
+
+/// "all", or "materials", then volumes after commas. Throws UsageError for what is neither.
+Observation parse_observation(std::string_view text);
+/// The inverse.
+std::string observation_text(const Observation& observation);
+
+/// What became of the placements that nothing observes.
+struct ObservationReport {
+  /// What was done to placements of one volume in one mother.
+  struct Entry {
+    std::string volume, mother;
+    std::uint64_t placements = 0;
+    std::string why;  ///< of what was left: why. Empty for what was dissolved
+  };
+  std::uint64_t invisible =
+      0;  ///< placements in volumes of their own material that nothing observes
+  std::uint64_t dissolved = 0;  ///< those of them that are no more
+  std::uint64_t sampled = 0;    ///< those of them whose surroundings were sampled, and not proved
+  std::uint64_t placements_before = 0, placements_after = 0;  ///< of all volumes
+  TouchableId touchables_before = 0, touchables_after = 0;
+  std::vector<Entry> gone{};  ///< in file order of the mothers
+  std::vector<Entry> left{};  ///< likewise; steps do not end on them, but cost as they did
+};
+
+/// A detector and what is left of it for a run that does not look at everything. Volumes,
+/// materials, their numbers and names are those of the original; what nothing observes is not in
+/// the tree any more, where that changes no material along any ray. Copies share all. All functions
+/// may be called by any number of threads.
+///
+///   navjit::ObservedDetector seen{world, {.kind = navjit::Observation::Kind::materials}};
+///   navjit::Runtime runtime{seen.detector()};
+///   auto navigator = runtime.navigator();
+///   ... auto step = seen.step(navigator, state, point, direction, limit); ...
+class ObservedDetector {
+ public:
+  /// Looks at every volume once, and asks where volumes might overlap. Throws GeometryError if a
+  /// name is that of no volume.
+  explicit ObservedDetector(const Detector& original, const Observation& observation = {});
+
+  /// To be navigated. Where all is observed it is the original.
+  const Detector& detector() const;
+  const Detector& original() const;
+  const Observation& observation() const;
+  const ObservationReport& report() const;
+
+  /// Whether a step from one volume into another ends: their material, region or tags differ, or
+  /// one of them is observed itself.
+  bool counts(VolumeId from, VolumeId to) const {
+    return from >= classes_size_ || to >= classes_size_ || classes_[from] != classes_[to] ||
+           (classes_[from] & always) != 0;
+  }
+  /// A step of a navigator of detector() that ends on boundaries that count only: as
+  /// Navigator::step() as often as it takes. Throws as that.
+  Step step(Navigator& navigator, const State& state, const Vec3& point, const Vec3& direction,
+            double limit = std::numeric_limits<double>::infinity()) const {
+    Step made = navigator.step(state, point, direction, limit);
+    if (!made.boundary || !made.next.inside() || counts(state.volume(), made.next.volume())) {
+      return made;
+    }
+    return walk_on(navigator, made, point, direction, limit);
+  }
+
+  /// The touchable of the original that a state of detector() is: its path, its copy numbers. A
+  /// track may be deeper in it, in a daughter that nothing observes. Outside for outside. Throws
+  /// UsageError if the state is of another detector.
+  State original(const State& state) const;
+  /// The deepest touchable of the original at a point in the state, daughters that nothing observes
+  /// included; on a face the direction decides. Throws likewise, and if a number is not finite.
+  State original(const State& state, const Vec3& point, const Vec3& direction) const;
+
+  struct Data;  ///< the library's own
+
+ private:
+  static constexpr std::uint32_t always = std::uint32_t{1} << 31;
+
+  /// Zero steps in a row after which walking on would not come to an end: where volumes overlap.
+  static constexpr int most_standing = 100;
+
+  Step walk_on(Navigator& navigator, Step made, const Vec3& point, const Vec3& direction,
+               double limit) const;
+
+  std::shared_ptr<const Data> data_;
+  const std::uint32_t* classes_ = nullptr;  ///< of each volume; in the data
+  std::size_t classes_size_ = 0;
+};
+
+/// A navigator that sees what is observed and no more. Refers to both.
+class ObservedNavigator {
+ public:
+  ObservedNavigator(const ObservedDetector& seen, Navigator& navigator)
+      : seen_(seen), navigator_(navigator) {}
+  /// As Navigator::locate(), in ObservedDetector::detector().
+  State locate(const Vec3& point, const Vec3& direction) {
+    return navigator_.locate(point, direction);
+  }
+  /// As ObservedDetector::step().
+  Step step(const State& state, const Vec3& point, const Vec3& direction,
+            double limit = std::numeric_limits<double>::infinity()) {
+    return seen_.step(navigator_, state, point, direction, limit);
+  }
+
+ private:
+  const ObservedDetector& seen_;
+  Navigator& navigator_;
+};
+
+inline Step ObservedDetector::walk_on(Navigator& navigator, Step made, const Vec3& point,
+                                      const Vec3& direction, double limit) const {
+  int standing = 0;
+  for (State at = made.next;;) {
+    const double left = limit - made.length;
+    const Step more =
+        navigator.step(at, point + made.length * direction, direction, left > 0 ? left : 0);
+    standing = more.length > 0 ? 0 : standing + 1;
+    made = {made.length + more.length, more.boundary, more.next};
+    if (!more.boundary || !more.next.inside() || standing == most_standing ||
+        counts(at.volume(), more.next.volume())) {
+      return made;
+    }
+    at = more.next;
+  }
+}
+
+}  // namespace navjit

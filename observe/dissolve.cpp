@@ -1,0 +1,216 @@
+#include "observe/dissolve.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "geometry/navigation/geometry.hpp"
+#include "navjit/errors.hpp"
+#include "observe/order.hpp"
+#include "observe/separation.hpp"
+
+namespace navjit {
+namespace {
+
+constexpr const char* dissolved = "";
+constexpr const char* many_daughters =
+    "its daughters are found faster within it than among the mother's";
+constexpr const char* growth = "it is placed so often that copies of its daughters would be many";
+constexpr const char* sticks_out = "it reaches out of the mother, or might";
+constexpr const char* overlaps = "it overlaps another daughter, or might";
+constexpr const char* daughters_stick_out = "its daughters reach out of it, or might";
+constexpr const char* frame = "its rotation is not orthonormal enough to be combined with others";
+
+/// Rewrites one world, volume by volume.
+class Rewriting {
+ public:
+  Rewriting(const World& world, const Marks& marks, const DissolveOptions& options)
+      : original_(world),
+        marks_(marks),
+        options_(options),
+        tolerance_(std::max(options.overlap, 8 * world.tolerance)),
+        separation_(tolerance_, world.tolerance),
+        within_(world.volumes.size()),
+        uses_(world.volumes.size()) {
+    result_.world = world;
+    for (const LogicalVolume& volume : world.volumes) {
+      std::vector<TouchableId>& offsets = result_.offsets.emplace_back();
+      for (const Placement& placement : volume.daughters) offsets.push_back(placement.offset);
+      result_.gone.emplace_back(volume.daughters.size());
+      if (volume.touchables == 0) continue;
+      placements_ += volume.daughters.size();
+      for (const Placement& placement : volume.daughters) ++uses_[placement.volume];
+    }
+    result_.report.placements_before = placements_;
+    result_.report.touchables_before = world.volumes[world.top].touchables;
+  }
+
+  Dissolved run() {
+    for (const VolumeId volume : daughters_first(original_)) rewrite(volume);
+    finish(result_.world);
+    ObservationReport& report = result_.report;
+    for (const LogicalVolume& volume : result_.world.volumes) {
+      if (volume.touchables > 0) report.placements_after += volume.daughters.size();
+    }
+    report.touchables_after = result_.world.volumes[result_.world.top].touchables;
+    return std::move(result_);
+  }
+
+ private:
+  struct Outcome {
+    const char* why;  ///< `dissolved`, or why it was left
+    Verdict verdict = Verdict::proved;
+  };
+
+  void rewrite(VolumeId mother) {
+    const LogicalVolume& was = original_.volumes[mother];
+    const auto nobody_sees = [&](const Placement& p) {
+      return invisible(marks_, p.volume, mother);
+    };
+    if (std::none_of(was.daughters.begin(), was.daughters.end(), nobody_sees)) return;
+    std::vector<Extent> boxes;
+    for (const Placement& p : was.daughters) {
+      boxes.push_back(placed_extent(original_.volumes[p.volume].solid, p.transformation));
+    }
+    std::vector<Placement> daughters;
+    std::vector<TouchableId> offsets;
+    std::map<std::pair<VolumeId, const char*>, std::size_t> entries;
+    for (std::size_t k = 0; k < was.daughters.size(); ++k) {
+      const Placement& placement = was.daughters[k];
+      const std::size_t before = daughters.size();
+      Outcome outcome{"", Verdict::no};
+      const bool unseen = nobody_sees(placement);
+      if (unseen) {
+        outcome = judge(mother, k, boxes);
+        if (outcome.why == dissolved && !replace(placement, daughters, offsets))
+          outcome.why = frame;
+        note(mother, placement.volume, outcome, entries);
+      }
+      if (unseen && outcome.why == dissolved) {
+        result_.gone[mother][k] = true;
+      } else {
+        daughters.resize(before);
+        offsets.resize(before);
+        daughters.push_back(placement);
+        offsets.push_back(placement.offset);
+      }
+    }
+    result_.world.volumes[mother].daughters = std::move(daughters);
+    result_.offsets[mother] = std::move(offsets);
+  }
+
+  /// Whether daughter number k may be dissolved, and is worth it.
+  Outcome judge(VolumeId mother, std::size_t k, const std::vector<Extent>& boxes) {
+    const auto& sisters = original_.volumes[mother].daughters;
+    const Placement& placement = sisters[k];
+    const VolumeId id = placement.volume;
+    const LogicalVolume& volume = original_.volumes[id];
+    const std::size_t below = result_.world.volumes[id].daughters.size();
+    if (below > options_.most_daughters && sisters.size() > 1) return {many_daughters};
+    const std::size_t most = static_cast<std::size_t>(
+        options_.most_growth * static_cast<double>(result_.report.placements_before));
+    if (uses_[id] > 1 && below > 1 && placements_ + below - 1 > most) return {growth};
+    Outcome outcome{dissolved};
+    outcome.verdict = weaker(outcome.verdict, daughters_within(id));
+    if (outcome.verdict == Verdict::no) return {daughters_stick_out};
+    const PlacedSolid placed{volume.solid, placement.transformation};
+    outcome.verdict =
+        weaker(outcome.verdict, separation_.within(placed, original_.volumes[mother].solid));
+    if (outcome.verdict == Verdict::no) return {sticks_out};
+    for (std::size_t i = 0; i < sisters.size(); ++i) {
+      if (i == k || !share(boxes[i], boxes[k])) continue;
+      const VolumeId other = sisters[i].volume;
+      // Two of the mother's own material, and nothing in them: it does not matter who is where.
+      if (below == 0 && invisible(marks_, other, mother) &&
+          result_.world.volumes[other].daughters.empty()) {
+        continue;
+      }
+      outcome.verdict = weaker(
+          outcome.verdict,
+          separation_.apart(placed, {original_.volumes[other].solid, sisters[i].transformation}));
+      if (outcome.verdict == Verdict::no) return {overlaps};
+    }
+    return outcome;
+  }
+
+  bool share(const Extent& a, const Extent& b) const {
+    const auto along = [this](double low_a, double high_a, double low_b, double high_b) {
+      return std::min(high_a, high_b) - std::max(low_a, low_b) > tolerance_;
+    };
+    return along(a.min.x, a.max.x, b.min.x, b.max.x) && along(a.min.y, a.max.y, b.min.y, b.max.y) &&
+           along(a.min.z, a.max.z, b.min.z, b.max.z);
+  }
+
+  /// Whether all that is left in a volume is within it; asked once for each volume.
+  Verdict daughters_within(VolumeId id) {
+    std::optional<Verdict>& known = within_[id];
+    if (!known) {
+      known = Verdict::proved;
+      for (const Placement& p : result_.world.volumes[id].daughters) {
+        known =
+            weaker(*known, separation_.within({original_.volumes[p.volume].solid, p.transformation},
+                                              original_.volumes[id].solid));
+        if (*known == Verdict::no) break;
+      }
+    }
+    return *known;
+  }
+
+  /// Appends what is left in the placement, in the mother's frame. False if that has none.
+  bool replace(const Placement& placement, std::vector<Placement>& daughters,
+               std::vector<TouchableId>& offsets) {
+    const auto& inner = result_.world.volumes[placement.volume].daughters;
+    try {
+      for (std::size_t i = 0; i < inner.size(); ++i) {
+        Placement moved = inner[i];
+        moved.transformation = compose(placement.transformation, inner[i].transformation);
+        moved.name = placement.name + '/' + inner[i].name;
+        daughters.push_back(std::move(moved));
+        offsets.push_back(placement.offset + result_.offsets[placement.volume][i]);
+      }
+    } catch (const GeometryError&) {
+      return false;
+    }
+    if (--uses_[placement.volume] == 0) {
+      --placements_;
+    } else {
+      placements_ = placements_ + inner.size() - 1;
+      for (const Placement& p : inner) ++uses_[p.volume];
+    }
+    return true;
+  }
+
+  void note(VolumeId mother, VolumeId volume, const Outcome& outcome,
+            std::map<std::pair<VolumeId, const char*>, std::size_t>& entries) {
+    ObservationReport& report = result_.report;
+    ++report.invisible;
+    const bool is_gone = outcome.why == dissolved;
+    report.dissolved += is_gone ? 1 : 0;
+    report.sampled += is_gone && outcome.verdict == Verdict::sampled ? 1 : 0;
+    auto& list = is_gone ? report.gone : report.left;
+    const auto [entry, fresh] = entries.try_emplace({volume, outcome.why}, list.size());
+    if (fresh) {
+      list.push_back(
+          {original_.volumes[volume].name, original_.volumes[mother].name, 0, outcome.why});
+    }
+    ++list[entry->second].placements;
+  }
+
+  const World& original_;
+  const Marks& marks_;
+  DissolveOptions options_;
+  double tolerance_;
+  Separation separation_;
+  std::vector<std::optional<Verdict>> within_;
+  std::vector<std::uint64_t> uses_;  ///< placements of each volume in the tree as it is by now
+  std::uint64_t placements_ = 0;     ///< of all volumes, likewise
+  Dissolved result_;
+};
+
+}  // namespace
+
+Dissolved dissolve(const World& world, const Marks& marks, const DissolveOptions& options) {
+  require_finished(&world);
+  return Rewriting(world, marks, options).run();
+}
+
+}  // namespace navjit

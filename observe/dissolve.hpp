@@ -1,0 +1,36 @@
+// The rewriting of the tree: daughters that nothing observes give their daughters to their mothers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "observe/marks.hpp"
+
+namespace navjit {
+
+/// When it is worth it to dissolve a volume.
+struct DissolveOptions {
+  /// A volume with more daughters than this is a good place to look for them, and is kept, unless
+  /// it is all that there is in its mother.
+  std::size_t most_daughters = 3;
+  /// How many times the placements of the original there may be.
+  double most_growth = 1.5;
+  /// mm: solids that overlap by less do not; no less than the rounding of positions in the world.
+  double overlap = 1e-9;
+};
+
+/// The world without what nobody sees.
+struct Dissolved {
+  World world;  ///< finished; volumes have their numbers
+  /// Of each daughter of each volume: what its touchable's number is in the original, less that of
+  /// the mother.
+  std::vector<std::vector<TouchableId>> offsets;
+  /// Of each daughter of each volume of the original: whether it is in the tree no more.
+  std::vector<std::vector<bool>> gone;
+  ObservationReport report;
+};
+
+/// The world has to be finished.
+Dissolved dissolve(const World& world, const Marks& marks, const DissolveOptions& options = {});
+
+}  // namespace navjit

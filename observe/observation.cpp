@@ -1,0 +1,38 @@
+#include "navjit/observation.hpp"
+#include "navjit/errors.hpp"
+
+namespace navjit {
+
+Observation parse_observation(std::string_view text) {
+  Observation observation;
+  const std::size_t comma = text.find(',');
+  const std::string_view kind = text.substr(0, comma);
+  if (kind == "all") {
+    observation.kind = Observation::Kind::all;
+  } else if (kind == "materials") {
+    observation.kind = Observation::Kind::materials;
+  } else {
+    throw UsageError("'" + std::string(text) +
+                     "' is nothing to observe; use all, or materials[,VOLUME...]");
+  }
+  if (comma == std::string_view::npos) return observation;
+  if (observation.kind == Observation::Kind::all) {
+    throw UsageError("with all, every volume is observed: name none");
+  }
+  for (std::string_view rest = text.substr(comma + 1);;) {
+    const std::size_t end = rest.find(',');
+    const std::string_view name = rest.substr(0, end);
+    if (name.empty()) throw UsageError("a volume without a name is to be observed");
+    observation.volumes.emplace_back(name);
+    if (end == std::string_view::npos) return observation;
+    rest.remove_prefix(end + 1);
+  }
+}
+
+std::string observation_text(const Observation& observation) {
+  std::string text = observation.kind == Observation::Kind::all ? "all" : "materials";
+  for (const std::string& name : observation.volumes) text += ',' + name;
+  return text;
+}
+
+}  // namespace navjit
