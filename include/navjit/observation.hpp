@@ -17,6 +17,7 @@ namespace NAVJIT_API navjit {
 
 /// Which boundaries a run wants to see. Fewer boundaries are fewer steps (docs/observation.md).
 struct Observation {
+  /// What makes a boundary count.
   enum class Kind : std::uint8_t {
     all,        ///< every boundary
     materials,  ///< where the material or the region changes, and those of volumes that count
@@ -114,9 +115,10 @@ class ObservedDetector {
   std::size_t classes_size_ = 0;
 };
 
-/// A navigator that sees what is observed and no more. Refers to both.
+/// A navigator that sees what is observed and no more.
 class ObservedNavigator {
  public:
+  /// Refers to both; the navigator is one of a Runtime of seen.detector().
   ObservedNavigator(const ObservedDetector& seen, Navigator& navigator)
       : seen_(seen), navigator_(navigator) {}
   /// As Navigator::locate(), in ObservedDetector::detector().
