@@ -86,7 +86,7 @@ std::vector<peers::Flight> shower(Runtime& runtime, const std::vector<Ray>& prim
   return flights;
 }
 
-Followed follow(Navigator& navigator, const std::vector<peers::Flight>& flights, bool safety) {
+Followed follow(Navigator& navigator, const std::vector<peers::Flight>& flights, Asked asked) {
   Followed done;
   struct Place {
     State state;
@@ -104,7 +104,11 @@ Followed follow(Navigator& navigator, const std::vector<peers::Flight>& flights,
     for (const peers::FlightStep& planned : flight.steps) {
       if (at.state.inside()) {
         const Vec3 direction = direction_of(planned);
-        if (safety && !at.on_boundary) done.safeties += navigator.safety(at.state, at.point);
+        if (asked != Asked::none && !at.on_boundary) {
+          done.safeties += asked == Asked::whole
+                               ? navigator.safety(at.state, at.point)
+                               : navigator.safety(at.state, at.point, planned.limit);
+        }
         const Step step = moved(navigator, at.state, at.point, direction, planned.limit);
         at.on_boundary = step.boundary;
         ++done.steps;

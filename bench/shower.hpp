@@ -37,8 +37,15 @@ struct Followed {
   double safeties = 0;  ///< their sum, mm
 };
 
+/// Which safeties.
+enum class Asked : std::uint8_t {
+  none,
+  enough,  ///< no more than the step that is planned
+  whole,
+};
+
 /// Makes the flights again with a navigator, asking for the safety, if wanted, before each step
 /// that does not start on a boundary: there it is 0, and multiple scattering does not ask.
-Followed follow(Navigator& navigator, const std::vector<peers::Flight>& flights, bool safety);
+Followed follow(Navigator& navigator, const std::vector<peers::Flight>& flights, Asked asked);
 
 }  // namespace navjit::bench

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 
 #include "bench/choices.hpp"
@@ -22,7 +23,8 @@ struct Options {
   bench::RayOptions rays;
   bench::ShowerOptions shower;
   int repetitions = 7;
-  bool safety = true, peers = true;
+  bench::Asked asked = bench::Asked::whole;
+  bool peers = true;
 };
 
 struct Engine {
@@ -47,10 +49,10 @@ struct Specialised {
 };
 
 /// Until nothing is left to be specialised and what came last was judged, as in a long run.
-void warm_up(Specialised& made, const std::vector<peers::Flight>& flights, bool safety) {
+void warm_up(Specialised& made, const std::vector<peers::Flight>& flights, bench::Asked asked) {
   for (const double seconds : {3.0, 2.0}) {
     const double until = common::thread_ns() + 1e9 * seconds;
-    while (common::thread_ns() < until) bench::follow(made.navigator, flights, safety);
+    while (common::thread_ns() < until) bench::follow(made.navigator, flights, asked);
     made.runtime.wait_until_idle();
   }
 }
@@ -86,13 +88,13 @@ double measure(const std::string& file, const Options& options) {
   std::vector<Engine> engines;
   for (Specialised* s : {&generic, &made}) {
     engines.push_back({s == &made ? "navjit specialised" : "navjit generic", [] {},
-                       [&flights, s, safety = options.safety] {
-                         return bench::follow(s->navigator, flights, safety);
+                       [&flights, s, asked = options.asked] {
+                         return bench::follow(s->navigator, flights, asked);
                        }});
   }
-  warm_up(made, flights, options.safety);
+  warm_up(made, flights, options.asked);
 #ifdef NAVJIT_VECGEOM
-  if (options.peers) add_vecgeom(file, flights, options.safety, engines);
+  if (options.peers) add_vecgeom(file, flights, options.asked != bench::Asked::none, engines);
 #endif
   for (int r = -1; r < options.repetitions; ++r) {  // the first one warms up and is not counted
     for (Engine& engine : engines) {
@@ -129,7 +131,12 @@ int main(int argc, char** argv) try {
                  "mm, in what is denser than a gas (default: a fifth of the radiation length)");
   app.add_option("--steps", options.shower.most_steps, "that end within a volume, of a primary");
   app.add_option("--repetitions", options.repetitions, "of each engine, in turn");
-  app.add_flag("!--without-safety", options.safety, "no safety before each step");
+  const std::map<std::string, bench::Asked> safeties{{"whole", bench::Asked::whole},
+                                                     {"enough", bench::Asked::enough},
+                                                     {"none", bench::Asked::none}};
+  app.add_option("--safety", options.asked,
+                 "before each step: whole, enough for the step (VecGeom: whole), or none")
+      ->transform(CLI::CheckedTransformer(safeties));
   app.add_flag("!--without-peers", options.peers, "navjit alone");
   CLI11_PARSE(app, argc, argv);
   if (detectors.size() > 1) options.peers = false;  // VecGeom holds one detector in a process

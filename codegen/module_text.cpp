@@ -39,7 +39,8 @@ std::string entry_functions(const Entry& entry, const std::string& scene) {
                      ">(data, stack, context, x, y, z, blocked);\n}\n";
   if (entry.safety.empty()) return text;
   return text + "extern \"C\" double " + entry.safety + "(const NavigationStack* stack, " + data +
-         ") {\n  return safety_in<" + scene + ">(data, stack, x, y, z);\n}\n";
+         ", double enough) {\n  return safety_in<" + scene +
+         ">(data, stack, x, y, z, enough);\n}\n";
 }
 
 std::string module_text(const Shapes& shapes, const std::string& types,

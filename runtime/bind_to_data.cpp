@@ -101,6 +101,7 @@ void bind_to_data(Specialisation& spec, VolumeId volume) {
       pays ? "installed" : "slower");
   if (pays) {
     spec.shared->table.install(volume, ways[0].entry, spec.arena);
+    spec.without_code[volume] = ways[0].entry;
     try_out(spec, volume, ways[0].entry, spec.arena);
     if (ways.size() > 1 && only_if_faster) spec.second_choices[volume] = ways[1].entry;
   }
@@ -128,6 +129,7 @@ void bind_one_of_many(Specialisation& spec, VolumeId volume) {
     return;
   }
   spec.shared->table.install(volume, entry, spec.arena);
+  spec.without_code[volume] = entry;
   try_out(spec, volume, entry, spec.arena);
   const std::lock_guard lock(spec.mutex);
   SceneReport& scene = spec.scenes[volume];

@@ -15,6 +15,7 @@ struct Faults {
   std::function<void()> compiling{};
   bool skip_verification = false;  ///< what is wrong is installed, and stays
   bool skip_replay = false;        ///< what is slow on recorded states is installed
+  bool pass_trials = false;        ///< and stays, whatever its own trial says
 };
 
 }  // namespace navjit

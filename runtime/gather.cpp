@@ -24,6 +24,7 @@ void gather(Specialisation& spec) {
   for (const auto& profile : counts.profiles) {
     for (Sample sample; profile->take(sample);) {
       if (sample.ticks > 0) {
+        record(spec.group, static_cast<double>(sample.ticks));
         // A mother that its daughters fill has no steps of its own, and is relocated in at each of
         // theirs.
         for (const auto& [volume, used] :

@@ -6,6 +6,7 @@
 
 #include "geometry/navigation/generic.hpp"
 #include "runtime/gather.hpp"
+#include "runtime/judge_group.hpp"
 #include "runtime/log_text.hpp"
 
 namespace navjit {
@@ -39,7 +40,16 @@ void install_winner(Specialisation& spec, VolumeId volume, Trial& trial) {
   scene.note = goes ? "slower in the run than what was there" : "";
 }
 
+/// Where the trial's winner is not compiled, it is what there is without code.
+void note_without_code(Specialisation& spec, VolumeId volume, const Trial& trial) {
+  const bool goes = trial.verdict == Verdict::goes;
+  const std::shared_ptr<const void>& owner = goes ? trial.before_owner : trial.candidate_owner;
+  if (owner != nullptr && owner != spec.arena) return;
+  spec.without_code[volume] = goes ? trial.before : trial.candidate;
+}
+
 void conclude(Specialisation& spec, VolumeId volume, Trial& trial) {
+  if (spec.shared->faults.pass_trials) trial.verdict = Verdict::stays;
   spec.shared->log->debug(
       "event=judged at_s={:.3f} scene={} verdict={} with_ticks={:.0f} without_ticks={:.0f} "
       "with_steps={:.0f} without_steps={:.0f} lost={:.1f} error={:.1f}",
@@ -47,6 +57,7 @@ void conclude(Specialisation& spec, VolumeId volume, Trial& trial) {
       trial.verdict == Verdict::goes ? "goes" : "stays", trial.with.mean(), trial.without.mean(),
       trial.with.count, trial.without.count, trial.lost.mean(), trial.lost.error());
   install_winner(spec, volume, trial);
+  note_without_code(spec, volume, trial);
   // Another way to bind the scene's data has its turn.
   const auto second = spec.second_choices.find(volume);
   if (second == spec.second_choices.end() || spec.stopping()) return;
@@ -86,10 +97,12 @@ void try_out(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry
 void forget_trial(Specialisation& spec, VolumeId volume) {
   spec.trials.end(volume);
   spec.second_choices.erase(volume);
+  spec.without_code.erase(volume);
 }
 
 void show_candidates(Specialisation& spec) {
   spec.stretches = 0;
+  interrupt_group(spec);
   if (spec.candidates_shown) return;
   spec.candidates_shown = true;
   for (const auto& [volume, trial] : spec.trials.all()) {
@@ -101,6 +114,8 @@ void judge(Specialisation& spec) {
   // Who does not navigate, but waits or computes, makes no stretch of a trial.
   if (!spec.active) return;
   if (!spec.trials.open()) {
+    judge_group(spec);
+    if (spec.group.open()) return;
     for (const auto& [volume, trial] : spec.trials.begin_again(spec.active_s)) {
       // While it may be shown the table owns it.
       if (trial->out) {
@@ -109,6 +124,11 @@ void judge(Specialisation& spec) {
       trial->out = false;
     }
     if (!spec.trials.open()) return;
+    spec.group_lost = false;
+    spec.group_judged.clear();
+  } else if (spec.group.open()) {
+    interrupt_group(spec);
+    spec.stretches = 0;
   }
   // With, without, without, with, ...: two stretches are a pair, and what changes steadily in a run
   // favours neither side.

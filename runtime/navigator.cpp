@@ -88,26 +88,25 @@ void Navigator::relocate_within(const Vec3& point) {
   own_->read_side->leave();
 }
 
-double Navigator::safety(const State& from, const Vec3& point) {
+void Navigator::require_numbers_of_safety(const Vec3& point, double enough) {
   require_finite(point, "the point");
-  restore_unless_at(from);
+  if (!(enough >= 0)) throw UsageError("the safety that is enough is negative, or no number");
+}
+
+double Navigator::recorded_safety(const Vec3& point, double enough) {
   const NavigationStack& stack = own_->stack;
   const kernels::StackLevel& level = stack.levels[stack.depth];
-  const bool recorded = own_->profile.safety_due();
   own_->read_side->enter();
   const kernels::DispatchEntry& entry = *kernels::dispatch_entry_of(context_, level.volume);
-  const std::uint64_t start = recorded ? ticks() : 0;
-  const double safety = entry.safety(&stack, context_, entry.data, point.x, point.y, point.z);
-  const std::uint64_t took = recorded ? ticks() - start : 0;
+  Sample sample{level.touchable, level.volume, point, {0, 0, 0}, enough};
+  const std::uint64_t start = ticks();
+  const double safety =
+      entry.safety(&stack, context_, entry.data, point.x, point.y, point.z, enough);
+  sample.ticks = ticks() - start;
   own_->read_side->leave();
-  if (recorded) {
-    Sample sample{level.touchable, level.volume, point, {0, 0, 0}, 0};
-    sample.used = &entry;
-    sample.ticks = took;
-    sample.safety = true;
-    own_->profile.record(sample);
-  }
-  own_->sphere = {from, point, safety};
+  sample.used = &entry;
+  sample.safety = true;
+  own_->profile.record(sample);
   return safety;
 }
 

@@ -13,6 +13,7 @@
 #include "codegen/data/arena.hpp"
 #include "navjit/report.hpp"
 #include "runtime/code_maker.hpp"
+#include "runtime/group_trial.hpp"
 #include "runtime/module_list.hpp"
 #include "runtime/schedule.hpp"
 #include "runtime/shared.hpp"
@@ -49,6 +50,10 @@ struct Specialisation {
   std::set<VolumeId> structure_tried;     ///< volumes whose structure was compiled, or need not be
   std::set<std::shared_ptr<const void>> structures;  ///< code of structures, with its tables
   Trials trials;
+  GroupTrial group;                    ///< of what was compiled, once its scenes were tried
+  std::vector<VolumeId> group_judged;  ///< compiled scenes when a group was tried last
+  bool group_lost = false;             ///< all of it: nothing more is compiled in this phase
+  std::map<VolumeId, const kernels::DispatchEntry*> without_code;  ///< what was bound to data
   bool candidates_shown = true;          ///< in the dispatch table, of open trials
   unsigned stretches = 0;                ///< of trials, since they began or were interrupted
   std::unique_ptr<CodeMaker> maker;      ///< null: nothing is ever compiled

@@ -111,7 +111,8 @@ void Specialiser::look_until_stopped() {
     if (idle) idle_look_ = looks_;
     spec_.wake.notify_all();
     // The longer nothing happens, the less often it looks.
-    const bool quiet = idle && !spec_.trials.open() && waiting_for_idle_ == 0;
+    const bool trying = spec_.trials.open() || spec_.group.open();
+    const bool quiet = idle && !trying && waiting_for_idle_ == 0;
     pause = quiet ? std::min(2 * pause, longest_pause) : 1;
     if (idle) {
       spec_.wake.wait_for(lock, std::chrono::duration<double, std::milli>(

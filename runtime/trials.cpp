@@ -81,6 +81,18 @@ void Trials::end(VolumeId volume) {
   trials_.erase(found);
 }
 
+bool Trials::take_out(VolumeId volume, const kernels::DispatchEntry* instead,
+                      std::shared_ptr<const void> owner) {
+  const auto found = trials_.find(volume);
+  if (found == trials_.end()) return false;
+  Trial& trial = found->second;
+  trial.before = instead;
+  trial.before_owner = std::move(owner);
+  trial.verdict = Verdict::goes;
+  trial.out = true;
+  return true;
+}
+
 void Trials::record(VolumeId volume, const kernels::DispatchEntry* used, double ticks) {
   const auto found = trials_.find(volume);
   if (found == trials_.end() || found->second.verdict != Verdict::open) return;

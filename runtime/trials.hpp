@@ -69,6 +69,12 @@ class Trials {
   /// A step in the volume, or its safety, took so long with that navigator.
   void record(VolumeId volume, const kernels::DispatchEntry* used, double ticks);
   bool open() const { return open_ > 0; }
+  /// The volume's winner lost together with others, and this is there instead. False if the volume
+  /// was not tried.
+  bool take_out(VolumeId volume, const kernels::DispatchEntry* instead,
+                std::shared_ptr<const void> owner);
+  /// Time that other trials took, s.
+  void spend(double s) { spent_ += s; }
 
   struct Of {
     VolumeId volume;

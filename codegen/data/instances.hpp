@@ -36,9 +36,9 @@ template <class S>
 }
 template <class S>
 [[gnu::flatten]] double safety_of(const NavigationStack* stack, const kernels::Context*,
-                                  const void* data, double x, double y, double z) {
+                                  const void* data, double x, double y, double z, double enough) {
   tell_received(data);
-  return kernels::safety_in<S>(data, stack, x, y, z);
+  return kernels::safety_in<S>(data, stack, x, y, z, enough);
 }
 
 kernels::SafetyFunction generic_safety();

@@ -331,11 +331,11 @@ template <unsigned k, class Daughters>
 
 template <class S>
 [[gnu::always_inline]] inline double safety_in(const void* data, const NavigationStack* stack,
-                                               double x, double y, double z) {
+                                               double x, double y, double z, double enough) {
   const S& s = scene_in<S>(data);
   using Daughters = decltype(s.daughters);
   const Vec3<double> p = s.frame.point(stack->levels[stack->depth], x, y, z);
-  double safety = safety_to_out(s.mother, p);
+  double safety = smaller(safety_to_out(s.mother, p), enough + 2 * s.tolerance);
   if constexpr (Daughters::any) {
     if constexpr (requires { s.search.safety_among(s.daughters, p, safety); }) {
       safety = s.search.safety_among(s.daughters, p, safety);
@@ -351,7 +351,7 @@ template <class S>
       }
     }
   }
-  return larger(safety - s.tolerance, 0.0);
+  return smaller(larger(safety - s.tolerance, 0.0), enough);
 }
 
 }  // namespace navjit::kernels

@@ -291,11 +291,12 @@ double step(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
   return hit.distance;
 }
 
-double safety(const Geometry& geometry, const NavigationStack& stack, const Vec3& point) {
+double safety(const Geometry& geometry, const NavigationStack& stack, const Vec3& point,
+              double enough) {
   const StackLevel& level = stack.levels[stack.depth];
   const Scene& scene = geometry.scene(level.volume);
   const Vec3 p = kernels::to_local(level, point.x, point.y, point.z);
-  double safety = safety_to_out(scene.solid, p);
+  double safety = std::min(safety_to_out(scene.solid, p), enough + 2 * geometry.tolerance());
   // `bound` is the distance to the daughter's box: with it the answer is the same whether the
   // search left the daughter out or not.
   const auto test = [&](unsigned k, double bound) {
@@ -315,7 +316,7 @@ double safety(const Geometry& geometry, const NavigationStack& stack, const Vec3
       scene.boxes->near(p, safety, test);
   }
   // Frames are composed and applied with rounding; a bound must stay below the truth all the same.
-  return std::max(0.0, safety - geometry.tolerance());
+  return std::min(enough, std::max(0.0, safety - geometry.tolerance()));
 }
 
 void restore(const Geometry& geometry, NavigationStack& stack, TouchableId touchable) {
@@ -358,8 +359,8 @@ void relocate_record(NavigationStack* stack, const kernels::Context* context, co
 }
 
 double safety_record(const NavigationStack* stack, const kernels::Context* context, const void*,
-                     double x, double y, double z) {
-  return safety(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z});
+                     double x, double y, double z, double enough) {
+  return safety(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z}, enough);
 }
 
 }  // namespace

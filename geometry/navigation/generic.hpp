@@ -2,6 +2,8 @@
 // navigators have to give the same bits.
 #pragma once
 
+#include <limits>
+
 #include "geometry/navigation/geometry.hpp"
 
 namespace navjit::generic {
@@ -29,8 +31,9 @@ void relocate(const Geometry&, NavigationStack&, const Vec3& point, const Vec3& 
               int blocked);
 
 /// A lower bound (mm, >= 0) of the distance from a global point to the nearest boundary of the
-/// innermost volume or of its daughters.
-double safety(const Geometry&, const NavigationStack&, const Vec3& point);
+/// innermost volume or of its daughters; `enough` if that is less.
+double safety(const Geometry&, const NavigationStack&, const Vec3& point,
+              double enough = std::numeric_limits<double>::infinity());
 
 /// Rebuilds the stack for a touchable; reuses the levels that it shares with the present one.
 void restore(const Geometry&, NavigationStack&, TouchableId touchable);

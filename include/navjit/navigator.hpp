@@ -58,23 +58,31 @@ class Navigator {
   Step step(const State& state, const Vec3& point, const Vec3& direction,
             double limit = std::numeric_limits<double>::infinity());
 
-  /// A lower bound of the distance to the nearest boundary, mm. Throws UsageError if the
-  /// state is outside the world or of another world, or if a coordinate is not finite. The answer
-  /// depends on the state and the point alone, and is kept for the steps that follow.
-  double safety(const State& state, const Vec3& point);
+  /// A lower bound of the distance to the nearest boundary, mm; `enough` if that is less. Throws
+  /// UsageError if the state is outside the world or of another world, if a coordinate is not
+  /// finite, or if `enough` is negative or not a number. The answer depends on the arguments alone,
+  /// and is kept for the steps that follow.
+  ///
+  /// What is farther away than `enough` need not be looked at, which makes small ones cheap: a
+  /// caller that wants to know whether a step of some length stays in the volume asks for that
+  /// length.
+  double safety(const State& state, const Vec3& point,
+                double enough = std::numeric_limits<double>::infinity());
 
   /// As step(), where the caller has a safety sphere: a step that stays in it is the limit, and
   /// nothing of the detector is looked at. Else the answer is that of step(). Throws as step().
   Step step(const State& state, const Vec3& point, const Vec3& direction, double limit,
             const SafetySphere& sphere) {
-    if (limit >= 0 && limit < sphere.safety(state, point)) return {limit, false, state};
+    const double known = sphere.safety(state, point);
+    if (known > 0 && limit >= 0 && limit <= known) return {limit, false, state};
     return step(state, point, direction, limit);
   }
 
   /// The ball about the point that safety() promises: steps in it need no geometry, and a point
   /// that is displaced in it stays in the state. Throws as safety().
-  SafetySphere safety_sphere(const State& state, const Vec3& point) {
-    return {state, point, safety(state, point)};
+  SafetySphere safety_sphere(const State& state, const Vec3& point,
+                             double enough = std::numeric_limits<double>::infinity()) {
+    return {state, point, safety(state, point, enough)};
   }
 
   /// The deepest touchable with a point that is in the hint, or near it: after a displacement in a
@@ -140,6 +148,10 @@ class Navigator {
     return s.depth >= 0 && s.levels[s.depth].touchable == state.touchable() &&
            s.levels[s.depth].volume == state.volume();
   }
+  /// Throws UsageError unless the point is finite and `enough` is no less than 0.
+  static void require_numbers_of_safety(const Vec3& point, double enough);
+  /// The safety, recorded for the specialiser.
+  double recorded_safety(const Vec3& point, double enough);
   /// The step, recorded for the specialiser; with shadow mode on, all steps are made here.
   Step recorded_step(const Vec3& point, const Vec3& direction, double limit);
   double shadow(const kernels::DispatchEntry& entry, const Vec3& point, const Vec3& direction,
@@ -164,11 +176,14 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
     require_numbers(point, limit);
   Own& own = *own_;
   // Most steps are longer than the whole ball: no root is taken for them.
-  if (limit < own.sphere.radius && limit < own.sphere.safety(from, point) && !shadow_) {
-    require_unit(direction);
-    ++own.counts.within_safety;
-    own.profile.count(from.volume());
-    return {limit, false, from};
+  if (limit <= own.sphere.radius) {
+    const double known = own.sphere.safety(from, point);
+    if ((known > 0) & (limit <= known) & !shadow_) {
+      require_unit(direction);
+      ++own.counts.within_safety;
+      own.profile.count(from.volume());
+      return {limit, false, from};
+    }
   }
   kernels::NavigationStack& stack = own.stack;
   const double* ray = stack.ray.given;
@@ -187,6 +202,27 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
     length = bail_out(point, direction, limit);
   own.read_side->leave();
   return {length, stack.boundary != 0, state_of(stack)};
+}
+
+inline double Navigator::safety(const State& from, const Vec3& point, double enough) {
+  const double sum = 0 * (point.x + point.y + point.z);
+  if (!((sum == 0) & (enough >= 0))) [[unlikely]]
+    require_numbers_of_safety(point, enough);
+  Own& own = *own_;
+  const kernels::NavigationStack& stack = own.stack;
+  if (!is_at(stack, from)) restore(from);
+  double safety;
+  if (own.profile.safety_due()) [[unlikely]] {
+    safety = recorded_safety(point, enough);
+  } else {
+    own.read_side->enter();
+    const kernels::DispatchEntry* entry =
+        kernels::dispatch_entry_of(context_, stack.levels[stack.depth].volume);
+    safety = entry->safety(&stack, context_, entry->data, point.x, point.y, point.z, enough);
+    own.read_side->leave();
+  }
+  own.sphere = {from, point, safety};
+  return safety;
 }
 
 }  // namespace navjit

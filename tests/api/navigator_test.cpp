@@ -91,6 +91,36 @@ TEST_P(NavigatorApi, StepsWithinTheLastSafetyAreTheStepsOfOneWhoNeverAsked) {
   }
 }
 
+TEST_P(NavigatorApi, ASafetyIsToldAsFarAsItIsEnough) {
+  std::size_t less = 0, all = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 point = anywhere();
+    const State state = navigator_.locate(point, tests::random_direction(random_));
+    if (!state.inside()) continue;
+    const double whole = navigator_.safety(state, point);
+    for (const double enough : {0.0, whole, 3 * uniform(random_, 0, 1) * whole, 1e300}) {
+      const double told = navigator_.safety(state, point, enough);
+      ASSERT_TRUE(kernels::same_bits(told, std::min(whole, enough))) << whole << " " << enough;
+      ++(enough < whole ? less : all);
+      if (!(told > 0)) continue;
+      // What was enough for a step is enough for the navigator, too.
+      const std::uint64_t before = navigator_.counts().within_safety;
+      const Step step = navigator_.step(state, point, tests::random_direction(random_), told);
+      EXPECT_EQ(step.length, told);
+      EXPECT_FALSE(step.boundary);
+      EXPECT_EQ(navigator_.counts().within_safety,
+                before + (GetParam() == JitMode::shadow ? 0 : 1));
+    }
+  }
+  EXPECT_GT(less, 1000U);
+  EXPECT_GT(all, 1000U);
+  const Vec3 point{-60, -40, 4};
+  const State state = navigator_.locate(point);
+  for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(navigator_.safety(state, point, bad), UsageError);
+  }
+}
+
 TEST_P(NavigatorApi, StepsWithinTheLastSafetyAreRefusedAsOthers) {
   const Vec3 point{-60, -40, 4};  // in the midst of a tile
   const State state = navigator_.locate(point, {0, 0, 1});

@@ -62,15 +62,22 @@ TEST(Shower, SpecialisedNavigatorsMakeTheSameFlights) {
   options.specialiser.constants = options.specialiser.structures = false;
   Runtime wait(calorimeter(), options);
   Navigator one = off.navigator(), other = wait.navigator();
-  const bench::Followed right = bench::follow(one, flights, true);
-  const bench::Followed got = bench::follow(other, flights, true);
+  const bench::Followed right = bench::follow(one, flights, bench::Asked::whole);
+  const bench::Followed got = bench::follow(other, flights, bench::Asked::whole);
   EXPECT_EQ(right.steps, steps_of(flights)) << "what was recorded is made again";
   EXPECT_EQ(got.steps, right.steps);
   EXPECT_EQ(std::bit_cast<std::uint64_t>(got.length), std::bit_cast<std::uint64_t>(right.length));
   EXPECT_EQ(std::bit_cast<std::uint64_t>(got.safeties),
             std::bit_cast<std::uint64_t>(right.safeties));
   EXPECT_GT(right.safeties, 0);
-  EXPECT_EQ(bench::follow(one, flights, false).safeties, 0);
+  EXPECT_EQ(bench::follow(one, flights, bench::Asked::none).safeties, 0);
+  // Safeties that are told only as far as they matter change no step.
+  const bench::Followed enough = bench::follow(one, flights, bench::Asked::enough);
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(enough.length),
+            std::bit_cast<std::uint64_t>(right.length));
+  EXPECT_LT(enough.safeties, 0.9 * right.safeties);
+  EXPECT_GT(one.counts().within_safety, 0U);
+  EXPECT_EQ(bench::follow(other, flights, bench::Asked::enough).safeties, enough.safeties);
 }
 
 /// A block in a hall: what fills it decides whether particles scatter there.

@@ -6,7 +6,7 @@
 #define NAVJIT_DETAIL_NAVIGATION_STACK_H
 namespace navjit::kernels {
 
-constexpr unsigned abi_version = 8;
+constexpr unsigned abi_version = 9;
 constexpr int stack_levels = 64;
 
 /// One level: a placed volume and its frame in the world, local = rotation * (global -
@@ -64,9 +64,10 @@ using RelocateFunction = void (*)(NavigationStack*, const Context*, const void* 
                                   double y, double z, int blocked);
 
 /// A lower bound (mm, >= 0) of the distance from a global point to the nearest boundary of the
-/// innermost volume or of its daughters.
+/// innermost volume or of its daughters; `enough` (mm, >= 0) if that is less: what is farther away
+/// need not be looked at.
 using SafetyFunction = double (*)(const NavigationStack*, const Context*, const void* data,
-                                  double x, double y, double z);
+                                  double x, double y, double z, double enough);
 
 /// What navigates one volume: immutable, published by one atomic pointer.
 struct DispatchEntry {

@@ -1,0 +1,121 @@
+#include "runtime/judge_group.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include "geometry/navigation/generic.hpp"
+
+namespace navjit {
+namespace {
+
+/// Of the executions in compiled scenes, what the hottest of them have that are not tried apart
+/// from the others.
+constexpr double hottest_share = 0.75;
+/// Fewer are no crowd.
+constexpr std::size_t least_members = 3;
+
+bool is_compiled(const Specialisation& spec, const std::shared_ptr<const void>& owner) {
+  return owner != nullptr && owner != spec.arena;
+}
+
+/// What a trial left in the table, and who owns it.
+const kernels::DispatchEntry* winner(const Trial& trial) {
+  return trial.verdict == Verdict::goes ? trial.before : trial.candidate;
+}
+const std::shared_ptr<const void>& owner_of_winner(const Trial& trial) {
+  return trial.verdict == Verdict::goes ? trial.before_owner : trial.candidate_owner;
+}
+
+const kernels::DispatchEntry* without_code(const Specialisation& spec, VolumeId volume) {
+  const auto bound = spec.without_code.find(volume);
+  return bound == spec.without_code.end() ? &generic::dispatch_entry : bound->second;
+}
+
+std::vector<VolumeId> compiled(const Specialisation& spec) {
+  std::vector<VolumeId> members;
+  for (const auto& [volume, trial] : spec.trials.all()) {
+    if (is_compiled(spec, owner_of_winner(trial))) members.push_back(volume);
+  }
+  return members;
+}
+
+void show(Specialisation& spec, bool code) {
+  spec.group.shown = code;
+  for (const VolumeId volume : spec.group.members) {
+    const auto trial = spec.trials.all().find(volume);
+    if (trial == spec.trials.all().end()) continue;  // deoptimised meanwhile
+    spec.shared->table.show(volume, code ? winner(trial->second) : without_code(spec, volume));
+  }
+}
+
+void begin(Specialisation& spec, std::vector<VolumeId> members) {
+  spec.group = {};
+  spec.group.members = std::move(members);
+  spec.group.began = spec.active_s;
+  spec.stretches = 0;
+}
+
+void take_out(Specialisation& spec) {
+  spec.group_lost = true;
+  for (const VolumeId volume : spec.group.members) {
+    const kernels::DispatchEntry* record = without_code(spec, volume);
+    const bool generic = record == &generic::dispatch_entry;
+    const std::shared_ptr<const void> owner = generic ? nullptr : spec.arena;
+    if (!spec.trials.take_out(volume, record, owner)) continue;
+    spec.shared->table.install(volume, record, owner);
+    const std::lock_guard lock(spec.mutex);
+    SceneReport& scene = spec.scenes[volume];
+    scene.binding = generic ? Binding::generic : Binding::data;
+    scene.status = SceneStatus::unprofitable;
+    scene.note = "with the other compiled scenes slower in the run than without";
+  }
+}
+
+}  // namespace
+
+void interrupt_group(Specialisation& spec) {
+  if (!spec.group.open()) return;
+  show(spec, true);
+  spec.group = {};
+}
+
+void judge_group(Specialisation& spec) {
+  GroupTrial& group = spec.group;
+  if (!group.open()) {
+    std::vector<VolumeId> members = compiled(spec);
+    if (members.size() < least_members || members == spec.group_judged) return;
+    begin(spec, std::move(members));
+  }
+  const bool whole = group.members == compiled(spec);
+  // With, without, without, with, ..., as for single scenes.
+  const unsigned over = spec.stretches++ % 4;
+  if (over % 2 == 1) {
+    if (const Verdict verdict = decide(group, spec.active_s); verdict != Verdict::open) {
+      spec.shared->log->debug(
+          "event=judged_together at_s={:.3f} scenes={} all={} verdict={} lost={:.1f} error={:.1f} "
+          "of={:.1f} samples={:.0f}",
+          spec.seconds(), group.members.size(), whole, verdict == Verdict::goes ? "goes" : "stays",
+          group.lost.mean(), group.lost.error(), group.usual, group.samples);
+      spec.trials.spend(spec.active_s - group.began);
+      show(spec, true);
+      std::vector<VolumeId> rare;
+      if (verdict == Verdict::goes) {
+        take_out(spec);
+      } else if (whole) {
+        std::vector<Member> members;
+        for (const VolumeId volume : group.members) {
+          members.push_back(
+              {volume, static_cast<double>(spec.steps[volume] + spec.steps_below[volume])});
+        }
+        rare = rarest(std::move(members), hottest_share);
+      }
+      group = {};
+      spec.group_judged = compiled(spec);
+      if (rare.size() >= least_members) begin(spec, std::move(rare));
+      return;
+    }
+    return;
+  }
+  show(spec, over == 2);
+}
+
+}  // namespace navjit

@@ -1,0 +1,17 @@
+// All compiled code on trial at once (group_trial.hpp). Private to runtime/.
+#pragma once
+
+#include "runtime/specialisation.hpp"
+
+namespace navjit {
+
+/// A stretch is over, and no scene is on trial alone: begins a trial of all compiled scenes if they
+/// are others than at the last one, goes on with it, or with that of the rarest of them, and takes
+/// out what loses. Then nothing more is compiled until the run is judged again.
+void judge_group(Specialisation& spec);
+
+/// Compiled code is shown everywhere, and what was known of the group is forgotten: something else
+/// changes.
+void interrupt_group(Specialisation& spec);
+
+}  // namespace navjit
