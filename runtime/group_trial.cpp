@@ -9,8 +9,12 @@ namespace {
 /// As for trials of single scenes, but of every step: volumes differ among themselves by more than
 /// the sides do, which takes more of them.
 constexpr double least_pairs = 16;
-constexpr double least_samples = 4000, enough_samples = 60000;
-constexpr double errors_apart = 2.5;
+constexpr double least_samples = 4000, enough_samples = 120000;
+/// Standard errors between the sides: who looks after each pair of stretches is deceived by chance
+/// sooner or later, who looks at the end is not.
+constexpr double errors_apart_early = 4, errors_apart_late = 2.5;
+/// Of a step: what switching so much code costs the side that has it. A guess.
+constexpr double cost_of_switching = 0.02;
 /// Steps of dear volumes take many times the mean; what takes this many was interrupted.
 constexpr double far = 64;
 
@@ -32,10 +36,12 @@ Verdict decide(GroupTrial& group, double now) {
   const bool late = now - group.began > Trials::most_s;
   const bool few = group.lost.pairs < least_pairs || group.samples < least_samples;
   if (few) return late ? Verdict::stays : Verdict::open;
-  const double lost = group.lost.mean(), error = group.lost.error();
-  if (lost > errors_apart * error) return Verdict::goes;
-  if (lost < -errors_apart * error) return Verdict::stays;
-  return late || group.samples > enough_samples ? Verdict::stays : Verdict::open;
+  const double lost = group.lost.mean() - cost_of_switching * group.usual;
+  const double error = group.lost.error();
+  if (lost < -errors_apart_early * error) return Verdict::stays;
+  if (lost > errors_apart_early * error) return Verdict::goes;
+  if (!late && group.samples < enough_samples) return Verdict::open;
+  return lost > errors_apart_late * error ? Verdict::goes : Verdict::stays;
 }
 
 std::vector<VolumeId> rarest(std::vector<Member> members, double share) {

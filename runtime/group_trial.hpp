@@ -14,6 +14,7 @@ struct GroupTrial {
   std::vector<VolumeId> members{};  ///< none: nothing is tried
   double began = 0;                 ///< s of navigation
   bool shown = true;                ///< the members' compiled code, in the present stretch
+  unsigned looks = 0;               ///< at the profile, since it began
   double usual = 0;                 ///< mean of all samples so far, ticks
   double samples = 0;
   TickSum with{}, without{};  ///< of the present pair of stretches

@@ -127,7 +127,7 @@ void judge(Specialisation& spec) {
     spec.group_lost = false;
     spec.group_judged.clear();
   } else if (spec.group.open()) {
-    interrupt_group(spec);
+    give_up_group(spec);
     spec.stretches = 0;
   }
   // With, without, without, with, ...: two stretches are a pair, and what changes steadily in a run
@@ -149,6 +149,7 @@ void judge(Specialisation& spec) {
 
 void judge_finally(Specialisation& spec) {
   gather(spec);
+  give_up_group(spec);
   for (const auto& [volume, trial] : spec.trials.decide(std::numeric_limits<double>::infinity())) {
     install_winner(spec, volume, *trial);
   }

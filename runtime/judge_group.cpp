@@ -10,6 +10,9 @@ namespace {
 /// Of the executions in compiled scenes, what the hottest of them have that are not tried apart
 /// from the others.
 constexpr double hottest_share = 0.75;
+/// Looks at the profile in a stretch: long beside what it takes the caches to forget the other
+/// side.
+constexpr unsigned looks_in_stretch = 4;
 /// Fewer are no crowd.
 constexpr std::size_t least_members = 3;
 
@@ -75,6 +78,12 @@ void take_out(Specialisation& spec) {
 void interrupt_group(Specialisation& spec) {
   if (!spec.group.open()) return;
   show(spec, true);
+  spec.group.with = spec.group.without = {};
+  spec.group.looks = 0;
+}
+
+void give_up_group(Specialisation& spec) {
+  interrupt_group(spec);
   spec.group = {};
 }
 
@@ -85,6 +94,7 @@ void judge_group(Specialisation& spec) {
     if (members.size() < least_members || members == spec.group_judged) return;
     begin(spec, std::move(members));
   }
+  if (++group.looks % looks_in_stretch != 0) return;
   const bool whole = group.members == compiled(spec);
   // With, without, without, with, ..., as for single scenes.
   const unsigned over = spec.stretches++ % 4;

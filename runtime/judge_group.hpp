@@ -10,8 +10,11 @@ namespace navjit {
 /// out what loses. Then nothing more is compiled until the run is judged again.
 void judge_group(Specialisation& spec);
 
-/// Compiled code is shown everywhere, and what was known of the group is forgotten: something else
-/// changes.
+/// Compiled code is shown everywhere while the specialiser does other things. The present pair of
+/// stretches does not count.
 void interrupt_group(Specialisation& spec);
+
+/// The same, and what was known of the group is forgotten: scenes are others.
+void give_up_group(Specialisation& spec);
 
 }  // namespace navjit
