@@ -28,6 +28,7 @@ void add_inspect(CLI::App& app, Action& action);
 void add_plugin(CLI::App& app, Action& action);
 void add_profile(CLI::App& app, Action& action);
 void add_run(CLI::App& app, Action& action);
+void add_simplify(CLI::App& app, Action& action);
 void add_specialise(CLI::App& app, Action& action);
 void add_trace(CLI::App& app, Action& action);
 void add_warmup(CLI::App& app, Action& action);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
+#include "geometry/model/order.hpp"
 #include "geometry/navigation/geometry.hpp"
 #include "navjit/errors.hpp"
-#include "observe/order.hpp"
 #include "observe/separation.hpp"
 
 namespace navjit {

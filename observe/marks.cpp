@@ -6,8 +6,8 @@
 #include <string>
 #include <tuple>
 
+#include "geometry/model/order.hpp"
 #include "navjit/errors.hpp"
-#include "observe/order.hpp"
 
 namespace navjit {
 namespace {

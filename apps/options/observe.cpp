@@ -8,8 +8,8 @@
 
 namespace navjit::apps {
 
-void add_observe(CLI::App& command, Observation& observation) {
-  command
+CLI::Option* add_observe(CLI::App& command, Observation& observation) {
+  return command
       .add_option_function<std::string>(
           "--observe",
           [&observation](const std::string& text) {

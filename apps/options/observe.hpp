@@ -5,13 +5,14 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace navjit::apps {
 
-void add_observe(CLI::App& command, Observation& observation);
+CLI::Option* add_observe(CLI::App& command, Observation& observation);
 
-/// What the commands log of it, and its share of a report.
+/// Each volume that was dissolved or left, at the level of decisions.
 void log_observation(const ObservedDetector& seen);
 
 }  // namespace navjit::apps

@@ -9,7 +9,7 @@
 #include "common/text.hpp"
 
 #include "apps/run/machine.hpp"
-#include "apps/run/observation.hpp"
+#include "apps/options/observed_report.hpp"
 #include "apps/warmup/series.hpp"
 #include "navjit/version.hpp"
 #include "runtime/version.hpp"

@@ -56,4 +56,12 @@ struct GdmlReport {
 Detector read_gdml(const std::filesystem::path& path, const GdmlOptions& options = {},
                    GdmlReport* report = nullptr);
 
+/// The detector as a GDML file of its own: materials with elements and fractions, solids, volumes
+/// with tags, placements with names and copy numbers; without loops, assemblies, divisions and
+/// modules, which are written out. Read again it is the same detector, up to the rounding of angles
+/// and of corners that are found again from faces. Two volumes, solids, elements or materials of
+/// one name get names of their own. Throws GeometryError if a solid cannot be said in GDML.
+/// Thread-safe.
+std::string gdml_text(const Detector& detector);
+
 }  // namespace navjit

@@ -86,6 +86,27 @@ TEST_F(Observe, TheReportSaysWhatWasDissolved) {
   EXPECT_NEAR(materials["length_mm"].get<double>(), all["length_mm"].get<double>(), 1e-6);
 }
 
+TEST_F(Observe, TheSimplifiedDetectorIsAFile) {
+  const std::string simple = folder_.file("simple.gdml"), report = folder_.file("report.json");
+  const tests::Output output =
+      run_navjit("simplify " + detector_ + " -o " + simple + " --report " + report);
+  EXPECT_EQ(output.status, 0) << output.text;
+  EXPECT_NE(output.text.find("dissolved tray in hall: 1 placement\n"), std::string::npos)
+      << output.text;
+  EXPECT_EQ(json::parse(tests::read_file(report))["observe"]["dissolved"], 1);
+  const std::string before = trace("materials");
+  detector_ = simple;
+  EXPECT_EQ(trace("all"), before);
+  EXPECT_EQ(trace("materials"), before);
+  // Its tags are there, too: the marked tray stays.
+  const tests::Output again =
+      run_navjit("simplify " + simple + " -o " + folder_.file("again.gdml"));
+  EXPECT_EQ(again.status, 0);
+  EXPECT_EQ(tests::read_file(folder_.file("again.gdml")), tests::read_file(simple));
+  EXPECT_EQ(run_navjit("simplify " + simple).status, 2);
+  EXPECT_EQ(run_navjit("simplify " + simple + " -o /nowhere/simple.gdml").status, 1);
+}
+
 TEST_F(Observe, WrongUsageIsTold) {
   const auto run = [&](const std::string& observe) {
     return run_navjit("run " + detector_ + " --rays 10 --observe " + observe);

@@ -1,4 +1,4 @@
-// What a run's report says of what was observed.
+// What reports say of what was observed.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,4 +1,4 @@
-#include "apps/run/observation.hpp"
+#include "apps/options/observed_report.hpp"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>

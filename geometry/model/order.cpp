@@ -1,4 +1,4 @@
-#include "observe/order.hpp"
+#include "geometry/model/order.hpp"
 
 namespace navjit {
 namespace {

@@ -1,0 +1,71 @@
+// `navjit simplify`: the detector without what a run does not observe, as GDML for any program.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "apps/commands.hpp"
+#include "apps/options/detector.hpp"
+#include "apps/options/observe.hpp"
+#include "apps/options/observed_report.hpp"
+#include "apps/options/outputs.hpp"
+#include "common/text.hpp"
+#include "navjit/gdml.hpp"
+#include "navjit/version.hpp"
+
+namespace navjit::apps {
+namespace {
+
+struct Options {
+  Detector detector;
+  Observation observation{.kind = Observation::Kind::materials};
+  std::string out;
+  std::string report;  ///< JSON file; empty: none
+};
+
+void print_entries(const std::vector<ObservationReport::Entry>& entries, const char* what) {
+  for (const ObservationReport::Entry& e : entries) {
+    std::printf("%s %s in %s: %llu placement%s%s%s\n", what, common::printable(e.volume).c_str(),
+                common::printable(e.mother).c_str(), static_cast<unsigned long long>(e.placements),
+                e.placements == 1 ? "" : "s", e.why.empty() ? "" : "; ", e.why.c_str());
+  }
+}
+
+int simplify(const Options& options) {
+  Output out(options.out), report(options.report);
+  const ObservedDetector seen(read(options.detector), options.observation);
+  const ObservationReport& r = seen.report();
+  print_entries(r.gone, "dissolved");
+  print_entries(r.left, "left");
+  std::printf("%llu placements, %llu before; %llu touchables, %llu before\n",
+              static_cast<unsigned long long>(r.placements_after),
+              static_cast<unsigned long long>(r.placements_before),
+              static_cast<unsigned long long>(r.touchables_after),
+              static_cast<unsigned long long>(r.touchables_before));
+  print_observation(seen);
+  attempt_all({[&] { out.write([&] { return gdml_text(seen.detector()); }); },
+               [&] {
+                 report.write([&] {
+                   const nlohmann::ordered_json json{{"version", version()},
+                                                     {"detector", options.detector.file},
+                                                     {"observe", to_json(seen)}};
+                   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+                 });
+               }});
+  return 0;
+}
+
+}  // namespace
+
+void add_simplify(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *app.add_subcommand("simplify", "Write the detector without what is not observed");
+  add_detector(command, options->detector);
+  add_observe(command, options->observation)->default_str("materials");
+  command.add_option("-o,--out", options->out, "GDML file")->required()->option_text("FILE");
+  command.add_option("--report", options->report, "write a JSON report")->option_text("FILE");
+  command.callback([options, &action] { action = [options] { return simplify(*options); }; });
+}
+
+}  // namespace navjit::apps

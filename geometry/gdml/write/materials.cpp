@@ -1,0 +1,111 @@
+#include "geometry/gdml/write/materials.hpp"
+
+#include <optional>
+
+#include "geometry/gdml/write/xml_text.hpp"
+
+namespace navjit::gdml {
+namespace {
+
+std::string quantity(const char* tag, double value, const char* unit) {
+  return '<' + std::string(tag) + attributes({{"value", value}}) + attribute("unit", unit) + "/>";
+}
+
+std::string state_text(MaterialState state) {
+  switch (state) {
+    case MaterialState::undefined:
+      return "";
+    case MaterialState::solid:
+      return attribute("state", "solid");
+    case MaterialState::liquid:
+      return attribute("state", "liquid");
+    case MaterialState::gas:
+      return attribute("state", "gas");
+  }
+  return "";
+}
+
+/// Whether the material was given by its Z: its element came with it.
+bool is_own_element(const World& world, const Material& material) {
+  if (material.elements.size() != 1) return false;
+  const Element& element = world.elements[material.elements[0].element];
+  return element.name == material.name && element.isotopes.empty();
+}
+
+}  // namespace
+
+WrittenMaterials write_materials(const World& world) {
+  WrittenMaterials made;
+  NameBook names;
+  std::vector<std::string> elements(world.elements.size()), isotopes;
+  for (const Material& material : world.materials) {
+    made.names.push_back(material.name.empty() ? "" : names.own(material.name));
+  }
+  // Elements that come with a material are referred to by its name; no other has it.
+  std::vector<bool> comes(world.elements.size());
+  for (std::size_t m = 0; m < world.materials.size(); ++m) {
+    const Material& material = world.materials[m];
+    if (!is_own_element(world, material) || made.names[m].empty()) continue;
+    const std::uint32_t element = material.elements[0].element;
+    if (comes[element]) continue;
+    comes[element] = true;
+    elements[element] = made.names[m];
+  }
+  NameBook isotope_names;
+  std::string& out = made.text;
+  for (const Isotope& isotope : world.isotopes) {
+    isotopes.push_back(isotope_names.own(isotope.name));
+    out += "    <isotope" + attribute("name", isotopes.back()) +
+           attributes({{"Z", isotope.z}, {"N", isotope.nucleons}}) + '>' +
+           quantity("atom", isotope.a, "g/mole") + "</isotope>\n";
+  }
+  for (std::size_t e = 0; e < world.elements.size(); ++e) {
+    if (comes[e]) continue;
+    const Element& element = world.elements[e];
+    elements[e] = names.own(element.name);
+    out += "    <element" + attribute("name", elements[e]);
+    if (!element.formula.empty()) out += attribute("formula", element.formula);
+    if (element.isotopes.empty()) {
+      out += attributes({{"Z", element.z}}) + '>' + quantity("atom", element.a, "g/mole");
+    } else {
+      out += '>';
+      for (const IsotopeShare& share : element.isotopes) {
+        out += "<fraction" + attributes({{"n", share.abundance}}) +
+               attribute("ref", isotopes[share.isotope]) + "/>";
+      }
+    }
+    out += "</element>\n";
+  }
+  for (std::size_t m = 0; m < world.materials.size(); ++m) {
+    const Material& material = world.materials[m];
+    // Those of Geant4's own table are known there by name.
+    const bool known_elsewhere =
+        material.density == 0 && material.elements.empty() && material.name.starts_with("G4_");
+    if (made.names[m].empty() || known_elsewhere) continue;
+    const bool alone =
+        is_own_element(world, material) && elements[material.elements[0].element] == made.names[m];
+    out += "    <material" + attribute("name", made.names[m]) + state_text(material.state);
+    if (alone) {
+      const Element& element = world.elements[material.elements[0].element];
+      if (!element.formula.empty()) out += attribute("formula", element.formula);
+      out += attributes({{"Z", element.z}});
+    }
+    out += '>';
+    const Material usual{};
+    if (material.temperature != usual.temperature) out += quantity("T", material.temperature, "K");
+    if (material.pressure != usual.pressure) out += quantity("P", material.pressure, "pascal");
+    out += quantity("D", material.density, "g/cm3");
+    if (alone) {
+      out += quantity("atom", world.elements[material.elements[0].element].a, "g/mole");
+    } else {
+      for (const ElementShare& share : material.elements) {
+        out += "<fraction" + attributes({{"n", share.fraction}}) +
+               attribute("ref", elements[share.element]) + "/>";
+      }
+    }
+    out += "</material>\n";
+  }
+  return made;
+}
+
+}  // namespace navjit::gdml
