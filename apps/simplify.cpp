@@ -25,9 +25,13 @@ struct Options {
 
 void print_entries(const std::vector<ObservationReport::Entry>& entries, const char* what) {
   for (const ObservationReport::Entry& e : entries) {
-    std::printf("%s %s in %s: %llu placement%s%s%s\n", what, common::printable(e.volume).c_str(),
+    char bound[64] = "";
+    if (e.bound > 0) {
+      std::snprintf(bound, sizeof bound, "; at most %.2g radiation lengths of any ray", e.bound);
+    }
+    std::printf("%s %s in %s: %llu placement%s%s%s%s\n", what, common::printable(e.volume).c_str(),
                 common::printable(e.mother).c_str(), static_cast<unsigned long long>(e.placements),
-                e.placements == 1 ? "" : "s", e.why.empty() ? "" : "; ", e.why.c_str());
+                e.placements == 1 ? "" : "s", bound, e.why.empty() ? "" : "; ", e.why.c_str());
   }
 }
 

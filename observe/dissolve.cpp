@@ -23,9 +23,11 @@ constexpr const char* frame = "its rotation is not orthonormal enough to be comb
 /// Rewrites one world, volume by volume.
 class Rewriting {
  public:
-  Rewriting(const World& world, const Marks& marks, const DissolveOptions& options)
+  Rewriting(const World& world, const Marks& marks, const SmallVolumes& small,
+            const DissolveOptions& options)
       : original_(world),
         marks_(marks),
+        small_(small),
         options_(options),
         tolerance_(std::max(options.overlap, 8 * world.tolerance)),
         separation_(tolerance_, world.tolerance),
@@ -64,7 +66,7 @@ class Rewriting {
   void rewrite(VolumeId mother) {
     const LogicalVolume& was = original_.volumes[mother];
     const auto nobody_sees = [&](const Placement& p) {
-      return invisible(marks_, p.volume, mother);
+      return invisible(marks_, p.volume, mother) || small_.contains({p.volume, mother});
     };
     if (std::none_of(was.daughters.begin(), was.daughters.end(), nobody_sees)) return;
     std::vector<Extent> boxes;
@@ -120,7 +122,7 @@ class Rewriting {
       if (i == k || !share(boxes[i], boxes[k])) continue;
       const VolumeId other = sisters[i].volume;
       // Two of the mother's own material, and nothing in them: it does not matter who is where.
-      if (below == 0 && invisible(marks_, other, mother) &&
+      if (below == 0 && invisible(marks_, id, mother) && invisible(marks_, other, mother) &&
           result_.world.volumes[other].daughters.empty()) {
         continue;
       }
@@ -189,14 +191,17 @@ class Rewriting {
     auto& list = is_gone ? report.gone : report.left;
     const auto [entry, fresh] = entries.try_emplace({volume, outcome.why}, list.size());
     if (fresh) {
-      list.push_back(
-          {original_.volumes[volume].name, original_.volumes[mother].name, 0, outcome.why});
+      const auto change = small_.find({volume, mother});
+      if (is_gone && change != small_.end()) report.bound += change->second;
+      list.push_back({original_.volumes[volume].name, original_.volumes[mother].name, 0,
+                      change == small_.end() ? 0 : change->second, outcome.why});
     }
     ++list[entry->second].placements;
   }
 
   const World& original_;
   const Marks& marks_;
+  const SmallVolumes& small_;
   DissolveOptions options_;
   double tolerance_;
   Separation separation_;
@@ -208,9 +213,10 @@ class Rewriting {
 
 }  // namespace
 
-Dissolved dissolve(const World& world, const Marks& marks, const DissolveOptions& options) {
+Dissolved dissolve(const World& world, const Marks& marks, const SmallVolumes& small,
+                   const DissolveOptions& options) {
   require_finished(&world);
-  return Rewriting(world, marks, options).run();
+  return Rewriting(world, marks, small, options).run();
 }
 
 }  // namespace navjit

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "observe/budget.hpp"
 #include "observe/marks.hpp"
 
 namespace navjit {
@@ -30,7 +31,9 @@ struct Dissolved {
   ObservationReport report;
 };
 
-/// The world has to be finished.
-Dissolved dissolve(const World& world, const Marks& marks, const DissolveOptions& options = {});
+/// `small`: volumes that are dissolved though their material is not their mothers'. The world has
+/// to be finished.
+Dissolved dissolve(const World& world, const Marks& marks, const SmallVolumes& small = {},
+                   const DissolveOptions& options = {});
 
 }  // namespace navjit

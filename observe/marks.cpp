@@ -78,7 +78,8 @@ std::vector<int> region_roots(const World& world) {
 
 }  // namespace
 
-Marks find_marks(const World& world, const Observation& observation) {
+Marks find_marks(const World& world, const Observation& observation,
+                 const std::vector<std::uint32_t>& group_of) {
   const std::size_t count = world.volumes.size();
   Marks marks;
   marks.observed.resize(count);
@@ -92,15 +93,20 @@ Marks find_marks(const World& world, const Observation& observation) {
     }
     if (!found) throw GeometryError("there is no volume '" + name + "' to observe");
   }
-  std::map<std::pair<std::uint32_t, std::string>, std::uint32_t> kinds;
+  std::map<std::string, std::uint32_t> tags;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> kinds;
   marks.own.resize(count);
+  marks.tags.resize(count);
   for (std::size_t v = 0; v < count; ++v) {
     const LogicalVolume& volume = world.volumes[v];
     if (find_auxiliary(volume.auxiliaries, sensitive) != nullptr) marks.observed[v] = true;
-    marks.own[v] = kinds
-                       .try_emplace({volume.material, tags_of(volume)},
-                                    static_cast<std::uint32_t>(kinds.size()))
-                       .first->second;
+    const std::uint32_t material =
+        volume.material < group_of.size() ? group_of[volume.material] : volume.material;
+    marks.tags[v] =
+        tags.try_emplace(tags_of(volume), static_cast<std::uint32_t>(tags.size())).first->second;
+    marks.own[v] =
+        kinds.try_emplace({material, marks.tags[v]}, static_cast<std::uint32_t>(kinds.size()))
+            .first->second;
   }
   // Regions go down the tree, from mothers to daughters that are no roots of their own.
   const std::vector<int> roots = region_roots(world);

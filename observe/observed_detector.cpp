@@ -19,7 +19,15 @@ struct ObservedDetector::Data {
 
 ObservedDetector::ObservedDetector(const Detector& original, const Observation& observation) {
   const World& world = *original.model();
-  const Marks marks = find_marks(world, observation);
+  MaterialGroups groups;
+  if (observation.kind == Observation::Kind::budget) {
+    if (!(observation.budget > 0)) {
+      throw GeometryError("a budget of radiation lengths has to be positive");
+    }
+    // Materials that are nearly the same may take half of it, small volumes what is left.
+    groups = group_materials(world, observation.budget / 2);
+  }
+  const Marks marks = find_marks(world, observation, groups.group_of);
   auto data = std::make_shared<Data>(Data{observation, original, original, {}, {}, {}, {}});
   if (observation.kind == Observation::Kind::all) {
     data->report.placements_before = 0;
@@ -29,7 +37,12 @@ ObservedDetector::ObservedDetector(const Detector& original, const Observation& 
     data->report.placements_after = data->report.placements_before;
     data->report.touchables_before = data->report.touchables_after = original.touchables();
   } else {
-    Dissolved dissolved = dissolve(world, marks);
+    SmallVolumes small;
+    if (observation.kind == Observation::Kind::budget) {
+      small = choose_small(world, marks, observation.budget - groups.bound);
+    }
+    Dissolved dissolved = dissolve(world, marks, small);
+    dissolved.report.bound += groups.bound;
     data->simplified = Detector(std::move(dissolved.world));
     data->offsets = std::move(dissolved.offsets);
     data->gone = std::move(dissolved.gone);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/accuracy/experiment.hpp"
+#include "apps/accuracy/observed.hpp"
 #include "apps/accuracy/picture.hpp"
 #include "apps/accuracy/report.hpp"
 #include "apps/commands.hpp"
@@ -17,6 +18,7 @@
 #include "common/gnuplot.hpp"
 #include "common/interruption.hpp"
 #include "navjit/errors.hpp"
+#include "navjit/observation.hpp"
 
 namespace navjit::apps {
 namespace {
@@ -29,13 +31,38 @@ struct Options {
   std::uint64_t boundaries = 100000;  ///< of the long track
   std::size_t scenes = 12;            ///< in the table; the report has all
   GeometryOptions geometry;
-  std::string report;            ///< JSON file; empty: none
-  std::string picture;           ///< SVG or PNG file; empty: none
-  std::string vecgeom;           ///< vecgeom_trace; empty: beside navjit; "off": without
-  std::string vecgeom_detector;  ///< the detector as VecGeom can read it; empty: the same
+  std::vector<std::string> observations;  ///< what is compared with `all`; empty: levels are judged
+  std::string report;                     ///< JSON file; empty: none
+  std::string picture;                    ///< SVG or PNG file; empty: none
+  std::string vecgeom;                    ///< vecgeom_trace; empty: beside navjit; "off": without
+  std::string vecgeom_detector;           ///< the detector as VecGeom can read it; empty: the same
   std::string vecgeom_navigator = "automatic";
   double vecgeom_seconds = 300;  ///< for each of its runs
 };
+
+/// Exit status 1 if a ray changes by more than is promised.
+int compare_observed(const Options& options) {
+  std::vector<Observation> observations;
+  for (const std::string& text : options.observations) {
+    observations.push_back(parse_observation(text));
+  }
+  Output json(options.report);
+  const common::Interruptible interruptible;
+  const auto world = read(options.detector);
+  common::check_origin(options.rays.source, world);
+  const auto rays = common::rays_of(options.rays.rays, options.rays.source, *world);
+  if (rays.empty()) throw Error("no rays are asked for; at least one is needed");
+  const auto figures =
+      accuracy::compare_observations(world, observations, rays, options.repetitions);
+  accuracy::print(figures);
+  json.write([&] {
+    const nlohmann::ordered_json report{{"detector", options.detector.file},
+                                        {"rays", rays.size()},
+                                        {"observations", accuracy::to_json(figures)}};
+    return report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  });
+  return accuracy::any_beyond(figures) ? 1 : 0;
+}
 
 /// Exit status 1 if one of navjit's own levels is wrong anywhere.
 int accuracy(const Options& options) {
@@ -120,9 +147,25 @@ void add_accuracy(CLI::App& app, Action& action) {
   command.add_option("--vecgeom-seconds", options->vecgeom_seconds, "for each of its runs")
       ->check(number_above(0, 1e6))
       ->option_text("S");
+  command
+      .add_option("--observe", options->observations,
+                  "compare what is observed with all, and judge no steps;\nseveral may be given")
+      ->check([](const std::string& text) {
+        try {
+          parse_observation(text);
+          return std::string();
+        } catch (const UsageError& error) {
+          return std::string(error.what());
+        }
+      })
+      ->option_text("materials|budget:E[,VOLUME...] ...");
   add_threads(command, options->threads);
   add_boxes(command, options->geometry);
-  command.callback([options, &action] { action = [options] { return accuracy(*options); }; });
+  command.callback([options, &action] {
+    action = [options] {
+      return options->observations.empty() ? accuracy(*options) : compare_observed(*options);
+    };
+  });
 }
 
 }  // namespace navjit::apps

@@ -19,9 +19,9 @@ CLI::Option* add_observe(CLI::App& command, Observation& observation) {
               throw CLI::ValidationError("--observe", error.what());
             }
           },
-          "boundaries where steps end: all, or those of materials,\nregions, and volumes that "
-          "count")
-      ->option_text("all|materials[,VOLUME...]");
+          "where steps end: all boundaries, or those of materials,\nregions and volumes that "
+          "count, or those beyond E\nradiation lengths of any ray")
+      ->option_text("all|materials|budget:E[,VOLUME...]");
 }
 
 void log_observation(const ObservedDetector& seen) {

@@ -21,16 +21,20 @@ struct Observation {
   enum class Kind : std::uint8_t {
     all,        ///< every boundary
     materials,  ///< where the material or the region changes, and those of volumes that count
+    budget,     ///< those that change what rays go through by more than `budget`, and as above
   };
   Kind kind = Kind::all;
   /// Logical volumes that count by name, beside those that GDML marks (SensDet). All that have the
   /// name do.
   std::vector<std::string> volumes{};
+  /// For Kind::budget: no ray through the world may change by more than so many radiation lengths.
+  double budget = 0;
 
   friend bool operator==(const Observation&, const Observation&) = default;
 };
 
-/// "all", or "materials", then volumes after commas. Throws UsageError for what is neither.
+/// "all", or "materials" or "budget:E" (radiation lengths), then volumes after commas. Throws
+/// UsageError for what is neither.
 Observation parse_observation(std::string_view text);
 /// The inverse.
 std::string observation_text(const Observation& observation);
@@ -41,22 +45,25 @@ struct ObservationReport {
   struct Entry {
     std::string volume, mother;
     std::uint64_t placements = 0;
-    std::string why;  ///< of what was left: why. Empty for what was dissolved
+    double bound = 0;  ///< radiation lengths: how much all of these change any ray at the most
+    std::string why;   ///< of what was left: why. Empty for what was dissolved
   };
-  std::uint64_t invisible =
-      0;  ///< placements in volumes of their own material that nothing observes
+  std::uint64_t invisible = 0;  ///< placements that nothing observes, in volumes of their own
+                                ///< material or, with a budget, of one that may stand for it
   std::uint64_t dissolved = 0;  ///< those of them that are no more
   std::uint64_t sampled = 0;    ///< those of them whose surroundings were sampled, and not proved
   std::uint64_t placements_before = 0, placements_after = 0;  ///< of all volumes
   TouchableId touchables_before = 0, touchables_after = 0;
+  /// Radiation lengths: how much what is left may differ from the original along any ray.
+  double bound = 0;
   std::vector<Entry> gone{};  ///< in file order of the mothers
   std::vector<Entry> left{};  ///< likewise; steps do not end on them, but cost as they did
 };
 
 /// A detector and what is left of it for a run that does not look at everything. Volumes,
 /// materials, their numbers and names are those of the original; what nothing observes is not in
-/// the tree any more, where that changes no material along any ray. Copies share all. All functions
-/// may be called by any number of threads.
+/// the tree any more, where that changes no material along any ray (or no more than the budget).
+/// Copies share all. All functions may be called by any number of threads.
 ///
 ///   navjit::ObservedDetector seen{world, {.kind = navjit::Observation::Kind::materials}};
 ///   navjit::Runtime runtime{seen.detector()};
@@ -65,7 +72,7 @@ struct ObservationReport {
 class ObservedDetector {
  public:
   /// Looks at every volume once, and asks where volumes might overlap. Throws GeometryError if a
-  /// name is that of no volume.
+  /// name is that of no volume, or a budget is not positive.
   explicit ObservedDetector(const Detector& original, const Observation& observation = {});
 
   /// To be navigated. Where all is observed it is the original.

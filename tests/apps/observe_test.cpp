@@ -107,6 +107,26 @@ TEST_F(Observe, TheSimplifiedDetectorIsAFile) {
   EXPECT_EQ(run_navjit("simplify " + simple + " -o /nowhere/simple.gdml").status, 1);
 }
 
+TEST_F(Observe, AccuracySaysWhatIsLost) {
+  const std::string path = folder_.file("accuracy.json");
+  const tests::Output output =
+      run_navjit("accuracy " + detector_ + " --rays 300 --repetitions 1 --observe materials " +
+                 "--observe budget:30 --report " + path);
+  EXPECT_EQ(output.status, 0) << output.text;
+  const json all = json::parse(tests::read_file(path))["observations"];
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0]["observe"], "all");
+  EXPECT_EQ(all[0]["largest_radiation_lengths"], 0);
+  EXPECT_LT(all[1]["steps_per_ray"], all[0]["steps_per_ray"]);
+  EXPECT_LT(all[1]["largest_radiation_lengths"], 1e-9);
+  // The brick of lead in the tray, which is not observed: 17 mm are three radiation lengths.
+  EXPECT_EQ(all[2]["observe"], "budget:30");
+  EXPECT_GT(all[2]["largest_radiation_lengths"], 1);
+  EXPECT_LE(all[2]["largest_radiation_lengths"], all[2]["bound_radiation_lengths"]);
+  EXPECT_LE(all[2]["bound_radiation_lengths"], 30);
+  EXPECT_EQ(run_navjit("accuracy " + detector_ + " --observe nothing").status, 2);
+}
+
 TEST_F(Observe, WrongUsageIsTold) {
   const auto run = [&](const std::string& observe) {
     return run_navjit("run " + detector_ + " --rays 10 --observe " + observe);

@@ -69,11 +69,14 @@ TEST(Marks, AVolumeOfTwoRegionsHasBoundariesEverywhere) {
 }
 
 TEST(Observation, IsReadAndWritten) {
-  for (const char* text : {"all", "materials", "materials,cell", "materials,cell,a b"}) {
+  for (const char* text : {"all", "materials", "materials,cell", "materials,cell,a b",
+                           "budget:0.01", "budget:1e-06,cell"}) {
     EXPECT_EQ(observation_text(parse_observation(text)), text);
   }
   EXPECT_EQ(parse_observation("materials,cell,a b").volumes.size(), 2U);
-  for (const char* text : {"", "al", "all,cell", "materials,", "materials,,a", "material"}) {
+  for (const char* text :
+       {"", "al", "all,cell", "materials,", "materials,,a", "material", "budget",
+        "budget:", "budget:0", "budget:-1", "budget:nan", "budget:inf", "budget:1x"}) {
     EXPECT_THROW(parse_observation(text), UsageError) << text;
   }
 }
