@@ -14,7 +14,8 @@ namespace {
 constexpr const char* dissolved = "";
 constexpr const char* many_daughters =
     "its daughters are found faster within it than among the mother's";
-constexpr const char* growth = "it is placed so often that copies of its daughters would be many";
+constexpr const char* copies =
+    "it is placed more than once, and its daughters would be more placements than they are";
 constexpr const char* sticks_out = "it reaches out of the mother, or might";
 constexpr const char* overlaps = "it overlaps another daughter, or might";
 constexpr const char* daughters_stick_out = "its daughters reach out of it, or might";
@@ -39,10 +40,9 @@ class Rewriting {
       for (const Placement& placement : volume.daughters) offsets.push_back(placement.offset);
       result_.gone.emplace_back(volume.daughters.size());
       if (volume.touchables == 0) continue;
-      placements_ += volume.daughters.size();
+      result_.report.placements_before += volume.daughters.size();
       for (const Placement& placement : volume.daughters) ++uses_[placement.volume];
     }
-    result_.report.placements_before = placements_;
     result_.report.touchables_before = world.volumes[world.top].touchables;
   }
 
@@ -108,9 +108,8 @@ class Rewriting {
     const LogicalVolume& volume = original_.volumes[id];
     const std::size_t below = result_.world.volumes[id].daughters.size();
     if (below > options_.most_daughters && sisters.size() > 1) return {many_daughters};
-    const std::size_t most = static_cast<std::size_t>(
-        options_.most_growth * static_cast<double>(result_.report.placements_before));
-    if (uses_[id] > 1 && below > 1 && placements_ + below - 1 > most) return {growth};
+
+    if (uses_[id] > 1 && below > 1) return {copies};
     Outcome outcome{dissolved};
     outcome.verdict = weaker(outcome.verdict, daughters_within(id));
     if (outcome.verdict == Verdict::no) return {daughters_stick_out};
@@ -172,10 +171,9 @@ class Rewriting {
     } catch (const GeometryError&) {
       return false;
     }
-    if (--uses_[placement.volume] == 0) {
-      --placements_;
-    } else {
-      placements_ = placements_ + inner.size() - 1;
+    // One that has two daughters or more is placed once: then their places are what they were.
+    --uses_[placement.volume];
+    if (uses_[placement.volume] > 0) {
       for (const Placement& p : inner) ++uses_[p.volume];
     }
     return true;
@@ -207,7 +205,6 @@ class Rewriting {
   Separation separation_;
   std::vector<std::optional<Verdict>> within_;
   std::vector<std::uint64_t> uses_;  ///< placements of each volume in the tree as it is by now
-  std::uint64_t placements_ = 0;     ///< of all volumes, likewise
   Dissolved result_;
 };
 

@@ -14,8 +14,6 @@ struct DissolveOptions {
   /// A volume with more daughters than this is a good place to look for them, and is kept, unless
   /// it is all that there is in its mother.
   std::size_t most_daughters = 3;
-  /// How many times the placements of the original there may be.
-  double most_growth = 1.5;
   /// mm: solids that overlap by less do not; no less than the rounding of positions in the world.
   double overlap = 1e-9;
 };
