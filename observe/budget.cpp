@@ -102,6 +102,13 @@ SmallVolumes choose_small(const World& world, const Marks& marks, double budget)
     const double inner = inverse_length(world, world.volumes[d].material);
     const double outer = inverse_length(world, world.volumes[m].material);
     if (inner < 0 || outer < 0 || invisible(marks, d, m) || !of_one_kind(marks, d, m)) continue;
+    // What is of its own material in it would come to light.
+    const auto& below = world.volumes[d].daughters;
+    if (std::any_of(below.begin(), below.end(), [&, inside = d](const Placement& p) {
+          return marks.own[p.volume] == marks.own[inside];
+        })) {
+      continue;
+    }
     const Solid& solid = world.volumes[d].solid;
     const double change = std::abs(inner - outer) * std::min(count * longest_chord(solid), path);
     if (change <= budget) candidates.push_back({pair, change, count * surface(solid.extent)});
