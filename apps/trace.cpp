@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "apps/commands.hpp"
+#include "apps/options/basket.hpp"
 #include "apps/options/detector.hpp"
 #include "apps/options/numbers.hpp"
 #include "apps/options/observe.hpp"
@@ -19,6 +20,7 @@
 #include "files/output_file.hpp"
 #include "navjit/errors.hpp"
 #include "navjit/runtime.hpp"
+#include "runtime/transport_basket.hpp"
 
 namespace navjit::apps {
 namespace {
@@ -27,6 +29,7 @@ struct Options {
   Detector detector;
   RayOptions rays;
   unsigned threads = 1;
+  std::size_t basket = 0;  ///< 0: rays one by one
   Observation observation;
   RuntimeOptions runtime;
   std::string out;  ///< empty: standard output
@@ -77,25 +80,60 @@ std::vector<std::string> fields_of(const World& world) {
   return fields;
 }
 
-/// Appends a ray's steps to `rows`. `fields` has the names of the volumes.
-void trace_ray(ObservedNavigator navigator, const World& world,
-               const std::vector<std::string>& fields, const Ray& ray, std::uint64_t number,
-               Rows& rows) {
-  char text[64];
-  std::size_t step = 0;
-  State last;
-  const auto totals = transport(navigator, ray, world.tolerance, [&](const State& state, double l) {
-    std::snprintf(text, sizeof text, "%.17g", l);
-    rows.text += std::to_string(number) + ',' + std::to_string(step++) + ',' +
-                 fields[state.volume()] + ',' + text + '\n';
-    last = state;
-  });
-  if (totals.stuck) {
-    rows.text += std::to_string(number) + ',' + std::to_string(step) + ',' +
-                 (last.inside() ? fields[last.volume()] : "") + ",stuck\n";
+/// The rows of one ray. `fields` has the names of the volumes.
+class RayRows {
+ public:
+  RayRows(const std::vector<std::string>& fields, std::uint64_t number)
+      : fields_(fields), number_(std::to_string(number)) {}
+
+  void add(const State& state, double length) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.17g", length);
+    row(fields_[state.volume()], text);
+    last_ = state;
   }
-  ++rows.rays;
-  rows.outside += totals.steps == 0 && !totals.stuck ? 1 : 0;
+  /// Appends them to those of the rays before.
+  void end(const RayTotals& totals, Rows& rows) {
+    if (totals.stuck) row(last_.inside() ? fields_[last_.volume()] : "", "stuck");
+    rows.text += text_;
+    ++rows.rays;
+    rows.outside += totals.steps == 0 && !totals.stuck ? 1 : 0;
+  }
+
+ private:
+  void row(const std::string& volume, const char* length) {
+    text_ += number_ + ',' + std::to_string(step_++) + ',' + volume + ',' + length + '\n';
+  }
+
+  const std::vector<std::string>& fields_;
+  std::string number_, text_{};
+  std::size_t step_ = 0;
+  State last_{};
+};
+
+/// The rows of a piece of work; of fewer rays once `go_on()` says no.
+template <class GoOn>
+Rows trace_one_by_one(ObservedNavigator navigator, double tolerance,
+                      const std::vector<std::string>& fields, const Work& work, GoOn&& go_on) {
+  Rows rows;
+  while (rows.rays < work.rays.size() && go_on()) {
+    RayRows ray(fields, work.first + rows.rays);
+    const auto totals = transport(navigator, work.rays[rows.rays], tolerance,
+                                  [&](const State& state, double l) { ray.add(state, l); });
+    ray.end(totals, rows);
+  }
+  return rows;
+}
+template <class GoOn>
+Rows trace_in_basket(Basket& basket, double tolerance, const std::vector<std::string>& fields,
+                     const Work& work, GoOn&& go_on) {
+  std::vector<RayRows> rays;
+  for (std::size_t i = 0; i < work.rays.size(); ++i) rays.emplace_back(fields, work.first + i);
+  const auto sink = [&](std::size_t ray, const State& state, double l) { rays[ray].add(state, l); };
+  const auto totals = transport_in_basket(basket, work.rays, tolerance, sink, go_on);
+  Rows rows;
+  for (std::size_t i = 0; i < totals.size(); ++i) rays[i].end(totals[i], rows);
+  return rows;
 }
 
 int trace(const Options& options) {
@@ -116,7 +154,7 @@ int trace(const Options& options) {
   common::OrderedChunks<Work, Rows> chunks(
       chunks_per_thread * options.threads,
       [&]() -> std::optional<Work> {
-        Work work{asked, stream.next(rays_per_chunk)};
+        Work work{asked, stream.next(std::max(rays_per_chunk, 4 * options.basket))};
         asked += work.rays.size();
         return work.rays.empty() ? std::nullopt : std::optional(std::move(work));
       },
@@ -134,18 +172,19 @@ int trace(const Options& options) {
       ~AtTheEnd() { all.stop(); }
     } const at_the_end{chunks};
     Navigator navigator = runtime.navigator();
+    std::optional<Basket> basket;
+    if (options.basket > 0) basket.emplace(runtime.basket(options.basket));
+    const auto go_on = [&] { return common::interruption() == 0 && !stop; };
     while (auto piece = chunks.take()) {
       const Work& work = piece->work;
-      Rows rows;
-      while (rows.rays < work.rays.size() && common::interruption() == 0 && !stop) {
-        trace_ray({seen, navigator}, world, fields, work.rays[rows.rays], work.first + rows.rays,
-                  rows);
-      }
+      Rows rows = basket
+                      ? trace_in_basket(*basket, world.tolerance, fields, work, go_on)
+                      : trace_one_by_one({seen, navigator}, world.tolerance, fields, work, go_on);
       const bool complete = rows.rays == work.rays.size();
       chunks.give(piece->number, std::move(rows), complete);
       if (!complete) break;
     }
-    differences += navigator.counts().differences;
+    differences += (basket ? basket->counts() : navigator.counts()).differences;
   });
   sink.finish();
   if (all.outside > 0) {
@@ -172,6 +211,7 @@ void add_trace(CLI::App& app, Action& action) {
       ->option_text("FILE");
   add_threads(command, options->threads);
   add_observe(command, options->observation);
+  add_basket(command, options->basket);
   add_runtime_options(command, options->runtime);
   command.callback([options, &action] { action = [options] { return trace(*options); }; });
 }

@@ -7,6 +7,7 @@
 #include "geometry/solids/normal.hpp"
 #include "runtime/shared.hpp"
 #include "runtime/ticks.hpp"
+#include "runtime/unit_direction.hpp"
 
 namespace navjit {
 namespace {
@@ -18,9 +19,6 @@ void require_finite(const Vec3& v, const char* what) {
 }
 
 [[noreturn]] void throw_other_world() { throw UsageError("the state is of another world"); }
-
-/// How far from 1 the length of a direction may be: that of one in single precision is.
-constexpr double unit_slack = 1e-5;
 
 /// After a step from `depth`: in which volumes the track was relocated.
 void note_relocations(Sample& sample, const NavigationStack& stack, const kernels::Context* context,
@@ -64,22 +62,23 @@ Navigator::~Navigator() {
 State Navigator::locate(const Vec3& point) { return locate(point, {0, 0, 0}); }
 
 State Navigator::locate(const Vec3& point, const Vec3& direction) {
+  return locate_in(own_->stack, point, direction);
+}
+
+State Navigator::locate_in(NavigationStack& stack, const Vec3& point, const Vec3& direction) {
   require_finite(point, "the point");
   require_finite(direction, "the direction");
   if (shadow_ || !is_unit(direction)) {
-    generic::locate(shared_->geometry, own_->stack, point, direction);
-    return state_of(own_->stack);
+    generic::locate(shared_->geometry, stack, point, direction);
+    return state_of(stack);
   }
-  begin_ray(direction);
-  own_->stack.boundary = 0;
-  if (generic::enter(shared_->geometry, own_->stack, point, direction)) {
-    relocate_within(point);
-  }
-  return state_of(own_->stack);
+  begin_ray(stack, direction);
+  stack.boundary = 0;
+  if (generic::enter(shared_->geometry, stack, point, direction)) relocate_within(stack, point);
+  return state_of(stack);
 }
 
-void Navigator::relocate_within(const Vec3& point) {
-  NavigationStack& stack = own_->stack;
+void Navigator::relocate_within(NavigationStack& stack, const Vec3& point) {
   const VolumeId volume = stack.levels[stack.depth].volume;
   own_->read_side->enter();
   // Without negative zeros, as generic::locate.
@@ -181,10 +180,7 @@ void Navigator::require_numbers(const Vec3& point, double limit) {
 }
 
 bool Navigator::is_unit(const Vec3& direction) {
-  // Not a number, nor infinity, is near 1.
-  const double square =
-      direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
-  return std::abs(square - 1) <= 2 * unit_slack;
+  return is_unit_vector(direction.x, direction.y, direction.z);
 }
 
 void Navigator::require_unit(const Vec3& direction) {
@@ -194,23 +190,23 @@ void Navigator::require_unit(const Vec3& direction) {
                    std::to_string(std::hypot(direction.x, direction.y, direction.z)));
 }
 
-void Navigator::begin_ray(const Vec3& direction) {
+void Navigator::begin_ray(NavigationStack& stack, const Vec3& direction) {
   require_unit(direction);
-  kernels::set_ray(own_->stack, direction.x, direction.y, direction.z);
+  kernels::set_ray(stack, direction.x, direction.y, direction.z);
 }
 
-void Navigator::restore(const State& from) {
+void Navigator::restore(NavigationStack& stack, const State& from) {
   if (!from.inside()) throw UsageError("the state is outside the world");
   const World& world = shared_->geometry.world();
   if (from.touchable() >= world.volumes[world.top].touchables) throw_other_world();
   ++own_->counts.restored;
-  generic::restore(shared_->geometry, own_->stack, from.touchable());
-  if (!is_at(own_->stack, from)) throw_other_world();
+  generic::restore(shared_->geometry, stack, from.touchable());
+  if (!is_at(stack, from)) throw_other_world();
 }
 
-Step Navigator::recorded_step(const Vec3& point, const Vec3& direction, double limit) {
+Step Navigator::recorded_step(NavigationStack& stack, const Vec3& point, const Vec3& direction,
+                              double limit) {
   Own& own = *own_;
-  NavigationStack& stack = own.stack;
   const kernels::StackLevel& level = stack.levels[stack.depth];
   const int depth = stack.depth;
   const VolumeId volume = level.volume;
@@ -226,12 +222,12 @@ Step Navigator::recorded_step(const Vec3& point, const Vec3& direction, double l
   const kernels::DispatchEntry& entry = *kernels::dispatch_entry_of(context_, volume);
   double length;
   if (shadow_) {
-    length = shadow(entry, point, direction, limit);
+    length = shadow(entry, stack, point, direction, limit);
   } else {
     sample.used = &entry;
     const std::uint64_t start = ticks();
     length = entry.step(&stack, context_, entry.data, point.x, point.y, point.z, limit);
-    if (length < 0) length = bail_out(point, direction, limit);
+    if (length < 0) length = bail_out(stack, point, direction, limit);
     sample.ticks = ticks() - start;
     note_relocations(sample, stack, context_, shared_->geometry, depth);
   }
@@ -240,22 +236,23 @@ Step Navigator::recorded_step(const Vec3& point, const Vec3& direction, double l
   return {length, stack.boundary != 0, state_of(stack)};
 }
 
-double Navigator::bail_out(const Vec3& point, const Vec3& direction, double limit) {
+double Navigator::bail_out(NavigationStack& stack, const Vec3& point, const Vec3& direction,
+                           double limit) {
   ++own_->counts.bail_outs;
-  own_->profile.count_bail_out(own_->stack.levels[own_->stack.depth].volume);
-  return generic::step(shared_->geometry, own_->stack, point, direction, limit);
+  own_->profile.count_bail_out(stack.levels[stack.depth].volume);
+  return generic::step(shared_->geometry, stack, point, direction, limit);
 }
 
-double Navigator::shadow(const kernels::DispatchEntry& entry, const Vec3& point,
-                         const Vec3& direction, double limit) {
+double Navigator::shadow(const kernels::DispatchEntry& entry, NavigationStack& stack,
+                         const Vec3& point, const Vec3& direction, double limit) {
   NavigationStack expected{};
-  copy(own_->stack, expected);
+  copy(stack, expected);
   const double right = generic::step(shared_->geometry, expected, point, direction, limit);
-  double length = entry.step(&own_->stack, context_, entry.data, point.x, point.y, point.z, limit);
-  if (length < 0) length = bail_out(point, direction, limit);
-  if (!kernels::same_bits(length, right) || !identical(own_->stack, expected)) {
+  double length = entry.step(&stack, context_, entry.data, point.x, point.y, point.z, limit);
+  if (length < 0) length = bail_out(stack, point, direction, limit);
+  if (!kernels::same_bits(length, right) || !identical(stack, expected)) {
     ++own_->counts.differences;
-    copy(expected, own_->stack);
+    copy(expected, stack);
   }
   return right;
 }

@@ -46,6 +46,8 @@ Runtime::~Runtime() { specialiser_->stop(); }
 
 Navigator Runtime::navigator() { return Navigator(shared_); }
 
+Basket Runtime::basket(std::size_t places) { return {navigator(), places}; }
+
 RuntimeReport Runtime::report() const { return navjit::report(specialiser_->specialisation()); }
 
 std::size_t Runtime::specialised() const {

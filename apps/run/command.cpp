@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "apps/commands.hpp"
+#include "apps/options/basket.hpp"
 #include "apps/options/detector.hpp"
 #include "apps/options/numbers.hpp"
 #include "apps/options/observe.hpp"
@@ -23,6 +24,7 @@ struct Options {
   Detector detector;
   RayOptions rays{.rays = "100000"};
   unsigned threads = 1;
+  std::size_t basket = 0;  ///< 0: rays one by one
   Observation observation;
   RuntimeOptions runtime;
   std::string report;        ///< JSON file; empty: none
@@ -46,7 +48,7 @@ int run(const Options& options) {
   const common::Interruptible interruptible;
 
   RunReport report;
-  report.transport = transport_rays(runtime, seen, rays, options.threads);
+  report.transport = transport_rays(runtime, seen, rays, options.threads, options.basket);
   const Transport& made = report.transport;
   if (options.runtime.jit != JitMode::off) {
     report.compile_cpu_seconds = std::max(
@@ -55,14 +57,15 @@ int run(const Options& options) {
   report.interrupted = common::interruption() != 0;
   report.detector = options.detector.file;
   report.seen = &seen;
+  report.basket = options.basket;
   report.jit = options.runtime.jit;
   report.level = options.runtime.level;
   report.budget = options.runtime.budget;
   report.runtime = runtime.final_report(report.interrupted ? 0 : 1);
   if (report.any_specialised() && !report.interrupted && options.runtime.jit != JitMode::shadow) {
     const double seconds = std::clamp(made.seconds / 4, 0.02, longest_comparison);
-    report.compared =
-        compare_with_generic(runtime, seen, options.runtime, made.first_rays, seconds);
+    report.compared = compare_with_generic(runtime, seen, options.runtime, made.first_rays, seconds,
+                                           options.basket);
   }
   print_table(report);
   attempt_all({[&] { profile.write([&] { return profile_text(runtime.step_profile()); }); },
@@ -90,6 +93,7 @@ void add_run(CLI::App& app, Action& action) {
       ->option_text("FILE");
   add_threads(command, options->threads);
   add_observe(command, options->observation);
+  add_basket(command, options->basket);
   add_runtime_options(command, options->runtime);
   command.callback([options, &action] { action = [options] { return run(*options); }; });
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "apps/run/ray_maker.hpp"
 #include "common/interruption.hpp"
 #include "geometry/model/world.hpp"
 #include "runtime/processor_time.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 /// What one of the two has done so far.
 struct Side {
-  Navigator navigator;
+  RayMaker maker;
   double seconds = 0;
   std::uint64_t steps = 0;
 };
@@ -20,21 +21,21 @@ struct Side {
 
 std::optional<Comparison> compare_with_generic(Runtime& specialised, const ObservedDetector& seen,
                                                const RuntimeOptions& options,
-                                               const std::vector<Ray>& rays, double seconds) {
+                                               const std::vector<Ray>& rays, double seconds,
+                                               std::size_t basket) {
   const double begun = thread_seconds();
   RuntimeOptions off = options;
   off.jit = JitMode::off;
   off.cache = {};
   off.plugin = {};
   Runtime generic(specialised.share_world(), off);
-  Side with{specialised.navigator()}, without{generic.navigator()};
+  Side with{RayMaker(specialised, seen, basket)}, without{RayMaker(generic, seen, 0)};
   const double tolerance = specialised.world().tolerance;
   const auto make = [&](Side& side, std::uint64_t first, std::uint64_t last) {
     const double start = thread_seconds();
-    ObservedNavigator observed(seen, side.navigator);
-    for (std::uint64_t i = first; i < last && common::interruption() == 0; ++i) {
-      side.steps += transport(observed, rays[i], tolerance).steps;
-    }
+    const auto made = side.maker.make(std::span(rays).subspan(first, last - first), tolerance,
+                                      [] { return common::interruption() == 0; });
+    for (const RayTotals& totals : made) side.steps += totals.steps;
     side.seconds += thread_seconds() - start;
   };
   // What is met for the first time is slow, and with generic navigators all is: not counted.
@@ -58,7 +59,7 @@ std::optional<Comparison> compare_with_generic(Runtime& specialised, const Obser
     with_first = !with_first;
     if (common::interruption() != 0) return std::nullopt;
     result.rays = last;
-    turn = std::min<std::uint64_t>(2 * turn, 64);
+    turn = std::min<std::uint64_t>(2 * turn, std::max<std::size_t>(64, 4 * basket));
     if (thread_seconds() - begun >= seconds) break;
   }
   if (with.steps == 0 || !(with.seconds > 0) || !(without.seconds > 0)) {

@@ -18,10 +18,12 @@ struct Comparison {
   double with = 0, without = 0;
 };
 
-/// For about so long at the most; `options` are those that `specialised` was made with. Nothing if
-/// a signal was noted before there was anything to tell.
+/// For about so long at the most; `options` are those that `specialised` was made with, and
+/// `basket` how many rays at once it makes (0: one by one, as the generic ones in any case).
+/// Nothing if a signal was noted before there was anything to tell.
 std::optional<Comparison> compare_with_generic(Runtime& specialised, const ObservedDetector& seen,
                                                const RuntimeOptions& options,
-                                               const std::vector<Ray>& rays, double seconds);
+                                               const std::vector<Ray>& rays, double seconds,
+                                               std::size_t basket = 0);
 
 }  // namespace navjit::apps

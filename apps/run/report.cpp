@@ -188,6 +188,7 @@ std::string json_text(const RunReport& report) {
       {"level", level_name(report.level)},
       {"level_taken", "exact"},
       {"threads", t.threads},
+      {"basket", report.basket},
       {"jit", jit_name(report.jit)},
       {"bail_outs", t.bail_outs},
       {"differences", t.differences},

@@ -17,6 +17,7 @@ struct RunReport {
   std::string detector;
   const ObservedDetector* seen = nullptr;
   Transport transport;
+  std::size_t basket = 0;  ///< rays at once; 0: one by one
   bool interrupted = false;
   double compile_cpu_seconds = 0;  ///< processor time of all but the navigating threads
   JitMode jit = JitMode::on;

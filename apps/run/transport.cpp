@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -12,6 +13,7 @@
 #include <thread>
 
 #include "apps/run/progress.hpp"
+#include "apps/run/ray_maker.hpp"
 #include "common/interruption.hpp"
 #include "common/ordered_chunks.hpp"
 #include "common/parallel.hpp"
@@ -36,6 +38,24 @@ struct ChunkTotals {
   std::uint64_t rays = 0, steps = 0, stuck = 0;
   double length = 0;
 };
+
+/// Chunks in a piece of work: with a basket enough that it is mostly full.
+std::size_t chunks_in_piece(std::size_t basket) {
+  return std::max<std::size_t>(1, 4 * basket / rays_per_chunk);
+}
+
+std::vector<ChunkTotals> by_chunk(const std::vector<RayTotals>& rays) {
+  std::vector<ChunkTotals> chunks(1);
+  for (const RayTotals& ray : rays) {
+    if (chunks.back().rays == rays_per_chunk) chunks.emplace_back();
+    ChunkTotals& chunk = chunks.back();
+    ++chunk.rays;
+    chunk.steps += ray.steps;
+    chunk.length += ray.length;
+    chunk.stuck += ray.stuck ? 1 : 0;
+  }
+  return chunks;
+}
 
 /// Counters that are read while threads work.
 struct Progress {
@@ -114,26 +134,28 @@ class Watch {
 }  // namespace
 
 Transport transport_rays(Runtime& runtime, const ObservedDetector& seen, common::RayStream& rays,
-                         unsigned threads) {
+                         unsigned threads, std::size_t basket) {
   const double tolerance = runtime.world().tolerance;
   Transport result;
   result.threads = threads;
   Progress progress;
-  common::OrderedChunks<std::vector<Ray>, ChunkTotals> chunks(
+  common::OrderedChunks<std::vector<Ray>, std::vector<ChunkTotals>> chunks(
       chunks_per_thread * threads,
       [&]() -> std::optional<std::vector<Ray>> {
-        std::vector<Ray> next = rays.next(rays_per_chunk);
+        std::vector<Ray> next = rays.next(rays_per_chunk * chunks_in_piece(basket));
         if (next.empty()) return std::nullopt;
         if (result.first_rays.size() < rays_kept) {
           result.first_rays.insert(result.first_rays.end(), next.begin(), next.end());
         }
         return next;
       },
-      [&](const ChunkTotals& chunk) {
-        result.rays += chunk.rays;
-        result.steps += chunk.steps;
-        result.stuck += chunk.stuck;
-        result.length_mm += chunk.length;
+      [&](const std::vector<ChunkTotals>& piece) {
+        for (const ChunkTotals& chunk : piece) {
+          result.rays += chunk.rays;
+          result.steps += chunk.steps;
+          result.stuck += chunk.stuck;
+          result.length_mm += chunk.length;
+        }
       });
   std::atomic<bool> stop{false};
   std::mutex summing;
@@ -144,29 +166,24 @@ Transport transport_rays(Runtime& runtime, const ObservedDetector& seen, common:
       ~AtTheEnd() { all.stop(); }
     } const at_the_end{chunks};
     const double begun = thread_seconds();
-    Navigator navigator = runtime.navigator();
-    ObservedNavigator observed(seen, navigator);
+    const auto go_on = [&] { return common::interruption() == 0 && !stop; };
+    RayMaker maker(runtime, seen, basket);
     for (bool complete = true; complete;) {
       const auto piece = chunks.take();
       if (!piece) break;
-      ChunkTotals totals;
-      for (const Ray& ray : piece->work) {
-        complete = common::interruption() == 0 && !stop;
-        if (!complete) break;
-        const RayTotals made = transport(observed, ray, tolerance);
-        ++totals.rays;
-        totals.steps += made.steps;
-        totals.length += made.length;
-        totals.stuck += made.stuck ? 1 : 0;
+      const std::vector<RayTotals> made = maker.make(piece->work, tolerance, go_on);
+      complete = made.size() == piece->work.size();
+      std::vector<ChunkTotals> totals = by_chunk(made);
+      for (const ChunkTotals& chunk : totals) {
+        progress.rays.fetch_add(chunk.rays, std::memory_order_relaxed);
+        progress.steps.fetch_add(chunk.steps, std::memory_order_relaxed);
       }
-      progress.rays.fetch_add(totals.rays, std::memory_order_relaxed);
-      progress.steps.fetch_add(totals.steps, std::memory_order_relaxed);
-      chunks.give(piece->number, totals, complete);
+      chunks.give(piece->number, std::move(totals), complete);
     }
     const std::lock_guard lock(summing);
     result.cpu_seconds += thread_seconds() - begun;
-    result.differences += navigator.counts().differences;
-    result.bail_outs += navigator.counts().bail_outs;
+    result.differences += maker.counts().differences;
+    result.bail_outs += maker.counts().bail_outs;
   };
 
   const Clock::time_point start = Clock::now();

@@ -30,8 +30,9 @@ constexpr std::size_t rays_kept = 1 << 16;
 
 /// Transports the rays with a progress line on a terminal, until all are made or a signal was noted
 /// (common/interruption.hpp). Throws what common::in_parallel, RayStream and navigators throw.
-/// `runtime` navigates what is left of `seen`.
+/// `runtime` navigates what is left of `seen`. `basket`: so many rays at once in each thread; 0:
+/// one by one, with the same sums to the last bit.
 Transport transport_rays(Runtime& runtime, const ObservedDetector& seen, common::RayStream& rays,
-                         unsigned threads);
+                         unsigned threads, std::size_t basket = 0);
 
 }  // namespace navjit::apps

@@ -119,6 +119,7 @@ class Navigator {
 
  private:
   friend class Runtime;
+  friend class Basket;
   struct Own {
     kernels::NavigationStack stack{};
     Profile profile;
@@ -134,15 +135,15 @@ class Navigator {
   static void require_numbers(const Vec3& point, double limit);
   /// Throws UsageError unless the direction is of unit length.
   static void require_unit(const Vec3& direction);
-  /// Steps will be along another direction. Throws as require_unit().
-  void begin_ray(const Vec3& direction);
+  /// Steps of the stack will be along another direction. Throws as require_unit().
+  static void begin_ray(kernels::NavigationStack& stack, const Vec3& direction);
   static bool is_unit(const Vec3& direction);
   /// The point is in the innermost level: into its daughters.
-  void relocate_within(const Vec3& point);
+  void relocate_within(kernels::NavigationStack& stack, const Vec3& point);
   /// Throws UsageError if the world has no such state.
-  void restore(const State& state);
+  void restore(kernels::NavigationStack& stack, const State& state);
   void restore_unless_at(const State& state) {
-    if (!is_at(own_->stack, state)) restore(state);
+    if (!is_at(own_->stack, state)) restore(own_->stack, state);
   }
   static bool is_at(const kernels::NavigationStack& s, const State& state) {
     return s.depth >= 0 && s.levels[s.depth].touchable == state.touchable() &&
@@ -152,11 +153,17 @@ class Navigator {
   static void require_numbers_of_safety(const Vec3& point, double enough);
   /// The safety, recorded for the specialiser.
   double recorded_safety(const Vec3& point, double enough);
+  State locate_in(kernels::NavigationStack& stack, const Vec3& point, const Vec3& direction);
+  /// A step of a track whose stack this is; its arguments are good.
+  Step step_of(kernels::NavigationStack& stack, const State& from, const Vec3& point,
+               const Vec3& direction, double limit);
   /// The step, recorded for the specialiser; with shadow mode on, all steps are made here.
-  Step recorded_step(const Vec3& point, const Vec3& direction, double limit);
-  double shadow(const kernels::DispatchEntry& entry, const Vec3& point, const Vec3& direction,
-                double limit);
-  double bail_out(const Vec3& point, const Vec3& direction, double limit);
+  Step recorded_step(kernels::NavigationStack& stack, const Vec3& point, const Vec3& direction,
+                     double limit);
+  double shadow(const kernels::DispatchEntry& entry, kernels::NavigationStack& stack,
+                const Vec3& point, const Vec3& direction, double limit);
+  double bail_out(kernels::NavigationStack& stack, const Vec3& point, const Vec3& direction,
+                  double limit);
   static State state_of(const kernels::NavigationStack& s) {
     return s.depth < 0 ? State{} : State{s.levels[s.depth].touchable, s.levels[s.depth].volume};
   }
@@ -185,21 +192,26 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
       return {limit, false, from};
     }
   }
-  kernels::NavigationStack& stack = own.stack;
+  return step_of(own.stack, from, point, direction, limit);
+}
+
+inline Step Navigator::step_of(kernels::NavigationStack& stack, const State& from,
+                               const Vec3& point, const Vec3& direction, double limit) {
+  Own& own = *own_;
   const double* ray = stack.ray.given;
   if (!(kernels::same_bits(ray[0], direction.x) && kernels::same_bits(ray[1], direction.y) &&
         kernels::same_bits(ray[2], direction.z))) [[unlikely]]
-    begin_ray(direction);
-  if (!is_at(stack, from)) restore(from);
+    begin_ray(stack, direction);
+  if (!is_at(stack, from)) restore(stack, from);
   const VolumeId volume = stack.levels[stack.depth].volume;
   own.profile.count(volume);
   if (own.profile.due()) [[unlikely]]
-    return recorded_step(point, direction, limit);
+    return recorded_step(stack, point, direction, limit);
   own.read_side->enter();
   const kernels::DispatchEntry* entry = kernels::dispatch_entry_of(context_, volume);
   double length = entry->step(&stack, context_, entry->data, point.x, point.y, point.z, limit);
   if (length < 0) [[unlikely]]
-    length = bail_out(point, direction, limit);
+    length = bail_out(stack, point, direction, limit);
   own.read_side->leave();
   return {length, stack.boundary != 0, state_of(stack)};
 }
@@ -209,16 +221,14 @@ inline double Navigator::safety(const State& from, const Vec3& point, double eno
   if (!((sum == 0) & (enough >= 0))) [[unlikely]]
     require_numbers_of_safety(point, enough);
   Own& own = *own_;
-  const kernels::NavigationStack& stack = own.stack;
-  if (!is_at(stack, from)) restore(from);
+  if (!is_at(own.stack, from)) restore(own.stack, from);
   double safety;
   if (own.profile.safety_due()) [[unlikely]] {
     safety = recorded_safety(point, enough);
   } else {
     own.read_side->enter();
-    const kernels::DispatchEntry* entry =
-        kernels::dispatch_entry_of(context_, stack.levels[stack.depth].volume);
-    safety = entry->safety(&stack, context_, entry->data, point.x, point.y, point.z, enough);
+    const kernels::DispatchEntry* entry = kernels::dispatch_entry_of(context_, from.volume());
+    safety = entry->safety(&own.stack, context_, entry->data, point.x, point.y, point.z, enough);
     own.read_side->leave();
   }
   own.sphere = {from, point, safety};

@@ -14,6 +14,7 @@
 // each object. Everything that is thrown is a navjit::Error or std::bad_alloc.
 #pragma once
 
+#include "navjit/basket.hpp"
 #include "navjit/builder.hpp"
 #include "navjit/cache.hpp"
 #include "navjit/detector.hpp"

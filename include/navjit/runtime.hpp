@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "navjit/basket.hpp"
 #include "navjit/detail/api.hpp"
 #include "navjit/detector.hpp"
 #include "navjit/navigator.hpp"
@@ -32,6 +33,9 @@ class Runtime {
 
   /// A navigator for the calling thread. Thread-safe.
   Navigator navigator();
+  /// The same for programs that carry many tracks at once; `places`: how many. Throws UsageError if
+  /// that is 0. Thread-safe.
+  Basket basket(std::size_t places);
 
   /// What is navigated.
   const Detector& detector() const { return detector_; }

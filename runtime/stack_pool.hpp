@@ -1,0 +1,31 @@
+// Navigation stacks for many tracks, each only as long as the detector is deep. Private to
+// runtime/, but for baskets, which own one.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "geometry/navigation/navigation_stack.hpp"
+
+namespace navjit {
+
+/// Stacks in a row, apart by whole cache lines. None moves: they point into themselves.
+class StackPool {
+ public:
+  /// `levels`: of the deepest touchable, the world's included. All stacks are outside the world.
+  StackPool(std::size_t stacks, int levels);
+
+  std::size_t size() const { return size_; }
+  NavigationStack& at(std::size_t i) {
+    return *reinterpret_cast<NavigationStack*>(memory_.get() + i * stride_);
+  }
+
+ private:
+  struct Free {
+    void operator()(std::byte* memory) const;
+  };
+  std::size_t size_, stride_;
+  std::unique_ptr<std::byte[], Free> memory_;
+};
+
+}  // namespace navjit

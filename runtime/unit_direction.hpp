@@ -1,0 +1,17 @@
+// Which directions are taken for unit vectors. Private to runtime/.
+#pragma once
+
+#include "navjit/vector.hpp"
+
+namespace navjit {
+
+/// How far from 1 the length of a direction may be: that of one in single precision is.
+constexpr double unit_slack = 1e-5;
+
+/// False where a component is not a number, or infinite.
+constexpr bool is_unit_vector(double u, double v, double w) {
+  const double off = u * u + v * v + w * w - 1;
+  return (off <= 2 * unit_slack) & (off >= -2 * unit_slack);
+}
+
+}  // namespace navjit
