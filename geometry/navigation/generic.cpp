@@ -331,6 +331,10 @@ void restore(const Geometry& geometry, NavigationStack& stack, TouchableId touch
     --stack.depth;
   }
   if (stack.depth < 0) enter_world(stack, world.top);
+  if (!geometry.touchables().empty()) {
+    geometry.touchables().descend(stack, touchable);
+    return;
+  }
   while (stack.levels[stack.depth].touchable != touchable) {
     const StackLevel& level = stack.levels[stack.depth];
     const auto daughters = geometry.scene(level.volume).daughters;

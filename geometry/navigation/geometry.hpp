@@ -11,6 +11,7 @@
 #include "geometry/model/world.hpp"
 #include "geometry/navigation/navigation_stack.hpp"
 #include "geometry/navigation/neighbours.hpp"
+#include "geometry/navigation/touchable_table.hpp"
 #include "navjit/search.hpp"
 
 namespace navjit {
@@ -57,11 +58,14 @@ class Geometry {
   const Scene& scene(VolumeId volume) const { return scenes_[volume]; }
   std::size_t size() const { return scenes_.size(); }
   double tolerance() const { return world_->tolerance; }
+  /// Empty where there are too many.
+  const TouchableTable& touchables() const { return touchables_; }
 
  private:
   std::shared_ptr<const World> world_;
   std::vector<Daughter> daughters_;
   std::vector<Scene> scenes_;
+  TouchableTable touchables_;
 };
 
 /// The box around a placed solid in its mother's frame, mm.

@@ -39,7 +39,8 @@ struct Structure {
 /// How the generic navigator searches.
 struct GeometryOptions {
   /// Forces one search for all scenes with daughters, for tests and measurements. All but
-  /// `automatic` search on leaving a daughter, too, without neighbour lists.
+  /// `automatic` search on leaving a daughter, too, without neighbour lists, and compose the frames
+  /// of touchables that a track is brought to.
   enum class Force : std::uint8_t { automatic, all, linear_boxes, bvh } force = Force::automatic;
   /// The box structure of all scenes that have enough daughters for one, whatever their number;
   /// nothing: chosen by their number (docs/bvh.md). Changes no answer.
