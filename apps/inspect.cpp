@@ -50,7 +50,6 @@ VolumeId find_volume(const World& world, const std::string& name) {
 
 /// Which level the scene's navigators have, and what they promise.
 void print_level(const ErrorBound& bound) {
-  std::printf("  level        exact, as fast and single, too: neither is faster\n");
   if (bound.known()) {
     std::printf("  error bound  %.3g mm: tolerance %.2g, frames %.2g, surfaces %.2g\n",
                 bound.total(), bound.tolerance, bound.frame, bound.kernel);

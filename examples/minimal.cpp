@@ -13,7 +13,7 @@ int main(int argc, char** argv) try {
     return 2;
   }
   const int rays = argc > 2 ? std::atoi(argv[2]) : 100000;
-  navjit::Runtime runtime{navjit::read_gdml(argv[1]), {.level = navjit::Level::exact}};
+  navjit::Runtime runtime{navjit::read_gdml(argv[1])};
   navjit::Navigator navigator = runtime.navigator();  // one per thread
 
   std::mt19937_64 random(1);

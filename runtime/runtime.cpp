@@ -10,18 +10,6 @@
 
 namespace navjit {
 
-const char* level_name(Level level) {
-  switch (level) {
-    case Level::exact:
-      return "exact";
-    case Level::fast:
-      return "fast";
-    case Level::single:
-      return "single";
-  }
-  return "";
-}
-
 Runtime::Runtime(const Detector& detector, RuntimeOptions options)
     : Runtime(detector, std::make_shared<detail::Shared>(detector.model(), std::move(options))) {}
 
@@ -29,10 +17,6 @@ Runtime::Runtime(Detector detector, std::shared_ptr<detail::Shared> shared)
     : detector_(std::move(detector)),
       shared_(std::move(shared)),
       specialiser_(std::make_shared<Specialiser>(shared_)) {
-  if (shared_->options.level != Level::exact) {
-    shared_->log->warn("level {}: all scenes run exact, which is as fast",
-                       level_name(shared_->options.level));
-  }
   if (!shared_->options.plugin.empty())
     install_plugin(specialiser_->specialisation(), shared_->options.plugin);
   if (shared_->options.jit == JitMode::wait) {

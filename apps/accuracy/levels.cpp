@@ -10,8 +10,8 @@ namespace navjit::accuracy {
 namespace {
 
 constexpr NavigatorLevel levels[] = {
-    {"generic", Level::exact, JitMode::off},
-    {"exact", Level::exact, JitMode::wait},
+    {"generic", JitMode::off},
+    {"exact", JitMode::wait},
 };
 
 bool same_bits(double a, double b) {
@@ -24,7 +24,6 @@ bool same_step(const MadeStep& a, const MadeStep& b) {
 
 RuntimeOptions options_of(const NavigatorLevel& level, const GeometryOptions& geometry) {
   RuntimeOptions options;
-  options.level = level.level;
   options.jit = level.jit;
   options.geometry = geometry;
   return options;

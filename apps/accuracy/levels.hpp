@@ -1,4 +1,5 @@
-// The engines of our own: a level each, and the generic navigator that they are compared with.
+// The engines of our own, which are called levels here: exact, and the generic navigator that it is
+// compared with.
 #pragma once
 
 #include <memory>
@@ -15,7 +16,6 @@ namespace navjit::accuracy {
 /// A way to navigate. The first is the generic navigator.
 struct NavigatorLevel {
   const char* name;
-  Level level;
   JitMode jit;
 };
 /// All there are: a level that is added to navjit becomes a row of the tables by an entry here.

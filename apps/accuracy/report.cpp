@@ -71,7 +71,7 @@ void print_bounds(const EngineFigures& f) {
   std::printf(
       "\nOf %llu steps of the generic navigator %llu are in scenes whose error is bounded "
       "(navjit inspect --scene); %llu of them are off by more, the largest error is %.2g of its "
-      "bound.\nLevels fast and single run exact, which is as fast (docs/accuracy.md).\n",
+      "bound.\n",
       number(f.made), number(f.bounded), number(f.beyond_bound), f.largest_part);
 }
 

@@ -15,8 +15,6 @@ const Choices<JitMode> jit_modes{{"off", JitMode::off},
                                  {"on", JitMode::on},
                                  {"wait", JitMode::wait},
                                  {"shadow", JitMode::shadow}};
-const Choices<Level> levels{
-    {"exact", Level::exact}, {"fast", Level::fast}, {"single", Level::single}};
 
 }  // namespace
 
@@ -33,9 +31,16 @@ void add_cache_option(CLI::App& command, Cache& cache, bool may_be_off) {
 }
 
 void add_code_options(CLI::App& command, RuntimeOptions& options) {
-  add_choice(command, "--level", options.level, levels,
-             "accuracy: exact, fast or single (at present all exact)")
-      ->option_text("LEVEL");
+  // There was a choice once; whoever still makes it is told.
+  command
+      .add_option_function<std::string>(
+          "--level",
+          [](const std::string&) {
+            throw CLI::ValidationError(
+                "--level", "answers are always exact; what may be left out is --observe's to say");
+          },
+          "")
+      ->group("");
   add_choice(command, "--isa", options.specialiser.instruction_set, common::instruction_sets,
              "instructions of generated code: native, sse4.2, avx2 or avx512")
       ->option_text("SET");

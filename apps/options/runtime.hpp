@@ -13,7 +13,7 @@ namespace navjit::apps {
 /// cannot change a command line.
 void add_cache_option(CLI::App& command, Cache& cache, bool may_be_off);
 
-/// What the answers and the code shall be like: --level, --isa, --nice.
+/// What the code shall be like: --isa, --nice. --level is refused.
 void add_code_options(CLI::App& command, RuntimeOptions& options);
 
 /// What is specialised, and when: --jit, --plugin, --cache, --opt, --perf-map, --boxes.

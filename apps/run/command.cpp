@@ -59,7 +59,6 @@ int run(const Options& options) {
   report.seen = &seen;
   report.basket = options.basket;
   report.jit = options.runtime.jit;
-  report.level = options.runtime.level;
   report.budget = options.runtime.budget;
   report.runtime = runtime.final_report(report.interrupted ? 0 : 1);
   if (report.any_specialised() && !report.interrupted && options.runtime.jit != JitMode::shadow) {

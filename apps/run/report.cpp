@@ -185,8 +185,6 @@ std::string json_text(const RunReport& report) {
       {"share_specialised", warmup::share_at(swaps, infinity)},
       {"specialised_50_at_s", or_null(warmup::time_of_share(swaps, 0.5))},
       {"specialised_90_at_s", or_null(warmup::time_of_share(swaps, 0.9))},
-      {"level", level_name(report.level)},
-      {"level_taken", "exact"},
       {"threads", t.threads},
       {"basket", report.basket},
       {"jit", jit_name(report.jit)},

@@ -21,7 +21,6 @@ struct RunReport {
   bool interrupted = false;
   double compile_cpu_seconds = 0;  ///< processor time of all but the navigating threads
   JitMode jit = JitMode::on;
-  Level level = Level::exact;      ///< asked for
   std::optional<double> budget{};  ///< asked for, mm
   std::optional<Comparison> compared{};
   RuntimeReport runtime;

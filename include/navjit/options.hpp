@@ -12,17 +12,6 @@
 
 namespace NAVJIT_API navjit {
 
-/// What specialised navigators may do to the answers; docs/numerics.md. A level is a permission:
-/// what keeps within it and is fastest is taken. At present that is `exact` for all three, since
-/// neither other rounding nor single precision was measured to be faster (docs/accuracy.md).
-enum class Level : std::uint8_t {
-  exact,   ///< every bit as the generic navigator's
-  fast,    ///< double precision, rounding at liberty
-  single,  ///< single precision where extents allow it, else as `fast`
-};
-/// As the command line has it.
-const char* level_name(Level level);
-
 /// Whether and when scenes get navigators of their own.
 enum class JitMode : std::uint8_t {
   off,     ///< generic navigators only; scenes are still profiled
@@ -74,7 +63,6 @@ struct SpecialiserOptions {
 
 /// All that a Runtime can be told.
 struct RuntimeOptions {
-  Level level = Level::exact;
   /// How far from the surface a step may end, mm. Every scene is held to it, by a bound and by
   /// measurement; Runtime::final_report() says which keep it. Nothing: none are.
   std::optional<double> budget{};

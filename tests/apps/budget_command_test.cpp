@@ -1,4 +1,4 @@
-// Levels and budgets as a user asks for them.
+// Budgets as a user asks for them.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -18,15 +18,12 @@ TEST(BudgetCommand, SaysOfEverySceneWhetherItKeepsTheBudget) {
       (std::filesystem::path(::testing::TempDir()) / "navjit_budget.json").string();
   const Output output = run_navjit("run " + detector +
                                    " --rays 3000 --origin 0,0,0 --eta 2,5 --jit off --cache off "
-                                   "--level single --budget 1e-6 --report " +
+                                   "--budget 1e-6 --report " +
                                    file);
   ASSERT_EQ(output.status, 0) << output.text;
-  EXPECT_NE(output.text.find("level single: all scenes run exact"), npos) << output.text;
   EXPECT_NE(output.text.find("budget 1e-06 mm: promised in "), npos) << output.text;
   const auto report = nlohmann::json::parse(read_file(file));
   std::filesystem::remove(file);
-  EXPECT_EQ(report.at("level"), "single");
-  EXPECT_EQ(report.at("level_taken"), "exact");
   EXPECT_EQ(report.at("budget_mm"), 1e-6);
   int promised = 0, without_bound = 0;
   for (const auto& scene : report.at("scenes")) {
@@ -45,36 +42,30 @@ TEST(BudgetCommand, SaysOfEverySceneWhetherItKeepsTheBudget) {
   EXPECT_GT(without_bound, 0);  // those with the beam pipe, a cone
 }
 
-TEST(BudgetCommand, TakesBudgetsAboveZeroAndThreeLevels) {
+TEST(BudgetCommand, TakesBudgetsAboveZero) {
   EXPECT_EQ(run_navjit("run " + detector + " --budget 0").status, 2);
   EXPECT_EQ(run_navjit("run " + detector + " --budget much").status, 2);
-  EXPECT_EQ(run_navjit("run " + detector + " --level wrong").status, 2);
 }
 
-TEST(BudgetCommand, TracesAreTheSameAtEveryLevel) {
+TEST(TraceCommand, TracesAreThoseOfGenericNavigators) {
   const TemporaryFolder folder;
-  const auto trace = [&](const std::string& jit, const std::string& level) {
-    const Output output =
-        run_navjit("-v trace " + detector + " --rays 300 --opt 0 --cache off " + "--jit " + jit +
-                   " --level " + level + " --out " + folder.file("trace.csv"));
+  const auto trace = [&](const std::string& jit) {
+    const Output output = run_navjit("-v trace " + detector + " --rays 300 --opt 0 --cache off " +
+                                     "--jit " + jit + " --out " + folder.file("trace.csv"));
     EXPECT_EQ(output.status, 0) << output.text;
-    // A level is a permission for specialised navigators: without them it has nothing to do.
     const bool installed = output.text.find("event=installed ") != npos ||
                            output.text.find("verdict=installed") != npos;
     EXPECT_EQ(installed, jit == "wait") << output.text;
     return read_file(folder.file("trace.csv"));
   };
-  const std::string generic = trace("off", "exact");
+  const std::string generic = trace("off");
   EXPECT_GT(generic.size(), 1000U);
-  for (const char* level : {"exact", "fast", "single"}) {
-    EXPECT_EQ(trace("wait", level), generic) << level;
-  }
+  EXPECT_EQ(trace("wait"), generic);
 }
 
 TEST(BudgetCommand, InspectTellsTheBound) {
   const Output bounded = run_navjit("inspect " + detector + " --scene InnerLead");
   EXPECT_EQ(bounded.status, 0);
-  EXPECT_NE(bounded.text.find("level        exact"), npos) << bounded.text;
   EXPECT_NE(bounded.text.find(" mm: tolerance "), npos) << bounded.text;
   const Output none = run_navjit("inspect " + detector + " --scene Pipe");
   EXPECT_NE(none.text.find("no bound is known of surfaces of "), npos) << none.text;

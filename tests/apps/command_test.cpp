@@ -63,7 +63,7 @@ TEST_F(RunCommand, WritesAReportOfWhatHappened) {
     EXPECT_GT(report.at("seconds"), 0);
     EXPECT_GT(report.at("steps_per_second"), 0);
     EXPECT_GT(report.at("warm_steps_per_second"), 0);
-    EXPECT_EQ(report.at("level"), "exact");
+    EXPECT_FALSE(report.contains("level")) << "there is one";
     EXPECT_EQ(report.at("threads"), 2);
     ASSERT_GT(report.at("scenes").size(), 3U);
     double share = 0;
@@ -153,7 +153,7 @@ TEST(Inspect, ShowsDensityAndRadiationLength) {
 
 TEST(Usage, WrongUsageIsStatusTwo) {
   for (const char* arguments :
-       {"", "fly", "run", "run x.gdml --jit sometimes", "run x.gdml --level best",
+       {"", "fly", "run", "run x.gdml --jit sometimes", "run x.gdml --level exact",
         "run x.gdml --rays many", "run x.gdml --rays 0", "run x.gdml --origin 1,2",
         "run x.gdml --eta nan,2", "run x.gdml --threads 0", "trace x.gdml",
         "run x.gdml --boxes tree", "run x.gdml --boxes linear:surface"}) {

@@ -70,7 +70,8 @@ TEST(Options, NumbersAreFiniteAndDecimal) {
 TEST(Options, WordsAreListed) {
   refuses("run " + detector + " --jit maybe", "--jit: 'maybe' is not off, on, wait or shadow");
   refuses("run " + detector + " --jit 0", "'0' is not off, on, wait or shadow");
-  refuses("trace " + detector + " --rays 1 --level best", "'best' is not exact, fast or single");
+  refuses("trace " + detector + " --rays 1 --level fast",
+          "--level: answers are always exact; what may be left out is --observe's to say");
   refuses("warmup " + detector + " --isa mmx", "'mmx' is not native, sse4.2, avx2 or avx512");
   refuses("warmup " + detector + " --modes cold,hot", "'hot' is not cold, cache or plugin");
   refuses("specialise " + detector + " --scene W --emit exe -o x", "'exe' is not so or cpp");

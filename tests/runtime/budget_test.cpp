@@ -136,22 +136,5 @@ TEST(Budget, BelowAnyBoundIsPromisedNowhereAndRunsAllTheSame) {
   }
 }
 
-TEST(Levels, AllGiveTheBitsOfExact) {
-  const auto world = std::make_shared<const World>(tests::mixed_world());
-  const std::vector<Ray> rays = tests::rays_through(*world, 11, 300);
-  for (const Level level : {Level::exact, Level::fast, Level::single}) {
-    SCOPED_TRACE(level_name(level));
-    FaultyOptions options{tests::eager_options(JitMode::wait)};
-    options.level = level;
-    Runtime runtime(world, options);
-    EXPECT_EQ(tests::traces_that_differ(runtime, rays), 0U);
-    EXPECT_GT(tests::share_specialised(runtime), 0.5);
-    options.faults = tests::wrong_code();
-    FaultyRuntime wrong(world, options);
-    EXPECT_GT(tests::traces_that_differ(wrong, rays), rays.size() / 4)
-        << "nothing would be noticed";
-  }
-}
-
 }  // namespace
 }  // namespace navjit
