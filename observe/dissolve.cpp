@@ -108,7 +108,6 @@ class Rewriting {
     const LogicalVolume& volume = original_.volumes[id];
     const std::size_t below = result_.world.volumes[id].daughters.size();
     if (below > options_.most_daughters && sisters.size() > 1) return {many_daughters};
-
     if (uses_[id] > 1 && below > 1) return {copies};
     Outcome outcome{dissolved};
     outcome.verdict = weaker(outcome.verdict, daughters_within(id));

@@ -1,4 +1,5 @@
 #include "navjit/observation.hpp"
+
 #include <charconv>
 #include <cmath>
 #include <cstdio>
