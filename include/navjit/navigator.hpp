@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <memory>
+#include <span>
 
 #include "navjit/detail/api.hpp"
 #include "navjit/detail/profile.hpp"
@@ -113,6 +114,14 @@ class Navigator {
   /// points out of what was left: out of the volume of `from`, or into the daughter of it that was
   /// entered. `next` is Step::next. Throws as normal().
   Vec3 boundary_normal(const State& from, const State& next, const Vec3& point);
+
+  /// For programs with paths of their own: the levels from the world volume down to the state that
+  /// locate(), relocate(), or a step() that changed the state gave last; each with its touchable,
+  /// its volume, and its number among the mother's daughters. Those whose touchables are as before
+  /// need not be written anew. Empty outside the world. Good until the next call.
+  std::span<const kernels::StackLevel> levels() const {
+    return {own_->stack.levels, static_cast<std::size_t>(own_->stack.depth + 1)};
+  }
 
   /// What this navigator did so far.
   const NavigatorCounts& counts() const { return own_->counts; }

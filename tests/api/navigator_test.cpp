@@ -173,6 +173,40 @@ TEST_P(NavigatorApi, RelocatesFromAnyHint) {
             navigator_.step(navigator_.locate(point, {0, 0, 1}), point, {0, 0, 1}).length);
 }
 
+TEST_P(NavigatorApi, LevelsAreThoseOfTheStateThatWasGiven) {
+  const Detector& detector = runtime_.detector();
+  const auto expect_levels = [&](const State& state) {
+    const auto levels = navigator_.levels();
+    if (!state.inside()) {
+      EXPECT_TRUE(levels.empty());
+      return;
+    }
+    const auto path = detector.path(state);
+    ASSERT_EQ(levels.size(), path.size() + 1);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      const State level = detector.ancestor(state, static_cast<int>(i));
+      EXPECT_EQ(levels[i].touchable, level.touchable());
+      EXPECT_EQ(levels[i].volume, level.volume());
+      if (i > 0) {
+        EXPECT_EQ(levels[i].daughter, path[i - 1]);
+      }
+    }
+  };
+  for (int i = 0; i < 1000; ++i) {
+    Vec3 point = anywhere();
+    const Vec3 direction = tests::random_direction(random_);
+    State state = navigator_.locate(point, direction);
+    expect_levels(state);
+    for (int n = 0; n < 20 && state.inside(); ++n) {
+      const Step step = navigator_.step(state, point, direction);
+      expect_levels(step.next);
+      point += step.length * direction;
+      state = step.next;
+    }
+  }
+  expect_levels(navigator_.relocate(State{}, {1, 2, 3}, {1, 0, 0}));
+}
+
 TEST_P(NavigatorApi, RelocationPrefersTheHintWhereSeveralHoldThePoint) {
   World world;
   world.top = tests::add_volume(world, "world", make_box("world", 10, 10, 10));
