@@ -31,6 +31,17 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "navjit (= ${PROJECT_VERSION})")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers of navjit, and what CMake and pkg-config \
 need\nto build programs with it.")
+if(TARGET navjit_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-navjit)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  # Compiled for one minor version of Python.
+  math(EXPR next_python "${NAVJIT_PYTHON_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "navjit (= ${PROJECT_VERSION}), python3-numpy, \
+python3 (>= 3.${NAVJIT_PYTHON_MINOR}), python3 (<< 3.${next_python})")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Particle transport from Python: `import navjit`.")
+endif()
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY "=")
 include(CPack)

@@ -51,7 +51,7 @@ TEST(Documents, NameFilesThatAreThere) {
     for (const std::string& name :
          matches(text_of(document),
                  "`((?:analysis|apps|bench|cache|cmake|codegen|common|docs|examples|files|geometry|"
-                 "include|jit|runtime|scripts|tests)/[A-Za-z0-9_./]*[A-Za-z0-9_/])`")) {
+                 "include|jit|python|runtime|scripts|tests)/[A-Za-z0-9_./]*[A-Za-z0-9_/])`")) {
       ++named;
       EXPECT_TRUE(is_there(root / name)) << document << " names " << name;
     }

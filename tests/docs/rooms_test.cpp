@@ -30,7 +30,8 @@ const std::map<std::string, std::set<std::string>> allowed{
      {"navjit", "geometry", "observe", "analysis", "codegen", "jit", "cache", "files", "runtime",
       "common"}},
     {"bench", {"navjit", "geometry", "observe", "analysis", "codegen", "jit", "runtime", "common"}},
-    {"examples", {"navjit"}}};
+    {"examples", {"navjit"}},
+    {"python", {"navjit"}}};
 
 TEST(Rooms, IncludeOneWay) {
   const std::regex include("^#include [\"<]([a-z]+)/");

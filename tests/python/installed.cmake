@@ -1,0 +1,30 @@
+# Installs the build in BINARY into FOLDER, moves it, and imports the package from there: from the
+# folder PACKAGES of the prefix, by PYTHON.
+function(run)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE text ERROR_VARIABLE text RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    string(REPLACE ";" " " command "${ARGN}")
+    message(FATAL_ERROR "${command}: ${result}\n${text}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${FOLDER})
+foreach(component runtime python)
+  run(${CMAKE_COMMAND} --install ${BINARY} --prefix ${FOLDER}/first --component ${component})
+endforeach()
+file(RENAME ${FOLDER}/first ${FOLDER}/prefix)
+set(package ${FOLDER}/prefix/${PACKAGES}/navjit)
+foreach(file __init__.py results.py _core.pyi py.typed)
+  if(NOT EXISTS ${package}/${file})
+    message(FATAL_ERROR "${package}/${file} was not installed")
+  endif()
+endforeach()
+run(${CMAKE_COMMAND} -E env PYTHONPATH=${FOLDER}/prefix/${PACKAGES} ${PYTHON} -c "
+import navjit
+assert navjit.__file__.startswith('${FOLDER}/prefix/'), navjit.__file__
+with open('/proc/self/maps') as maps:
+    libraries = {line.split()[-1] for line in maps if 'libnavjit' in line}
+assert libraries and all(l.startswith('${FOLDER}/prefix/') for l in libraries), libraries
+runtime = navjit.Runtime(navjit.read_gdml('${DETECTOR}'))
+assert runtime.scan([0, 0, 0], [0, 0, 1]).steps[0] > 0
+")
