@@ -25,6 +25,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"cache", {"navjit"}},
     {"files", {"navjit"}},
     {"runtime", {"navjit", "geometry", "analysis", "codegen", "jit", "cache", "files"}},
+    {"adapters", {"navjit"}},
     {"common", {"navjit", "geometry", "jit", "files", "runtime"}},
     {"apps",
      {"navjit", "geometry", "observe", "analysis", "codegen", "jit", "cache", "files", "runtime",

@@ -1,0 +1,29 @@
+// What VecGeom's volumes had before they were given a navigator of navjit's.
+#pragma once
+
+#include <VecGeom/navigation/VNavigator.h>
+#include <VecGeom/navigation/VSafetyEstimator.h>
+#include <VecGeom/volumes/LogicalVolume.h>
+
+#include <unordered_map>
+
+namespace navjit::vecgeom {
+
+/// By volume. VecGeom has questions in a volume's own coordinates, without a state: what they ask
+/// for has no touchable, and so is answered by what the volume had.
+class Before {
+ public:
+  struct Had {
+    const ::vecgeom::VNavigator* navigator = nullptr;
+    const ::vecgeom::VSafetyEstimator* safety = nullptr;
+  };
+  std::unordered_map<const ::vecgeom::LogicalVolume*, Had> all{};
+
+  /// Never navjit's own; VecGeom's simple ones for volumes that had none.
+  const ::vecgeom::VNavigator& navigator(const ::vecgeom::LogicalVolume& volume,
+                                         const ::vecgeom::VNavigator* not_this) const;
+  const ::vecgeom::VSafetyEstimator& safety(const ::vecgeom::LogicalVolume& volume,
+                                            const ::vecgeom::VSafetyEstimator* not_this) const;
+};
+
+}  // namespace navjit::vecgeom

@@ -1,0 +1,153 @@
+#include "adapters/vecgeom/navigator.hpp"
+
+#include <span>
+
+namespace navjit::vecgeom {
+namespace {
+
+/// The daughter of what the track was in that it has entered, itself or something in it; below 0:
+/// none.
+int entered(const PathLevels& from, std::span<const kernels::StackLevel> to) {
+  const auto depth = static_cast<std::size_t>(from.count);
+  if (to.size() <= depth || to[depth - 1].touchable != from.touchable[depth - 1]) return -1;
+  return static_cast<int>(to[depth].daughter);
+}
+
+/// Writes where a step has led.
+void propagate(const Paths& paths, const PathLevels& levels, const State& from,
+               const Navigator& navigator, const Step& step, const NavigationState& in,
+               NavigationState& out) {
+  Paths::copy(in, out);
+  if (!(step.next == from)) paths.move(out, levels, navigator.levels());
+  out.SetBoundaryState(step.boundary);
+}
+
+}  // namespace
+
+double StepNavigator::ComputeStepAndPropagatedState(const Vector& point, const Vector& direction,
+                                                    double limit, const State_t& in,
+                                                    State_t& out) const {
+  PathLevels levels;
+  const State from = asked_.paths.state(in, levels);
+  Navigator& navigator = asked_.navigators.mine();
+  const Step step = asked_.step(navigator, from, point, direction, limit);
+  propagate(asked_.paths, levels, from, navigator, step, in, out);
+  return asked_.length(step, limit);
+}
+
+double StepNavigator::ComputeStepAndSafetyAndPropagatedState(const Vector& point,
+                                                             const Vector& direction, double limit,
+                                                             const State_t& in, State_t& out,
+                                                             bool with_safety,
+                                                             double& safety) const {
+  PathLevels levels;
+  const State from = asked_.paths.state(in, levels);
+  Navigator& navigator = asked_.navigators.mine();
+  safety = with_safety ? asked_.safety(navigator, from, point) : 0;
+  const Step step = asked_.step(navigator, from, point, direction, limit);
+  propagate(asked_.paths, levels, from, navigator, step, in, out);
+  return asked_.length(step, limit);
+}
+
+double StepNavigator::ComputeStep(const Vector& point, const Vector& direction, double limit,
+                                  const State_t& in, State_t& out) const {
+  PathLevels levels;
+  const State from = asked_.paths.state(in, levels);
+  Navigator& navigator = asked_.navigators.mine();
+  const Step step = asked_.step(navigator, from, point, direction, limit);
+  Paths::copy(in, out);
+  out.SetBoundaryState(step.boundary);
+  if (!(step.next == from)) {
+    const int daughter = entered(levels, navigator.levels());
+    if (daughter >= 0)
+      asked_.paths.push_daughter(out, from.volume(), static_cast<std::uint32_t>(daughter));
+  }
+  return asked_.length(step, limit);
+}
+
+double StepNavigator::ComputeStepAndSafety(const Vector& point, const Vector& direction,
+                                           double limit, State_t& in, bool with_safety,
+                                           double& safety, bool push_daughter) const {
+  PathLevels levels;
+  const State from = asked_.paths.state(in, levels);
+  Navigator& navigator = asked_.navigators.mine();
+  if (with_safety) safety = asked_.safety(navigator, from, point);
+  const Step step = asked_.step(navigator, from, point, direction, limit);
+  if (push_daughter && !(step.next == from)) {
+    const int daughter = entered(levels, navigator.levels());
+    if (daughter >= 0)
+      asked_.paths.push_daughter(in, from.volume(), static_cast<std::uint32_t>(daughter));
+  }
+  return asked_.length(step, limit);
+}
+
+void StepNavigator::ComputeStepsAndPropagatedStates(const SOA& points, const SOA& directions,
+                                                    const double* limits, const State_t* const* in,
+                                                    State_t** out, double* lengths) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    lengths[i] =
+        ComputeStepAndPropagatedState(points[i], directions[i], limits[i], *in[i], *out[i]);
+  }
+}
+
+void StepNavigator::ComputeStepsAndSafetiesAndPropagatedStates(
+    const SOA& points, const SOA& directions, const double* limits, const Pool& in, Pool& out,
+    double* lengths, const bool* with_safety, double* safeties) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const int n = static_cast<int>(i);
+    lengths[i] = ComputeStepAndSafetyAndPropagatedState(points[i], directions[i], limits[i], *in[n],
+                                                        *out[n], with_safety[i], safeties[i]);
+  }
+}
+
+void StepNavigator::ComputeStepsAndSafetiesAndPropagatedStates(
+    const SOA& points, const SOA& directions, const double* limits, const State_t* const* in,
+    State_t** out, double* lengths, const bool* with_safety, double* safeties) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    lengths[i] = ComputeStepAndSafetyAndPropagatedState(points[i], directions[i], limits[i], *in[i],
+                                                        *out[i], with_safety[i], safeties[i]);
+  }
+}
+
+void StepNavigator::ComputeStepsAndSafeties(const SOA& points, const SOA& directions,
+                                            const double* limits, const State_t* const* in,
+                                            double* lengths, const bool* with_safety,
+                                            double* safeties) const {
+  Navigator& navigator = asked_.navigators.mine();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const State from = asked_.paths.state(*in[i]);
+    safeties[i] = with_safety[i] ? asked_.safety(navigator, from, points[i]) : 0;
+    lengths[i] =
+        asked_.length(asked_.step(navigator, from, points[i], directions[i], limits[i]), limits[i]);
+  }
+}
+
+bool StepNavigator::CheckDaughterIntersections(const ::vecgeom::LogicalVolume* volume,
+                                               const Vector& point, const Vector& direction,
+                                               const State_t* in, State_t* out, double& step,
+                                               const ::vecgeom::VPlacedVolume*& hit) const {
+  return before_.navigator(*volume, this)
+      .CheckDaughterIntersections(volume, point, direction, in, out, step, hit);
+}
+
+bool StepNavigator::CheckDaughterIntersections(const ::vecgeom::LogicalVolume* volume,
+                                               const Vector& point, const Vector& direction,
+                                               const ::vecgeom::VPlacedVolume* blocked,
+                                               double& step,
+                                               const ::vecgeom::VPlacedVolume*& hit) const {
+  return before_.navigator(*volume, this)
+      .CheckDaughterIntersections(volume, point, direction, blocked, step, hit);
+}
+
+void StepNavigator::Relocate(const Vector& point, const State_t& in, State_t& out) const {
+  // Only VecGeom's helpers call it, with a point beyond the boundary: no direction is needed.
+  Navigator& navigator = asked_.navigators.mine();
+  PathLevels levels;
+  const State from = asked_.paths.state(in, levels);
+  const Vec3 there = navigator.to_global(from, asked_.point(point));
+  const State next = navigator.relocate(from, there, {0, 0, 1});
+  Paths::copy(in, out);
+  if (!(next == from)) asked_.paths.move(out, levels, navigator.levels());
+}
+
+}  // namespace navjit::vecgeom

@@ -1,0 +1,27 @@
+// VecGeom's transformations as navjit's.
+#pragma once
+
+#include <VecGeom/base/Transformation3D.h>
+
+#include "navjit/solids.hpp"
+#include "navjit/transformation.hpp"
+
+namespace navjit::vecgeom {
+
+/// From the mother's frame into the daughter's. VecGeom keeps the rotation by columns.
+inline SolidFrame frame_of(const ::vecgeom::Transformation3D& from, double mm) {
+  SolidFrame frame;
+  for (int i = 0; i < 3; ++i) {
+    frame.translation[i] = mm * from.Translation(i);
+    for (int j = 0; j < 3; ++j) frame.rotation[3 * i + j] = from.Rotation(3 * j + i);
+  }
+  return frame;
+}
+
+/// The same for placements. Throws GeometryError if it is not orthonormal.
+inline Transformation transformation_of(const ::vecgeom::Transformation3D& from, double mm) {
+  const SolidFrame frame = frame_of(from, mm);
+  return make_transformation(frame.translation, frame.rotation);
+}
+
+}  // namespace navjit::vecgeom

@@ -1,0 +1,8 @@
+# Tests of navjit::vecgeom, where it is built. VecGeom leaks what it reads, which is no fault to find
+# here; the thread sanitizer looks at what is ours.
+if(TARGET navjit_vecgeom AND TARGET VecGeom::vgdml AND NOT NAVJIT_SANITIZE MATCHES "address|undefined")
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/*_test.cpp)
+  navjit_test_executable(adapters_vecgeom_test adapters/vecgeom/ "${sources}" navjit_vecgeom
+                         VecGeom::vgdml navjit_runtime)
+  navjit_uses_vecgeom(adapters_vecgeom_test)
+endif()
