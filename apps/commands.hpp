@@ -25,6 +25,7 @@ void add_accuracy(CLI::App& app, Action& action);
 void add_cache(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_inspect(CLI::App& app, Action& action);
+void add_picture(CLI::App& app, Action& action);
 void add_plugin(CLI::App& app, Action& action);
 void add_profile(CLI::App& app, Action& action);
 void add_run(CLI::App& app, Action& action);

@@ -1,18 +1,8 @@
 #include "apps/run/progress.hpp"
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <cstdio>
 
 namespace navjit::apps {
-
-std::size_t terminal_columns() {
-  if (isatty(STDERR_FILENO) == 0) return 0;
-  winsize size{};
-  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? size.ws_col : 80;
-}
 
 std::string progress_line(const RunProgress& p, std::size_t columns) {
   char parts[3][80];

@@ -13,9 +13,6 @@ struct RunProgress {
   std::size_t hot = 0, compiling = 0, swapped = 0;  ///< scenes
 };
 
-/// Columns of the terminal on standard error; 0 if that is none.
-std::size_t terminal_columns();
-
 /// The line, in fewer than `columns`: what does not fit is left out from the end.
 std::string progress_line(const RunProgress& progress, std::size_t columns);
 

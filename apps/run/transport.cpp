@@ -17,6 +17,7 @@
 #include "common/interruption.hpp"
 #include "common/ordered_chunks.hpp"
 #include "common/parallel.hpp"
+#include "common/progress_line.hpp"
 #include "runtime/processor_time.hpp"
 
 namespace navjit::apps {
@@ -102,7 +103,7 @@ class Watch {
       last_swap_s = t;
       steps_at_last_swap = steps;
     }
-    const std::size_t columns = terminal_columns();
+    const std::size_t columns = common::terminal_columns();
     if (columns == 0 || t - shown_s_ < 0.2) return;
     RunProgress progress{t, progress_.rays.load(), rays_,
                          static_cast<double>(steps - shown_steps_) / (t - shown_s_)};

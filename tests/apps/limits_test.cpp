@@ -28,6 +28,7 @@ const std::vector<std::string> commands{
     "check " + detector + " --resolution 10",
     "accuracy " + detector +
         " --rays 5 --repetitions 1 --boundaries 0 --vecgeom off --threads 20 --report FOLDER/a",
+    "picture " + detector + " --size 300x200 --threads 20 -o FOLDER/i.png",
     "cache verify --cache FOLDER",
     "profile merge FOLDER/profile.json FOLDER/profile.json -o FOLDER/m",
     "specialise " + detector + " --profile FOLDER/profile.json --emit cpp -o FOLDER/s.cpp",

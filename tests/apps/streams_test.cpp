@@ -32,6 +32,7 @@ const std::vector<std::string> printing{
     "cache clear --cache FOLDER",
     "profile merge FOLDER/profile.json FOLDER/profile.json -o FOLDER/merged.json",
     "specialise " + detector + " --profile FOLDER/profile.json --emit cpp -o FOLDER/plugin.cpp",
+    "picture " + detector + " --size 30x20 -o FOLDER/p.png",
     "warmup-run " + detector + " --seconds 0.05 --jit off",
     "warmup " + detector + " --seconds 0.05 --repetitions 1 --modes cold",
 };
