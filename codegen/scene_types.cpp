@@ -237,7 +237,7 @@ std::string listed_neighbours(Writer& w) {
   for (const kernels::NeighbourList& l : lists) {
     text += (text.empty() ? "{" : ", {") + list(l.low) + ", " + list(l.high) + ", " +
             number(l.first) + ", " + number(unsigned{l.count}) + ", " +
-            number(unsigned{l.mother_contains}) + "}";
+            number(unsigned{l.mother_contains}) + ", " + number(l.block) + "}";
   }
   const std::string of = w.define("NeighbourList", "lists", "{" + text + "}", "[]");
   std::vector<unsigned> neighbours(from.neighbours.begin(), from.neighbours.end());

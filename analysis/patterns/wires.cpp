@@ -5,14 +5,11 @@
 #include <cmath>
 
 #include "analysis/patterns/wire_rows.hpp"
+#include "geometry/navigation/box_blocks.hpp"
 #include "geometry/navigation/geometry.hpp"
 #include "geometry/solids/extent.hpp"
 #include "geometry/solids/list.hpp"
 #include "navjit/vector.hpp"
-
-// clang-format off
-#include "geometry/kernels/grid.h"
-// clang-format on
 
 namespace navjit {
 namespace {

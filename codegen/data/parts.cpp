@@ -375,7 +375,8 @@ const kernels::NeighbourList* make_neighbour_lists(const Source& source) {
                 {b.max.x, b.max.y, b.max.z},
                 of.first,
                 of.listed() ? of.count : kernels::NeighbourList::unlisted,
-                of.mother_contains};
+                of.mother_contains,
+                of.block};
   }
   return lists;
 }

@@ -90,6 +90,7 @@ void make_shared_tables(const Source& source, Scene& scene) {
   if (!lists.of.empty()) {
     scene.lists = make_neighbour_lists(source);
     scene.neighbours = source.arena.copy(lists.neighbours);
+    scene.beside = source.arena.copy(lists.blocks);
   }
   if (source.plan.safety == SafetyFrom::boxes) {
     scene.boxes = make_near_boxes(source.plan.tree_boxes, source.arena);

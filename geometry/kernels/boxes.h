@@ -84,6 +84,20 @@ inline unsigned lanes_around(const BoxBlock& block, const Vec3<double>& p) {
                   (y <= block.high[1]) & (block.low[2] <= z) & (z <= block.high[2]));
 }
 
+/// The first of `count` numbers for which holds(number) is true; -1 for none. `blocks` has their
+/// boxes, in their order, and where the point is not in the box it need not be asked.
+template <class Index, class Holds>
+inline int first_around(const BoxBlock* blocks, const Index* numbers, unsigned count,
+                        const Vec3<double>& p, Holds holds) {
+  for (unsigned first = 0; first < count; first += box_lanes) {
+    for (unsigned lanes = lanes_around(*blocks++, p); lanes != 0; lanes &= lanes - 1) {
+      const auto number = numbers[first + static_cast<unsigned>(__builtin_ctz(lanes))];
+      if (holds(static_cast<unsigned>(number))) return static_cast<int>(number);
+    }
+  }
+  return -1;
+}
+
 /// Floats strictly below and above a double, as the generic navigator's boxes have them
 /// (geometry/bvh/rounding.hpp).
 inline float strictly_below(double x) {

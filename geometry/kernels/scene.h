@@ -12,8 +12,10 @@ struct alignas(64) NeighbourList {
   unsigned first;
   unsigned short count;
   unsigned short mother_contains;  ///< all of the box
+  unsigned block;                  ///< of the neighbours' boxes; no_block: there are none
 
   static constexpr unsigned short unlisted = 0xffff;
+  static constexpr unsigned no_block = 0xffffffff;
 };
 
 inline bool is_there(const NeighbourList& a, const Vec3<double>& p) {
@@ -54,6 +56,7 @@ struct Scene {
   [[no_unique_address]] Search search;
   const NeighbourList* lists;  ///< by daughter; null: not used
   const unsigned* neighbours;  ///< of daughters, as `lists` counts them
+  const BoxBlock* beside;      ///< the boxes of neighbours, likewise
   NearBoxes boxes;             ///< of daughters, for safety; without blocks every one is asked
 };
 
@@ -268,6 +271,10 @@ template <class S>
   if (__builtin_expect(!there || list.count == NeighbourList::unlisted, 0)) {
     return find_seldom(s.search, s.daughters, p.x, p.y, p.z, v.x, v.y, v.z,
                        static_cast<int>(blocked), tol);
+  }
+  if (list.block != NeighbourList::no_block) {
+    return first_around(s.beside + list.block, s.neighbours + list.first, list.count, p,
+                        [&](unsigned k) { return s.daughters.holds(k, p, v, tol); });
   }
   for (unsigned m = list.first; m != list.first + list.count; ++m) {
     if (s.daughters.holds(s.neighbours[m], p, v, tol)) return static_cast<int>(s.neighbours[m]);

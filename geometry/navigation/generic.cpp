@@ -1,6 +1,7 @@
 #include "geometry/navigation/generic.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "geometry/bvh/box_tree_traversal.hpp"
 
@@ -11,8 +12,25 @@ using kernels::AnySolid;
 
 constexpr unsigned no_daughter = ~0U;
 
-void push(NavigationStack& stack, const Daughter& daughter, unsigned index) {
-  navjit::push(stack, daughter.transformation, daughter.volume, index, daughter.offset);
+void push(NavigationStack& stack, const PackedDaughter& d, unsigned index) {
+  const auto& [x, y, z] = d.translation;
+  if (d.rotation == nullptr) {
+    kernels::push_translated(&stack, d.volume, index, d.offset, x, y, z);
+  } else {
+    kernels::push_rotated(&stack, d.volume, index, d.offset, x, y, z, d.rotation);
+  }
+}
+
+/// In the daughter's frame, but for its rotation.
+Vec3 translated(const PackedDaughter& d, const Vec3& p) {
+  return {p.x - d.translation[0], p.y - d.translation[1], p.z - d.translation[2]};
+}
+Vec3 rotated(const double* r, double x, double y, double z) {
+  return {rotate_row(r, x, y, z), rotate_row(r + 3, x, y, z), rotate_row(r + 6, x, y, z)};
+}
+Vec3 local(const PackedDaughter& d, const Vec3& p) {
+  const Vec3 q = translated(d, p);
+  return d.rotation == nullptr ? q : rotated(d.rotation, q.x, q.y, q.z);
 }
 
 // Most volumes are boxes: their kernels are inlined here, in front of the switch over all kinds.
@@ -34,21 +52,21 @@ double distance_out_here(const AnySolid<double>& solid, const Vec3& p, const Dir
 }
 
 /// `v` needs no reciprocals.
-bool contains_local(const Daughter& d, const Vec3& p, const Direction& v, double tolerance) {
-  const Vec3 q = to_local(d.transformation, p);
-  if (!d.transformation.rotated) return contains_here(d.solid, q, v, tolerance);
-  const double* r = d.transformation.rotation;
-  return contains_here(
-      d.solid, q,
-      kernels::make_heading(rotate_row(r, v.x, v.y, v.z), rotate_row(r + 3, v.x, v.y, v.z),
-                            rotate_row(r + 6, v.x, v.y, v.z)),
-      tolerance);
+bool contains_local(const PackedDaughter& d, const Vec3& p, const Direction& v, double tolerance) {
+  const Vec3 q = translated(d, p);
+  if (d.rotation == nullptr) return contains_here(d.solid, q, v, tolerance);
+  const Vec3 u = rotated(d.rotation, v.x, v.y, v.z);
+  return contains_here(d.solid, rotated(d.rotation, q.x, q.y, q.z),
+                       kernels::make_heading(u.x, u.y, u.z), tolerance);
 }
 
-double distance_local(const Daughter& d, const Vec3& p, const Direction& v, double tolerance) {
-  const Vec3 q = to_local(d.transformation, p);
-  if (d.transformation.rotated) {
-    return distance_to_in(d.solid, q, to_local(d.transformation, v), tolerance);
+double distance_local(const PackedDaughter& d, const Vec3& p, const Direction& v,
+                      double tolerance) {
+  const Vec3 q = translated(d, p);
+  if (d.rotation != nullptr) {
+    const Vec3 u = rotated(d.rotation, v.x, v.y, v.z);
+    return distance_to_in(d.solid, rotated(d.rotation, q.x, q.y, q.z),
+                          kernels::make_direction(u.x, u.y, u.z), tolerance);
   }
   if (d.solid.kind == SolidKind::box) {
     return distance_to_in(*static_cast<const kernels::Box<double>*>(d.solid.shape), q, v,
@@ -62,7 +80,7 @@ double distance_local(const Daughter& d, const Vec3& p, const Direction& v, doub
 /// ray along it is on. Writes to the level above the innermost.
 struct InOwnFrame {
   NavigationStack& stack;
-  const Scene& scene;
+  const PackedScene& scene;
   const Vec3& point;
   const Vec3& direction;
   double tolerance;
@@ -80,11 +98,19 @@ struct InOwnFrame {
 /// file order wins, as in Geant4. Where `confirm(k)` fails there is none. `around`: the blocked
 /// daughter's neighbours, if the point is there.
 template <class Confirm>
-unsigned find_daughter(const Scene& scene, const Vec3& p, const Direction& v, int blocked,
+unsigned find_daughter(const PackedScene& scene, const Vec3& p, const Direction& v, int blocked,
                        double tolerance, const NeighbourLists::Of* around, const Confirm& confirm) {
   if (around != nullptr && around->listed()) {
-    for (const std::uint32_t k : scene.neighbour_lists.neighbours_of(*around)) {
-      if (contains_local(scene.daughters[k], p, v, tolerance) && confirm(k)) return k;
+    const auto holds = [&](unsigned k) {
+      return contains_local(scene.daughters[k], p, v, tolerance) && confirm(k);
+    };
+    const std::uint32_t* const neighbours = scene.neighbours + around->first;
+    if (around->block != NeighbourLists::Of::no_block) {
+      return static_cast<unsigned>(
+          kernels::first_around(scene.blocks + around->block, neighbours, around->count, p, holds));
+    }
+    for (std::uint32_t n = 0; n < around->count; ++n) {
+      if (holds(neighbours[n])) return neighbours[n];
     }
     return no_daughter;
   }
@@ -100,8 +126,7 @@ unsigned find_daughter(const Scene& scene, const Vec3& p, const Direction& v, in
     case Search::none:
       break;
     case Search::all:
-      for (unsigned k = static_cast<unsigned>(scene.daughters.size());
-           k-- > 0 && found == no_daughter;) {
+      for (unsigned k = scene.count; k-- > 0 && found == no_daughter;) {
         test(k);
       }
       break;
@@ -114,12 +139,12 @@ unsigned find_daughter(const Scene& scene, const Vec3& p, const Direction& v, in
 
 /// The same for a point without a direction: on a face that daughters share, the first in file
 /// order wins; well inside, the rule is that of find_daughter.
-unsigned find_daughter_undirected(const Scene& scene, const Vec3& p, double tolerance) {
+unsigned find_daughter_undirected(const PackedScene& scene, const Vec3& p, double tolerance) {
   const Direction none = kernels::make_heading(0.0, 0.0, 0.0);
   unsigned on_face = no_daughter, within = no_daughter;
-  for (unsigned k = 0; k < scene.daughters.size(); ++k) {
-    const Daughter& d = scene.daughters[k];
-    const Vec3 q = to_local(d.transformation, p);
+  for (unsigned k = 0; k < scene.count; ++k) {
+    const PackedDaughter& d = scene.daughters[k];
+    const Vec3 q = local(d, p);
     if (!contains(d.solid, q, none, tolerance)) continue;
     if (inside(d.solid, q, tolerance) == Side::inside) {
       within = k;
@@ -139,7 +164,7 @@ struct Hit {
 /// order. Daughters beyond `limit` may be left out, and one at distance zero where `confirm(k)`
 /// fails.
 template <class Confirm>
-Hit nearest_daughter(const Scene& scene, const Vec3& p, const Direction& v, double distance,
+Hit nearest_daughter(const PackedScene& scene, const Vec3& p, const Direction& v, double distance,
                      double limit, double tolerance, const Confirm& confirm) {
   Hit hit{distance, no_daughter};
   const auto test = [&](unsigned k) {
@@ -155,7 +180,7 @@ Hit nearest_daughter(const Scene& scene, const Vec3& p, const Direction& v, doub
     case Search::none:
       break;
     case Search::all:
-      for (unsigned k = 0; k < scene.daughters.size(); ++k) test(k);
+      for (unsigned k = 0; k < scene.count; ++k) test(k);
       break;
     case Search::linear_boxes:
     case Search::bvh:
@@ -173,7 +198,8 @@ bool enter(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
   stack.boundary = 0;
   const Vec3 p{point.x + 0.0, point.y + 0.0, point.z + 0.0};
   const Direction v = kernels::make_heading(direction.x, direction.y, direction.z);
-  if (contains(geometry.scene(geometry.world().top).solid, p, v, geometry.tolerance())) return true;
+  if (contains(geometry.packed(geometry.world().top).solid, p, v, geometry.tolerance()))
+    return true;
   stack.depth = -1;
   return false;
 }
@@ -194,7 +220,7 @@ void locate_from(const Geometry& geometry, NavigationStack& stack, const Vec3& p
   const Vec3 p{point.x + 0.0, point.y + 0.0, point.z + 0.0};
   for (;;) {
     const StackLevel& level = stack.levels[stack.depth];
-    if (contains_here(geometry.scene(level.volume).solid, kernels::to_local(level, p.x, p.y, p.z),
+    if (contains_here(geometry.packed(level.volume).solid, kernels::to_local(level, p.x, p.y, p.z),
                       kernels::to_local_heading(level, direction.x, direction.y, direction.z),
                       geometry.tolerance())) {
       break;
@@ -213,7 +239,7 @@ void relocate_after(const Geometry& geometry, NavigationStack& stack, const Vec3
                     const Vec3& direction, int blocked, bool confirmed) {
   const double tolerance = geometry.tolerance();
   const StackLevel* level = &stack.levels[stack.depth];
-  const Scene* scene = &geometry.scene(level->volume);
+  const PackedScene* scene = &geometry.packed(level->volume);
   Vec3 p = kernels::to_local(*level, point.x, point.y, point.z);
   Direction v = kernels::to_local_heading(*level, direction.x, direction.y, direction.z);
   const auto move_to = [&](const StackLevel& next) {
@@ -223,13 +249,14 @@ void relocate_after(const Geometry& geometry, NavigationStack& stack, const Vec3
       v = kernels::to_local_heading(next, direction.x, direction.y, direction.z);
     }
     level = &next;
-    scene = &geometry.scene(next.volume);
+    scene = &geometry.packed(next.volume);
   };
   const NeighbourLists::Of* around = nullptr;
   if (blocked >= 0) {
     // Out of a daughter: the mother may end at the same place.
     for (;;) {
-      around = scene->neighbour_lists.at(static_cast<unsigned>(blocked), p);
+      around = scene->lists == nullptr ? nullptr : scene->lists + blocked;
+      if (around != nullptr && !around->is_there(p)) around = nullptr;
       if (around != nullptr && around->mother_contains) break;
       if (contains_here(scene->solid, p, v, tolerance)) break;
       blocked = static_cast<int>(level->daughter);
@@ -238,7 +265,7 @@ void relocate_after(const Geometry& geometry, NavigationStack& stack, const Vec3
     }
   }
   const bool directed = direction.x != 0 || direction.y != 0 || direction.z != 0;
-  while (!scene->daughters.empty()) {
+  while (scene->count != 0) {
     const InOwnFrame in_own_frame{stack, *scene, point, direction, tolerance};
     const unsigned found =
         !directed   ? find_daughter_undirected(*scene, p, tolerance)
@@ -264,7 +291,7 @@ double step(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
             const Vec3& direction, double limit) {
   kernels::set_ray(stack, direction.x, direction.y, direction.z);
   const StackLevel& level = stack.levels[stack.depth];
-  const Scene& scene = geometry.scene(level.volume);
+  const PackedScene& scene = geometry.packed(level.volume);
   const Vec3 p = kernels::to_local(level, point.x, point.y, point.z);
   const Direction v = level.rotation == nullptr ? stack.ray.direction
                                                 : kernels::to_local_direction(
@@ -294,14 +321,14 @@ double step(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
 double safety(const Geometry& geometry, const NavigationStack& stack, const Vec3& point,
               double enough) {
   const StackLevel& level = stack.levels[stack.depth];
-  const Scene& scene = geometry.scene(level.volume);
+  const PackedScene& scene = geometry.packed(level.volume);
   const Vec3 p = kernels::to_local(level, point.x, point.y, point.z);
   double safety = std::min(safety_to_out(scene.solid, p), enough + 2 * geometry.tolerance());
   // `bound` is the distance to the daughter's box: with it the answer is the same whether the
   // search left the daughter out or not.
   const auto test = [&](unsigned k, double bound) {
-    const Daughter& d = scene.daughters[k];
-    const double away = safety_to_in(d.solid, to_local(d.transformation, p));
+    const PackedDaughter& d = scene.daughters[k];
+    const double away = safety_to_in(d.solid, local(d, p));
     safety = std::min(safety, std::max(bound, away));
     return safety;
   };
@@ -309,7 +336,7 @@ double safety(const Geometry& geometry, const NavigationStack& stack, const Vec3
     case Search::none:
       break;
     case Search::all:
-      for (unsigned k = 0; k < scene.daughters.size(); ++k) test(k, 0.0);
+      for (unsigned k = 0; k < scene.count; ++k) test(k, 0.0);
       break;
     case Search::linear_boxes:
     case Search::bvh:
@@ -337,10 +364,10 @@ void restore(const Geometry& geometry, NavigationStack& stack, TouchableId touch
   }
   while (stack.levels[stack.depth].touchable != touchable) {
     const StackLevel& level = stack.levels[stack.depth];
-    const auto daughters = geometry.scene(level.volume).daughters;
-    const auto index =
-        static_cast<unsigned>(daughter_holding(daughters, touchable - level.touchable));
-    push(stack, daughters[index], index);
+    const PackedScene& scene = geometry.packed(level.volume);
+    const auto index = static_cast<unsigned>(
+        daughter_holding(std::span(scene.daughters, scene.count), touchable - level.touchable));
+    push(stack, scene.daughters[index], index);
   }
 }
 

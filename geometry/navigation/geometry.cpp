@@ -96,6 +96,7 @@ Geometry::Geometry(std::shared_ptr<const World> world, const GeometryOptions& op
           find_neighbours(volume.solid, boxes, scene.boxes.get(), world_->tolerance);
     }
   }
+  packed_ = PackedScenes(scenes_);
   if (options.force == GeometryOptions::Force::automatic) touchables_ = TouchableTable(*this);
 }
 

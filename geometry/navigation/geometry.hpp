@@ -11,6 +11,7 @@
 #include "geometry/model/world.hpp"
 #include "geometry/navigation/navigation_stack.hpp"
 #include "geometry/navigation/neighbours.hpp"
+#include "geometry/navigation/packed_scenes.hpp"
 #include "geometry/navigation/touchable_table.hpp"
 #include "navjit/search.hpp"
 
@@ -20,10 +21,7 @@ namespace bvh {
 class BoxTree;
 }
 
-/// How a scene's daughters are searched.
-enum class Search : std::uint8_t { none, all, linear_boxes, bvh };
-
-/// A daughter as the navigator meets it.
+/// A placed daughter.
 struct Daughter {
   kernels::AnySolid<double> solid;
   Transformation transformation;
@@ -56,6 +54,8 @@ class Geometry {
   const World& world() const { return *world_; }
   std::shared_ptr<const World> share_world() const { return world_; }
   const Scene& scene(VolumeId volume) const { return scenes_[volume]; }
+  /// The same, as the generic navigator reads it.
+  const PackedScene& packed(VolumeId volume) const { return packed_[volume]; }
   std::size_t size() const { return scenes_.size(); }
   double tolerance() const { return world_->tolerance; }
   /// Empty where there are too many.
@@ -65,6 +65,7 @@ class Geometry {
   std::shared_ptr<const World> world_;
   std::vector<Daughter> daughters_;
   std::vector<Scene> scenes_;
+  PackedScenes packed_;
   TouchableTable touchables_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/bvh/box_tree_traversal.hpp"
 #include "geometry/solids/extent.hpp"
@@ -9,8 +10,31 @@
 namespace navjit {
 namespace {
 
-/// With more neighbours the boxes' hierarchy is the better search.
-constexpr std::size_t most_neighbours = 12;
+/// With more neighbours the boxes' hierarchy is the better search: a guess.
+constexpr std::size_t most_neighbours = 32;
+/// From this number on neighbours have blocks: a guess.
+constexpr std::size_t blocks_from = 3;
+
+/// Rounding to the nearest float keeps order: a point in the box is in the rounded one once it is
+/// rounded, too.
+void append_blocks(std::span<const std::uint32_t> found, std::span<const Extent> boxes,
+                   double margin, std::vector<kernels::BoxBlock>& blocks) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto lane = i % kernels::box_lanes;
+    if (lane == 0) {
+      kernels::BoxBlock& block = blocks.emplace_back();
+      std::fill_n(block.low, 3, kernels::all_lanes(std::numeric_limits<float>::infinity()));
+      std::fill_n(block.high, 3, kernels::all_lanes(-std::numeric_limits<float>::infinity()));
+    }
+    const Extent box = inflated(boxes[found[i]], margin);
+    const double low[3] = {box.min.x, box.min.y, box.min.z};
+    const double high[3] = {box.max.x, box.max.y, box.max.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      blocks.back().low[axis][lane] = static_cast<float>(low[axis]);
+      blocks.back().high[axis][lane] = static_cast<float>(high[axis]);
+    }
+  }
+}
 
 bool meet(const Extent& a, const Extent& b) {
   return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
@@ -60,11 +84,15 @@ NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxe
     }
     std::sort(found.begin(), found.end(), std::greater<>());
     const bool listed = found.size() <= most_neighbours;
+    const bool in_blocks = listed && found.size() >= blocks_from;
     result.of.push_back(
         {box, static_cast<std::uint32_t>(result.neighbours.size()),
          listed ? static_cast<std::uint16_t>(found.size()) : NeighbourLists::Of::unlisted,
-         holds_deep(mother, box, margin)});
+         holds_deep(mother, box, margin),
+         in_blocks ? static_cast<std::uint32_t>(result.blocks.size())
+                   : NeighbourLists::Of::no_block});
     if (listed) result.neighbours.insert(result.neighbours.end(), found.begin(), found.end());
+    if (in_blocks) append_blocks(found, boxes, margin, result.blocks);
   }
   return result;
 }

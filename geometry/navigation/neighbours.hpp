@@ -4,12 +4,16 @@
 // whose boxes, with the same margin, meet that box can contain such a point; and where the box lies
 // well inside the mother, the mother contains it. The margin is far above the tolerance and the
 // rounding of a position, so that no answer depends on it.
+//
+// Neighbours of which there are several have their boxes, with that margin and in single precision,
+// in blocks of eight: mostly one look tells that none or one of them can contain the point.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "geometry/navigation/box_blocks.hpp"
 #include "geometry/solids/solid.hpp"
 
 namespace navjit {
@@ -19,28 +23,31 @@ class BoxTree;
 }
 
 struct NeighbourLists {
-  /// Of one daughter.
-  struct Of {
+  /// Of one daughter. A cache line.
+  struct alignas(64) Of {
     Extent box;           ///< with the margin, in the mother's frame, mm
     std::uint32_t first;  ///< into `neighbours`
     std::uint16_t count;
     bool mother_contains;  ///< the mother contains every point of the box
+    std::uint32_t block;   ///< into `blocks`; no_block: neighbours are asked one by one
 
     static constexpr std::uint16_t unlisted = 0xffff;
+    static constexpr std::uint32_t no_block = 0xffffffff;
     /// False if the neighbours are too many to be listed.
     bool listed() const { return count != unlisted; }
+    /// Whether the point is in its box.
+    bool is_there(const Vec3& p) const {
+      return (p.x >= box.min.x) & (p.x <= box.max.x) & (p.y >= box.min.y) & (p.y <= box.max.y) &
+             (p.z >= box.min.z) & (p.z <= box.max.z);
+    }
   };
   std::vector<Of> of;                     ///< by daughter; empty: unknown
   std::vector<std::uint32_t> neighbours;  ///< of one daughter: last in file order first
+  std::vector<kernels::BoxBlock> blocks;  ///< of the neighbours, in that order
 
   /// Those of a daughter; null if they are unknown or the point is not in its box.
   const Of* at(unsigned daughter, const Vec3& p) const {
-    if (daughter >= of.size()) return nullptr;
-    const Of& around = of[daughter];
-    const Extent& b = around.box;
-    const bool there = (p.x >= b.min.x) & (p.x <= b.max.x) & (p.y >= b.min.y) & (p.y <= b.max.y) &
-                       (p.z >= b.min.z) & (p.z <= b.max.z);
-    return there ? &around : nullptr;
+    return daughter < of.size() && of[daughter].is_there(p) ? &of[daughter] : nullptr;
   }
   std::span<const std::uint32_t> neighbours_of(const Of& around) const {
     return std::span(neighbours).subspan(around.first, around.count);

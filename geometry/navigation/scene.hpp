@@ -1,11 +1,9 @@
 // The scene template and what it is made of (kernels/scene.h), for compiled-ahead code.
 #pragma once
 
-#include "geometry/navigation/navigation_stack.hpp"
+#include "geometry/navigation/box_blocks.hpp"
 
 // clang-format off
-#include "geometry/kernels/grid.h"
-#include "geometry/kernels/boxes.h"
 #include "geometry/kernels/four_boxes.h"
 #include "geometry/kernels/slabs.h"
 #include "geometry/kernels/nest.h"

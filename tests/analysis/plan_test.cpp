@@ -7,12 +7,9 @@
 
 #include "analysis/patterns/grid.hpp"
 #include "analysis/patterns/pattern.hpp"
+#include "geometry/navigation/box_blocks.hpp"
 #include "geometry/solids/list.hpp"
 #include "tests/support/worlds.hpp"
-
-// clang-format off
-#include "geometry/kernels/grid.h"
-// clang-format on
 
 namespace navjit {
 namespace {

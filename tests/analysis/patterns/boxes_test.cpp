@@ -7,16 +7,12 @@
 
 #include "analysis/patterns/grid.hpp"
 #include "analysis/plan.hpp"
+#include "geometry/navigation/box_blocks.hpp"
 #include "geometry/navigation/generic.hpp"
 #include "geometry/solids/extent.hpp"
 #include "geometry/solids/list.hpp"
 #include "navjit/vector.hpp"
 #include "tests/support/worlds.hpp"
-
-// clang-format off
-#include "geometry/kernels/grid.h"
-#include "geometry/kernels/boxes.h"
-// clang-format on
 
 namespace navjit {
 namespace {

@@ -6,11 +6,11 @@
 #include <limits>
 #include <random>
 
+#include "geometry/navigation/box_blocks.hpp"
 #include "geometry/solids/list.hpp"
 #include "tests/support/worlds.hpp"
 
 // clang-format off
-#include "geometry/kernels/grid.h"
 #include "geometry/kernels/slabs.h"
 // clang-format on
 

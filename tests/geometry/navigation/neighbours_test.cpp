@@ -6,6 +6,7 @@
 #include <random>
 
 #include "geometry/bvh/box_tree.hpp"
+#include "geometry/solids/extent.hpp"
 #include "geometry/solids/solid.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -110,6 +111,64 @@ TEST(NeighbourLists, DoNotListTooMany) {
   EXPECT_FALSE(s.of[0].listed());
   EXPECT_TRUE(s.of[5].listed());
   EXPECT_EQ(s.of[5].count, 1);
+}
+
+/// Boxes of edge 1 in a lattice, so that each touches up to 26 others.
+std::vector<Extent> lattice(int edge) {
+  std::vector<Extent> boxes;
+  for (int i = 0; i < edge; ++i) {
+    for (int j = 0; j < edge; ++j) {
+      for (int k = 0; k < edge; ++k) {
+        const Vec3 low{i + 1.0 / 3, j + 1.0 / 7, k - 1e3};
+        boxes.push_back({low, low + Vec3{1, 1, 1}});
+      }
+    }
+  }
+  return boxes;
+}
+
+TEST(NeighbourLists, BlocksLeaveOutNoNeighbourThatHoldsThePoint) {
+  std::mt19937_64 random(2);
+  const Solid mother = make_box("mother", 1e4, 1e4, 1e4);
+  const std::vector<Extent> boxes = lattice(6);
+  const NeighbourLists s = find_neighbours(mother, boxes, nullptr, tolerance);
+  std::size_t held = 0, asked = 0, all = 0;
+  for (int i = 0; i < 50000; ++i) {
+    const auto k = static_cast<unsigned>(random() % boxes.size());
+    const NeighbourLists::Of& of = s.of[k];
+    ASSERT_TRUE(of.listed());
+    ASSERT_NE(of.block, NeighbourLists::Of::no_block);
+    const Extent& box = boxes[k];
+    // On a face, or up to the tolerance off it: where neighbours hold it, or lose it.
+    Vec3 p{uniform(random, box.min.x, box.max.x), uniform(random, box.min.y, box.max.y),
+           uniform(random, box.min.z, box.max.z)};
+    double* const across[3] = {&p.x, &p.y, &p.z};
+    *across[random() % 3] =
+        boxes[random() % boxes.size()].max.x + uniform(random, -1, 1) * tolerance;
+    p.x = std::clamp(p.x, box.min.x, box.max.x);
+    p.y = std::clamp(p.y, box.min.y, box.max.y);
+    p.z = std::clamp(p.z, box.min.z, box.max.z);
+    const auto near = s.neighbours_of(of);
+    const auto holds = [&](std::uint32_t j) { return in(inflated(boxes[j], tolerance), p); };
+    const auto first = std::find_if(near.begin(), near.end(), holds);
+    const int found = kernels::first_around(s.blocks.data() + of.block, near.data(), of.count, p,
+                                            [&](unsigned j) { return ++asked, holds(j); });
+    EXPECT_EQ(found, first == near.end() ? -1 : static_cast<int>(*first));
+    held += first != near.end() ? 1 : 0;
+    all += static_cast<std::size_t>(first - near.begin()) + (first != near.end() ? 1 : 0);
+  }
+  EXPECT_GT(held, 10000U);
+  // What the blocks are for.
+  EXPECT_LT(3 * asked, all);
+}
+
+TEST(NeighbourLists, FewNeighboursHaveNoBlock) {
+  const Solid mother = make_box("mother", 10, 10, 10);
+  std::vector<Extent> boxes;
+  for (int i = 0; i < 5; ++i) boxes.push_back({{-5.0 + i, -1, -1}, {-4.0 + i, 1, 1}});
+  const NeighbourLists s = find_neighbours(mother, boxes, nullptr, tolerance);
+  for (const NeighbourLists::Of& of : s.of) EXPECT_EQ(of.block, NeighbourLists::Of::no_block);
+  EXPECT_TRUE(s.blocks.empty());
 }
 
 }  // namespace

@@ -1,0 +1,9 @@
+// Boxes eight to a block (kernels/boxes.h), for compiled-ahead code.
+#pragma once
+
+#include "geometry/navigation/navigation_stack.hpp"
+
+// clang-format off
+#include "geometry/kernels/grid.h"
+#include "geometry/kernels/boxes.h"
+// clang-format on

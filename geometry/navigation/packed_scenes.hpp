@@ -1,0 +1,67 @@
+// What the generic navigator reads of a scene at every step, in whole cache lines: in a detector of
+// thousands of volumes little of what a step meets is at hand, and it waits for every line that it
+// touches.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <memory_resource>
+#include <span>
+#include <vector>
+
+#include "geometry/navigation/navigation_stack.hpp"
+#include "geometry/navigation/neighbours.hpp"
+
+namespace navjit {
+
+struct Scene;
+namespace bvh {
+class BoxTree;
+}
+
+/// How a scene's daughters are searched.
+enum class Search : std::uint8_t { none, all, linear_boxes, bvh };
+
+constexpr std::size_t cache_line = 64;
+
+/// A daughter: one line. Its solid and its rotation are elsewhere, shared by those of the same
+/// bits.
+struct alignas(cache_line) PackedDaughter {
+  double translation[3];
+  const double* rotation;  ///< outer-to-local, row-major; null: the identity
+  kernels::AnySolid<double> solid;
+  TouchableId offset;
+  VolumeId volume;
+};
+static_assert(sizeof(PackedDaughter) == cache_line);
+
+/// A logical volume: one line.
+struct alignas(cache_line) PackedScene {
+  kernels::AnySolid<double> solid;
+  const PackedDaughter* daughters;
+  const bvh::BoxTree* boxes;        ///< null: none
+  const NeighbourLists::Of* lists;  ///< by daughter; null: unknown
+  const std::uint32_t* neighbours;  ///< as `lists` counts them
+  const kernels::BoxBlock* blocks;  ///< of their boxes, likewise
+  std::uint32_t count;              ///< of daughters
+  Search search;
+};
+static_assert(sizeof(PackedScene) == cache_line);
+
+/// By volume. Points into the scenes that it was made from, and into their world's solids: those
+/// have to outlive it.
+class PackedScenes {
+ public:
+  PackedScenes() = default;
+  explicit PackedScenes(std::span<const Scene> scenes);
+
+  const PackedScene& operator[](VolumeId volume) const { return scenes_[volume]; }
+
+ private:
+  std::vector<PackedScene> scenes_;
+  std::vector<PackedDaughter> daughters_;
+  /// Of shapes and rotations.
+  std::unique_ptr<std::pmr::monotonic_buffer_resource> memory_;
+};
+
+}  // namespace navjit
