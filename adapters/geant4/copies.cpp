@@ -1,0 +1,83 @@
+#include "adapters/geant4/copies.hpp"
+
+#include <G4LogicalVolume.hh>
+#include <G4ReplicaNavigation.hh>
+#include <G4Tubs.hh>
+#include <G4VPVParameterisation.hh>
+#include <G4VSolid.hh>
+
+#include "navjit/geant4/geometry.hpp"
+
+namespace navjit::geant4 {
+namespace {
+
+[[noreturn]] void refuse(const G4VPhysicalVolume& volume, const std::string& why) {
+  throw Unsupported("volume '" + volume.GetName() + "': " + why);
+}
+
+struct Replication {
+  EAxis axis;
+  G4int count;
+  G4double width, offset;
+  G4bool consuming;
+
+  explicit Replication(const G4VPhysicalVolume& volume) {
+    volume.GetReplicationData(axis, count, width, offset, consuming);
+  }
+};
+
+/// Rings: Geant4 takes their radii from the replication, and the rest from the solid.
+Solid ring(const G4VPhysicalVolume& volume, const G4VSolid& solid, const Replication& replication,
+           G4int number) {
+  const auto* tubs = dynamic_cast<const G4Tubs*>(&solid);
+  if (tubs == nullptr) refuse(volume, "replicas along the radius have to be of a G4Tubs");
+  const double rmin = replication.offset + number * replication.width;
+  return make_tube(solid.GetName() + "_" + std::to_string(number), rmin, rmin + replication.width,
+                   tubs->GetZHalfLength(), tubs->GetStartPhiAngle(), tubs->GetDeltaPhiAngle());
+}
+
+void for_each_replica(G4VPhysicalVolume& volume, const std::function<void(const Copy&)>& take) {
+  const Replication replication(volume);
+  const G4LogicalVolume& logical = *volume.GetLogicalVolume();
+  G4ReplicaNavigation navigation;
+  for (G4int i = 0; i < replication.count; ++i) {
+    navigation.ComputeTransformation(i, &volume);
+    Copy copy{i, logical.GetSolid(), logical.GetMaterial()};
+    if (replication.axis == kRho) copy.shape = ring(volume, *copy.solid, replication, i);
+    take(copy);
+  }
+}
+
+void for_each_parameterised(G4VPhysicalVolume& volume,
+                            const std::function<void(const Copy&)>& take) {
+  G4VPVParameterisation* parameterisation = volume.GetParameterisation();
+  if (parameterisation == nullptr) refuse(volume, "it has no parameterisation");
+  if (parameterisation->IsNested()) {
+    refuse(volume, "its parameterisation is nested: its materials depend on the mother's copy");
+  }
+  if (volume.GetRegularStructureId() != 0) {
+    refuse(volume,
+           "it is a regular structure, whose boundaries Geant4 skips where materials agree");
+  }
+  for (G4int i = 0; i < Replication(volume).count; ++i) {
+    G4VSolid* solid = parameterisation->ComputeSolid(i, &volume);
+    solid->ComputeDimensions(parameterisation, i, &volume);
+    parameterisation->ComputeTransformation(i, &volume);
+    take({i, solid, parameterisation->ComputeMaterial(i, &volume, nullptr)});
+  }
+}
+
+}  // namespace
+
+void for_each_copy(G4VPhysicalVolume& volume, const std::function<void(const Copy&)>& take) {
+  switch (volume.VolumeType()) {
+    case kReplica:
+      return for_each_replica(volume, take);
+    case kParameterised:
+      return for_each_parameterised(volume, take);
+    default:
+      refuse(volume, "it is an external volume");
+  }
+}
+
+}  // namespace navjit::geant4

@@ -1,0 +1,113 @@
+// Geant4's history of where a track is, kept equal to navjit's state.
+#include <G4LogicalVolume.hh>
+#include <G4TouchableHistory.hh>
+#include <G4VPVParameterisation.hh>
+#include <G4VSolid.hh>
+#include <algorithm>
+
+#include "navjit/geant4/navigator.hpp"
+
+namespace navjit::geant4 {
+namespace {
+
+/// As Geant4 has it when a track is in that copy: its place, dimensions and material.
+void set_up_copy(const Placed& placed, const G4NavigationHistory& mother) {
+  G4VPhysicalVolume& volume = *placed.volume;
+  G4VPVParameterisation* parameterisation = volume.GetParameterisation();
+  G4VSolid* solid = parameterisation->ComputeSolid(placed.number, &volume);
+  solid->ComputeDimensions(parameterisation, placed.number, &volume);
+  parameterisation->ComputeTransformation(placed.number, &volume);
+  volume.SetCopyNo(placed.number);
+  G4LogicalVolume& logical = *volume.GetLogicalVolume();
+  logical.SetSolid(solid);
+  const G4TouchableHistory touchable(mother);
+  logical.UpdateMaterial(parameterisation->ComputeMaterial(placed.number, &volume, &touchable));
+}
+
+}  // namespace
+
+std::span<const kernels::StackLevel> Navigator::path(const State& state) {
+  auto levels = navigator_->levels();
+  if (levels.empty() || levels.back().touchable != state.touchable()) {
+    navigator_->frame(state);  // it is there now
+    levels = navigator_->levels();
+  }
+  return levels;
+}
+
+void Navigator::enter_level(const Placed& placed, const kernels::StackLevel& level) {
+  if (placed.type == kReplica) {
+    replicas_.ComputeTransformation(placed.number, placed.volume);
+    placed.volume->SetCopyNo(placed.number);
+  } else if (placed.type == kParameterised) {
+    set_up_copy(placed, fHistory);
+  }
+  fHistory.NewLevel(placed.volume, placed.type, placed.number);
+  levels_.push_back({level.touchable, level.volume});
+}
+
+std::size_t Navigator::follow(const State& next) {
+  state_ = next;
+  std::size_t kept = levels_.size() - 1;
+  if (!next.inside()) {
+    fHistory.BackLevel(static_cast<G4int>(kept));
+    levels_.resize(1);
+    return 0;
+  }
+  const auto path = this->path(next);
+  kept = std::min(kept, path.size() - 1);
+  while (kept > 0 && path[kept].touchable != levels_[kept].touchable) --kept;
+  if (kept + 1 < levels_.size()) {
+    fHistory.BackLevel(static_cast<G4int>(levels_.size() - 1 - kept));
+    levels_.resize(kept + 1);
+  }
+  for (std::size_t at = kept + 1; at < path.size(); ++at) {
+    enter_level(engine_->geometry.placed(levels_.back().volume, path[at].daughter), path[at]);
+  }
+  return kept;
+}
+
+std::optional<State> Navigator::adopt(const G4NavigationHistory& history) {
+  const std::size_t depth = history.GetDepth();
+  // Levels that are one object are the same place, and so are those above them.
+  std::size_t kept = std::min(depth, levels_.size() - 1);
+  const auto same = [&](std::size_t at) {
+    const auto level = static_cast<G4int>(at);
+    return &history.GetTransform(level) == &fHistory.GetTransform(level);
+  };
+  while (kept > 0 && !same(kept)) --kept;
+  const bool equal = kept == depth && kept == levels_.size() - 1;
+  levels_.resize(kept + 1);
+  for (std::size_t at = kept + 1; at <= depth; ++at) {
+    const auto level = static_cast<G4int>(at);
+    const Level mother = levels_.back();
+    const Placed* placed = engine_->geometry.find(mother.volume, history.GetVolume(level),
+                                                  history.GetReplicaNo(level));
+    if (placed == nullptr) {
+      fHistory.Reset();
+      levels_.resize(1);
+      return std::nullopt;
+    }
+    levels_.push_back({mother.touchable + placed->offset, placed->id});
+  }
+  if (!equal) fHistory = history;
+  return State{levels_.back().touchable, levels_.back().volume};
+}
+
+G4VPhysicalVolume* Navigator::reset(const G4ThreeVector& point, const G4ThreeVector& direction,
+                                    const G4TouchableHistory& history) {
+  attach();
+  if (!engine_) return G4Navigator::ResetHierarchyAndLocate(point, direction, history);
+  ResetState();
+  forget_steps();
+  zero_steps_ = 0;
+  const std::optional<State> start = adopt(*history.GetHistory());
+  if (!start) return Navigator::locate(point, &direction, false, false);
+  state_ = *start;
+  if (!engine_->geometry.plain()) SetupHierarchy();
+  // Where there is room about the point it is in no other volume.
+  if (safeties_.find(state_, {point.x(), point.y(), point.z()}) > 0) return fHistory.GetTopVolume();
+  return Navigator::locate(point, &direction, true, false);
+}
+
+}  // namespace navjit::geant4

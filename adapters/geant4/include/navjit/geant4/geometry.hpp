@@ -1,0 +1,69 @@
+// A detector of Geant4's, taken from its volumes in memory.
+#pragma once
+
+#include <G4VPhysicalVolume.hh>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "navjit/detector.hpp"
+
+namespace navjit::geant4 {
+
+/// Something that navjit has no counterpart for; what() names the volume and what is in its way.
+struct Unsupported : Error {
+  using Error::Error;
+};
+
+/// What Geant4 knows a daughter by: one placement, or one copy of a replica or parameterisation.
+struct Placed {
+  G4VPhysicalVolume* volume;
+  G4int number;  ///< copy or replica number
+  EVolume type;
+  VolumeId id;         ///< the daughter's volume in the Detector
+  TouchableId offset;  ///< the touchable's number less the mother's
+};
+
+/// The Detector of a world of Geant4's, and the way back to its placements. Each logical volume
+/// becomes one volume; a parameterisation that changes solid or material makes one for each that
+/// differs. What it keeps of Geant4 is pointers: the world has to stay as it is. Immutable.
+class Geometry {
+ public:
+  /// Geant4's solids may be in any state of their parameterisations afterwards, as after Geant4's
+  /// own navigation. Throws Unsupported, GeometryError.
+  explicit Geometry(G4VPhysicalVolume& world);
+
+  const Detector& detector() const { return detector_; }
+  G4VPhysicalVolume& world() const { return *world_; }
+  /// Whether there are placements alone, no replicas and no parameterisations.
+  bool plain() const { return plain_; }
+
+  const Placed& placed(VolumeId mother, std::uint32_t daughter) const {
+    return daughters_[mother][daughter];
+  }
+  /// The daughter that Geant4 knows by these two; null if there is none.
+  const Placed* find(VolumeId mother, const G4VPhysicalVolume* volume, G4int number) const;
+
+ private:
+  friend struct Conversion;
+  struct Key {
+    const G4VPhysicalVolume* volume;
+    G4int number;
+    VolumeId mother;
+    bool operator==(const Key&) const = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Key& key) const;
+  };
+
+  Geometry(Detector detector, std::vector<std::vector<Placed>> daughters, G4VPhysicalVolume& world);
+
+  Detector detector_;
+  std::vector<std::vector<Placed>> daughters_;  ///< by mother
+  std::unordered_map<Key, std::uint32_t, Hash> numbers_;
+  G4VPhysicalVolume* world_;
+  bool plain_ = true;
+};
+
+}  // namespace navjit::geant4

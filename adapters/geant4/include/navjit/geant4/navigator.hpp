@@ -1,0 +1,122 @@
+// A navigator for Geant4 that asks navjit.
+#pragma once
+
+#include <G4Navigator.hh>
+#include <G4ReplicaNavigation.hh>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "navjit/geant4/known_safeties.hpp"
+#include "navjit/geant4/session.hpp"
+
+namespace navjit::geant4 {
+
+/// Geant4's navigator of one thread, with navjit's answers. Geant4's own code sees what it expects:
+/// the history of where the track is after each call that locates, flags of what was entered and
+/// left, infinity where physics limits a step. A world that navjit refuses is navigated by the base
+/// class. Not answered by navjit, because the base class lets no one: SeverityOfZeroStepping (0),
+/// GetCurrentLocalCoordinate, and what SetVerboseLevel and CheckMode print.
+class Navigator : public G4Navigator {
+ public:
+  explicit Navigator(std::shared_ptr<Session> session);
+  ~Navigator() override;
+
+  G4double ComputeStep(const G4ThreeVector& point, const G4ThreeVector& direction, G4double limit,
+                       G4double& safety) override;
+  G4VPhysicalVolume* ResetHierarchyAndLocate(const G4ThreeVector& point,
+                                             const G4ThreeVector& direction,
+                                             const G4TouchableHistory& history) override;
+  G4VPhysicalVolume* LocateGlobalPointAndSetup(const G4ThreeVector& point,
+                                               const G4ThreeVector* direction = nullptr,
+                                               G4bool relative = true,
+                                               G4bool ignore_direction = true) override;
+  void LocateGlobalPointWithinVolume(const G4ThreeVector& point) override;
+  G4double ComputeSafety(const G4ThreeVector& point, G4double enough = DBL_MAX,
+                         G4bool keep_state = true) override;
+  G4ThreeVector GetLocalExitNormal(G4bool* valid) override;
+  G4ThreeVector GetLocalExitNormalAndCheck(const G4ThreeVector& point, G4bool* valid) override;
+  G4ThreeVector GetGlobalExitNormal(const G4ThreeVector& point, G4bool* valid) override;
+
+  /// Where the track is by navjit's count; outside the world also where Geant4 navigates.
+  const State& state() const { return state_; }
+  /// Whether navjit answers: from the first call that locates a point in a world on.
+  bool active() const { return engine_ != nullptr; }
+  const Session& session() const { return *session_; }
+
+ protected:
+  /// A boundary that a step found.
+  struct Crossing {
+    bool found = false;
+    bool entering = false, exiting = false;
+    State from{}, next{};
+    Vec3 start{}, direction{}, end{};
+    double limit = 0;
+  };
+
+  // The calls of Geant4, not counted.
+  virtual G4double step(const G4ThreeVector& point, const G4ThreeVector& direction, G4double limit,
+                        G4double& safety);
+  virtual G4VPhysicalVolume* reset(const G4ThreeVector& point, const G4ThreeVector& direction,
+                                   const G4TouchableHistory& history);
+  virtual G4VPhysicalVolume* locate(const G4ThreeVector& point, const G4ThreeVector* direction,
+                                    bool relative, bool ignore_direction);
+  virtual void relocate_within(const G4ThreeVector& point);
+  virtual G4double safety_at(const G4ThreeVector& point, G4double enough);
+  /// In the world's frame; at which boundary Geant4 is. Null where there is none.
+  virtual G4ThreeVector exit_normal(const Crossing& crossing);
+
+  /// The boundary that the track is at: that of the last step, or the one that it came to by the
+  /// last locate. Null if there is none.
+  const Crossing* boundary() const;
+  /// Of the last two steps, the one that the track has made: the other may be a CheckNextStep.
+  const Crossing* made_step(const Vec3& point) const;
+  /// At most the distance from the point to the nearest boundary of where the track is, mm.
+  double distance_to_boundary(const G4ThreeVector& point);
+  Counts& counts() { return *counts_; }
+
+ private:
+  struct Level {
+    TouchableId touchable;
+    VolumeId volume;
+  };
+
+  /// Asks the session for the world, where it is not the one that was asked for last.
+  void attach();
+  /// The path to a state; good until navjit is asked again.
+  std::span<const kernels::StackLevel> path(const State& state);
+  /// The history becomes that of the state; gives the depth down to which it stayed as it was.
+  std::size_t follow(const State& next);
+  /// The state of a history of Geant4's, which becomes this navigator's; nothing if the history has
+  /// a volume that the world has not.
+  std::optional<State> adopt(const G4NavigationHistory& history);
+  void enter_level(const Placed& placed, const kernels::StackLevel& level);
+  /// Whether the state is the touchable that is at that depth, or in it.
+  bool is_within(const State& state, std::size_t depth, TouchableId ancestor);
+  State behind(const Crossing& crossing, const Vec3& point, const Vec3& direction);
+  /// Counts steps that do not move; gives the length of this one, which may be pushed.
+  double checked_length(const Step& step, const Vec3& point, const Vec3& direction, State& next);
+  void forget_steps();
+
+  std::shared_ptr<Session> session_;
+  std::shared_ptr<Counts> counts_;
+  std::shared_ptr<Engine> engine_{};
+  std::optional<navjit::Navigator> navigator_{};
+  const G4VPhysicalVolume* asked_world_ = nullptr;
+  std::uint64_t asked_generation_ = 0;
+  G4ReplicaNavigation replicas_{};
+  State state_{};
+  std::vector<Level> levels_{};  ///< of the history
+  Crossing steps_[2]{};
+  int last_step_ = 0;
+  const Crossing* crossed_ = nullptr;  ///< by the last locate
+  bool stepped_ = false;               ///< since the last locate
+  bool in_reset_ = false;
+  KnownSafeties safeties_{};
+  unsigned steps_within_ = 0;  ///< that ended within the safety
+  int zero_steps_ = 0;
+  double longest_step_with_safety_;
+};
+
+}  // namespace navjit::geant4

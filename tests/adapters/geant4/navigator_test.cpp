@@ -1,0 +1,179 @@
+// Calls of Geant4's that walks do not make, and how navjit gets into a program.
+#include "navjit/geant4/navigator.hpp"
+
+#include <gtest/gtest.h>
+#include <G4Box.hh>
+#include <G4GeometryManager.hh>
+#include <G4LogicalVolume.hh>
+#include <G4PVPlacement.hh>
+#include <G4TouchableHistory.hh>
+#include <G4TransportationManager.hh>
+
+#include <sstream>
+
+#include "navjit/geant4/use.hpp"
+
+namespace navjit {
+namespace {
+
+/// A hall of half width 100 with a box of 20 in its middle, which has one of 5 in its own.
+struct Boxes {
+  G4LogicalVolume* hall = new G4LogicalVolume(new G4Box("hall", 100, 100, 100), nullptr, "hall");
+  G4LogicalVolume* outer = new G4LogicalVolume(new G4Box("outer", 20, 20, 20), nullptr, "outer");
+  G4LogicalVolume* inner = new G4LogicalVolume(new G4Box("inner", 5, 5, 5), nullptr, "inner");
+  G4VPhysicalVolume* world = new G4PVPlacement(nullptr, {}, hall, "hall", nullptr, false, 0);
+
+  Boxes() {
+    new G4PVPlacement(nullptr, {}, outer, "outer", hall, false, 4);
+    new G4PVPlacement(nullptr, {}, inner, "inner", outer, false, 6);
+  }
+};
+
+class Calls : public testing::Test {
+ protected:
+  Calls() { navigator_.SetWorldVolume(boxes_.world); }
+
+  std::string locate(const G4ThreeVector& point, const G4ThreeVector& direction, bool relative) {
+    return name(navigator_.LocateGlobalPointAndSetup(point, &direction, relative, false));
+  }
+  static std::string name(const G4VPhysicalVolume* volume) {
+    return volume == nullptr ? "outside" : std::string(volume->GetName());
+  }
+
+  Boxes boxes_;
+  std::shared_ptr<geant4::Session> session_ =
+      std::make_shared<geant4::Session>(geant4::Options{.mode = geant4::Mode::navjit});
+  geant4::Navigator navigator_{session_};
+  const G4ThreeVector x_{1, 0, 0}, y_{0, 1, 0};
+};
+
+TEST_F(Calls, ThroughTheWorldAndOut) {
+  EXPECT_EQ(locate({-50, 0, 0}, x_, false), "hall");
+  G4ThreeVector point(-50, 0, 0);
+  const std::pair<double, const char*> steps[] = {
+      {30, "outer"}, {15, "inner"}, {10, "outer"}, {15, "hall"}, {80, "outside"}};
+  for (const auto& [length, next] : steps) {
+    double safety = -1;
+    EXPECT_DOUBLE_EQ(navigator_.ComputeStep(point, x_, 500, safety), length);
+    EXPECT_GE(safety, 0);
+    EXPECT_LE(safety, length);
+    point += length * x_;
+    EXPECT_EQ(navigator_.ComputeSafety(point), 0);
+    navigator_.SetGeometricallyLimitedStep();
+    G4TouchableHandle touchable = navigator_.CreateTouchableHistoryHandle();
+    navigator_.LocateGlobalPointAndUpdateTouchableHandle(point, x_, touchable, true);
+    EXPECT_EQ(name(touchable->GetVolume()), next);
+    const bool deeper = length == 30 || length == 15;
+    EXPECT_EQ(navigator_.EnteredDaughterVolume(), deeper && std::string(next) != "hall");
+    EXPECT_EQ(navigator_.ExitedMotherVolume(), !navigator_.EnteredDaughterVolume());
+    G4bool valid = false;
+    EXPECT_EQ(navigator_.GetGlobalExitNormal(point, &valid), x_);
+    EXPECT_TRUE(valid);
+    EXPECT_EQ(navigator_.GetLocalExitNormal(&valid), x_);
+  }
+  EXPECT_FALSE(navigator_.state().inside());
+}
+
+TEST_F(Calls, PhysicsThatLimitsIsInfinity) {
+  locate({-50, 0, 0}, x_, false);
+  double safety = 0;
+  EXPECT_EQ(navigator_.ComputeStep({-50, 0, 0}, x_, 29.9, safety), kInfinity);
+  EXPECT_FALSE(navigator_.EnteredDaughterVolume());
+  navigator_.LocateGlobalPointWithinVolume({-20.1, 0, 0});
+  EXPECT_NEAR(navigator_.ComputeSafety({-20.1, 0, 0}), 0.1, 1e-9);
+  // As Geant4's own, it does not stop at what would be enough.
+  EXPECT_NEAR(navigator_.ComputeSafety({-20.1, 3, 0}, 0.05), 0.1, 1e-9);
+  G4bool valid = true;
+  navigator_.GetGlobalExitNormal({-20.1, 0, 0}, &valid);
+  EXPECT_FALSE(valid);
+}
+
+TEST_F(Calls, AStepThatIsOnlyCheckedChangesNothing) {
+  for (const G4ThreeVector& aside : {y_, -x_, x_}) {
+    locate({-50, 0, 0}, x_, false);
+    double safety = 0;
+    EXPECT_EQ(navigator_.ComputeStep({-50, 0, 0}, x_, 500, safety), 30);
+    navigator_.CheckNextStep({-50, 0, 0}, aside, 500, safety);
+    navigator_.SetGeometricallyLimitedStep();
+    EXPECT_EQ(locate({-20, 0, 0}, x_, true), "outer");
+    EXPECT_TRUE(navigator_.EnteredDaughterVolume());
+    EXPECT_FALSE(navigator_.ExitedMotherVolume());
+  }
+}
+
+TEST_F(Calls, ALocateWithinForgetsTheBoundary) {
+  locate({-50, 0, 0}, x_, false);
+  double safety = 0;
+  navigator_.ComputeStep({-50, 0, 0}, x_, 500, safety);
+  navigator_.LocateGlobalPointWithinVolume({-45, 0, 0});
+  EXPECT_EQ(locate({-45, 0, 0}, x_, true), "hall");
+  EXPECT_FALSE(navigator_.EnteredDaughterVolume());
+}
+
+TEST_F(Calls, BesideTheEndOfAStepTheTrackStillEnters) {
+  // In a field the end is where a chord meets the boundary, to a micrometre.
+  for (const double beside : {-1e-4, 1e-4}) {
+    locate({-50, 0, 0}, x_, false);
+    double safety = 0;
+    navigator_.ComputeStep({-50, 0, 0}, x_, 500, safety);
+    navigator_.SetGeometricallyLimitedStep();
+    EXPECT_EQ(locate({-20 + beside, 0, 0}, x_, true), "outer");
+    navigator_.ComputeStep({19, 0, 0}, x_, 500, safety);
+    navigator_.SetGeometricallyLimitedStep();
+    EXPECT_EQ(locate({20 + beside, 0, 0}, x_, true), "hall");
+  }
+}
+
+TEST_F(Calls, SecondariesStartFromTheirTouchable) {
+  locate({0, 0, 0}, x_, false);
+  const G4TouchableHandle inner = navigator_.CreateTouchableHistoryHandle();
+  EXPECT_EQ(inner->GetHistoryDepth(), 2);
+  EXPECT_EQ(inner->GetReplicaNumber(1), 4);
+  locate({-50, 0, 0}, x_, false);
+  const auto& history = *static_cast<G4TouchableHistory*>(inner());
+  EXPECT_EQ(name(navigator_.ResetHierarchyAndLocate({1, 2, 3}, x_, history)), "inner");
+  EXPECT_EQ(navigator_.CreateTouchableHistoryHandle()->GetReplicaNumber(), 6);
+  // On a face the direction decides.
+  EXPECT_EQ(name(navigator_.ResetHierarchyAndLocate({5, 0, 0}, x_, history)), "outer");
+  EXPECT_EQ(name(navigator_.ResetHierarchyAndLocate({5, 0, 0}, -x_, history)), "inner");
+}
+
+TEST(Use, InstallsAndConvertsTheWorldOnce) {
+  const Boxes boxes;
+  const auto session = geant4::use(*boxes.world);
+  const auto active = [&] {
+    G4Navigator* navigator =
+        G4TransportationManager::GetTransportationManager()->GetNavigatorForTracking();
+    navigator->SetWorldVolume(boxes.world);
+    const G4VPhysicalVolume* found =
+        navigator->LocateGlobalPointAndSetup({0, 0, 0}, nullptr, false);
+    EXPECT_EQ(found->GetName(), "inner");
+    const auto* ours = dynamic_cast<const geant4::Navigator*>(navigator);
+    return ours != nullptr && ours->active();
+  };
+  EXPECT_TRUE(active());
+  const auto engine = session->present_engine();
+  G4GeometryManager::GetInstance()->CloseGeometry(true, false);
+  EXPECT_EQ(session->present_engine(), engine);
+  EXPECT_EQ(session->counts().calls[static_cast<std::size_t>(geant4::Call::locate)].calls, 1U);
+  std::ostringstream report;
+  geant4::print_report(*session, report);
+  EXPECT_NE(report.str().find("LocateGlobalPointAndSetup"), std::string::npos) << report.str();
+}
+
+TEST(Use, LeavesGeant4WhereTheWorldIsRefused) {
+  class Odd : public G4Box {
+   public:
+    using G4Box::G4Box;
+  };
+  auto* hall = new G4LogicalVolume(new Odd("odd", 100, 100, 100), nullptr, "hall");
+  auto* world = new G4PVPlacement(nullptr, {}, hall, "hall", nullptr, false, 0);
+  G4TransportationManager* manager = G4TransportationManager::GetTransportationManager();
+  G4Navigator* before = manager->GetNavigatorForTracking();
+  const auto session = geant4::use(*world);
+  EXPECT_EQ(manager->GetNavigatorForTracking(), before);
+  EXPECT_NE(session->refusal().find("'odd'"), std::string::npos) << session->refusal();
+}
+
+}  // namespace
+}  // namespace navjit
