@@ -12,6 +12,9 @@
 #include "common/statistics.hpp"
 #include "geometry/gdml/read_world.hpp"
 #include "navjit/runtime.hpp"
+#ifdef NAVJIT_VECGEOM_LOOP
+#include "bench/vecgeom_loop.hpp"
+#endif
 
 namespace {
 
@@ -65,6 +68,19 @@ void add_vecgeom(const std::string& detector, const std::vector<Ray>& rays,
                        }});
   }
   keep = peer;
+#ifdef NAVJIT_VECGEOM_LOOP
+  // VecGeom's loop once more, over its own volumes, answered by navjit.
+  try {
+    auto loop = std::make_shared<bench::VecGeomLoop>();
+    engines.push_back({"VecGeom's loop over navjit", [loop] { loop->attach(); },
+                       [peer, own_rays] {
+                         const auto t = peer->transport(*own_rays, 1'000'000);
+                         return Totals{t.steps - t.zero_steps, t.stuck, t.length};
+                       }});
+  } catch (const Error& refused) {
+    std::printf("navjit does not take VecGeom's volumes: %s\n", refused.what());
+  }
+#endif
 }
 #endif
 

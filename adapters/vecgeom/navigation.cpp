@@ -98,9 +98,7 @@ bool Navigation::locate(const Vector& point, const Vector& direction,
   Navigator& navigator = parts_->navigators.mine();
   const State found = navigator.locate(parts_->asked.point(point), Asked::direction(direction));
   state.Clear();
-  PathLevels none;
-  none.count = 0;
-  parts_->world.paths.move(state, none, navigator.levels());
+  parts_->world.paths.write(state, State{}, navigator.levels(), state);
   return found.inside();
 }
 

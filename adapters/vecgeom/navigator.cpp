@@ -1,24 +1,15 @@
 #include "adapters/vecgeom/navigator.hpp"
 
-#include <span>
-
 namespace navjit::vecgeom {
 namespace {
 
-/// The daughter of what the track was in that it has entered, itself or something in it; below 0:
-/// none.
-int entered(const PathLevels& from, std::span<const kernels::StackLevel> to) {
-  const auto depth = static_cast<std::size_t>(from.count);
-  if (to.size() <= depth || to[depth - 1].touchable != from.touchable[depth - 1]) return -1;
-  return static_cast<int>(to[depth].daughter);
-}
-
-/// Writes where a step has led.
-void propagate(const Paths& paths, const PathLevels& levels, const State& from,
-               const Navigator& navigator, const Step& step, const NavigationState& in,
-               NavigationState& out) {
-  Paths::copy(in, out);
-  if (!(step.next == from)) paths.move(out, levels, navigator.levels());
+/// Writes where a step has led; `out` has the values of `in`.
+void propagate(const Paths& paths, const State& from, const Navigator& navigator, const Step& step,
+               const NavigationState& in, NavigationState& out) {
+  if (step.next == from) [[unlikely]]
+    Paths::set_length(out, in.GetCurrentLevel());
+  else
+    paths.write(in, from, navigator.levels(), out);
   out.SetBoundaryState(step.boundary);
 }
 
@@ -27,11 +18,10 @@ void propagate(const Paths& paths, const PathLevels& levels, const State& from,
 double StepNavigator::ComputeStepAndPropagatedState(const Vector& point, const Vector& direction,
                                                     double limit, const State_t& in,
                                                     State_t& out) const {
-  PathLevels levels;
-  const State from = asked_.paths.state(in, levels);
+  const State from = asked_.paths.state(in, out);
   Navigator& navigator = asked_.navigators.mine();
   const Step step = asked_.step(navigator, from, point, direction, limit);
-  propagate(asked_.paths, levels, from, navigator, step, in, out);
+  propagate(asked_.paths, from, navigator, step, in, out);
   return asked_.length(step, limit);
 }
 
@@ -40,45 +30,42 @@ double StepNavigator::ComputeStepAndSafetyAndPropagatedState(const Vector& point
                                                              const State_t& in, State_t& out,
                                                              bool with_safety,
                                                              double& safety) const {
-  PathLevels levels;
-  const State from = asked_.paths.state(in, levels);
+  const State from = asked_.paths.state(in, out);
   Navigator& navigator = asked_.navigators.mine();
   safety = with_safety ? asked_.safety(navigator, from, point) : 0;
   const Step step = asked_.step(navigator, from, point, direction, limit);
-  propagate(asked_.paths, levels, from, navigator, step, in, out);
+  propagate(asked_.paths, from, navigator, step, in, out);
   return asked_.length(step, limit);
 }
 
 double StepNavigator::ComputeStep(const Vector& point, const Vector& direction, double limit,
                                   const State_t& in, State_t& out) const {
-  PathLevels levels;
-  const State from = asked_.paths.state(in, levels);
+  const State from = asked_.paths.state(in, out);
   Navigator& navigator = asked_.navigators.mine();
   const Step step = asked_.step(navigator, from, point, direction, limit);
-  Paths::copy(in, out);
+  Paths::set_length(out, in.GetCurrentLevel());
   out.SetBoundaryState(step.boundary);
-  if (!(step.next == from)) {
-    const int daughter = entered(levels, navigator.levels());
-    if (daughter >= 0)
-      asked_.paths.push_daughter(out, from.volume(), static_cast<std::uint32_t>(daughter));
-  }
+  push_entered(in, from, navigator, step, out);
   return asked_.length(step, limit);
 }
 
 double StepNavigator::ComputeStepAndSafety(const Vector& point, const Vector& direction,
                                            double limit, State_t& in, bool with_safety,
                                            double& safety, bool push_daughter) const {
-  PathLevels levels;
-  const State from = asked_.paths.state(in, levels);
+  const State from = asked_.paths.state(in);
   Navigator& navigator = asked_.navigators.mine();
   if (with_safety) safety = asked_.safety(navigator, from, point);
   const Step step = asked_.step(navigator, from, point, direction, limit);
-  if (push_daughter && !(step.next == from)) {
-    const int daughter = entered(levels, navigator.levels());
-    if (daughter >= 0)
-      asked_.paths.push_daughter(in, from.volume(), static_cast<std::uint32_t>(daughter));
-  }
+  if (push_daughter) push_entered(in, from, navigator, step, in);
   return asked_.length(step, limit);
+}
+
+void StepNavigator::push_entered(const State_t& in, const State& from, const Navigator& navigator,
+                                 const Step& step, State_t& path) const {
+  if (step.next == from) return;
+  const int daughter = asked_.paths.entered(in, from, navigator.levels());
+  if (daughter >= 0)
+    asked_.paths.push_daughter(path, from.volume(), static_cast<std::uint32_t>(daughter));
 }
 
 void StepNavigator::ComputeStepsAndPropagatedStates(const SOA& points, const SOA& directions,
@@ -142,12 +129,13 @@ bool StepNavigator::CheckDaughterIntersections(const ::vecgeom::LogicalVolume* v
 void StepNavigator::Relocate(const Vector& point, const State_t& in, State_t& out) const {
   // Only VecGeom's helpers call it, with a point beyond the boundary: no direction is needed.
   Navigator& navigator = asked_.navigators.mine();
-  PathLevels levels;
-  const State from = asked_.paths.state(in, levels);
+  const State from = asked_.paths.state(in, out);
   const Vec3 there = navigator.to_global(from, asked_.point(point));
   const State next = navigator.relocate(from, there, {0, 0, 1});
-  Paths::copy(in, out);
-  if (!(next == from)) asked_.paths.move(out, levels, navigator.levels());
+  if (next == from)
+    Paths::set_length(out, in.GetCurrentLevel());
+  else
+    asked_.paths.write(in, from, navigator.levels(), out);
 }
 
 }  // namespace navjit::vecgeom

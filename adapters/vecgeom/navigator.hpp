@@ -63,6 +63,10 @@ class StepNavigator final : public ::vecgeom::VNavigator {
   void Relocate(const Vector& point, const State_t& in, State_t& out) const override;
 
  private:
+  /// Adds the daughter that a step led into, if it did, to the path of its start.
+  void push_entered(const State_t& in, const State& from, const Navigator& navigator,
+                    const Step& step, State_t& path) const;
+
   const Asked& asked_;
   const Before& before_;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "navjit/errors.hpp"
@@ -14,17 +15,14 @@
 namespace navjit::vecgeom {
 
 using ::vecgeom::NavigationState;
-
-/// A path's levels without assemblies, which have no touchables.
-struct PathLevels {
-  int count;
-  TouchableId touchable[256];
-  std::uint8_t end[256];  ///< length of VecGeom's path down to this level
-};
+using Levels = std::span<const kernels::StackLevel>;  ///< Navigator::levels()
 
 /// Tables of one world, by the numbers of its placed volumes and of the detector's volumes. A path
-/// of VecGeom's is the numbers of the placed volumes from the world down, assemblies among them.
-/// Immutable once filled in.
+/// of VecGeom's is the numbers of the placed volumes from the world down, assemblies among them,
+/// which have no touchables. Immutable once filled in.
+///
+/// Values of a path are read and written one by one, never in vectors: wide loads would wait for
+/// what was just written in pieces.
 class Paths {
  public:
   using Index = NavigationState::Value_t;
@@ -42,29 +40,49 @@ class Paths {
   /// volumes, assemblies and the daughter itself, that a path to the daughter has more.
   std::vector<std::uint32_t> first{}, placed{};
   std::vector<Index> indices{};
+  std::vector<TouchableId> touchables{};  ///< by volume: of one placement
   Index world{};
+  bool assemblies = false;  ///< whether there are any
 
-  /// The state of a path, and its levels. That of a path of another world is of no detector.
-  State state(const NavigationState& path, PathLevels& levels) const {
-    return read<true>(path, &levels);
+  /// The state of a path. That of a path of another world is of no detector.
+  State state(const NavigationState& path) const {
+    return read(path, [](int, Index) {});
   }
-  State state(const NavigationState& path) const { return read<false>(path, nullptr); }
+  /// The same, with the path's values copied. Throws UsageError if `out` has too little room.
+  State state(const NavigationState& path, NavigationState& out) const {
+    const int length = path.GetCurrentLevel();
+    if (length > out.GetMaxLevel() + 1) [[unlikely]]
+      refuse_room();
+    // What was left last is below the end, if there is room for it.
+    if (length <= std::min(path.GetMaxLevel(), out.GetMaxLevel()))
+      out.SetValueAt(length, path.ValueAt(length));
+    return read(path, [&](int i, Index value) {
+      out.SetValueAt(i, value);
+      asm volatile("" : : : "memory");
+    });
+  }
 
-  /// Makes a path with these levels the one that leads to where the navigator is. Levels that both
-  /// have stay. Below the new end is what was left last, as VecGeom wants it, unless a volume was
-  /// entered. Throws UsageError if the path has too little room.
-  void move(NavigationState& path, const PathLevels& from,
-            std::span<const kernels::StackLevel> to) const {
+  /// Makes `out`, which has the values of `in`, the path to where the navigator is, which came
+  /// there from the state of `in`. Below its end is what was left last, as VecGeom wants it, unless
+  /// a volume was entered. Throws UsageError if `out` has too little room.
+  void write(const NavigationState& in, const State& from, Levels to, NavigationState& out) const {
     const int depth = static_cast<int>(to.size());
-    int common = std::min(from.count, depth);
-    while (common > 0 && to[common - 1].touchable != from.touchable[common - 1]) --common;
-    const int keep = common > 0 ? from.end[common - 1] : 0;
-    while (path.GetCurrentLevel() > keep) path.Pop();
+    int common = depth;
+    while (common > 0 && !holds(to[common - 1], from)) --common;
+    set_length(out, assemblies ? length_of(in, common) : common);
     if (common == depth) return;
-    if (common == 0) push(path, world), ++common;
-    for (; common < depth; ++common)
-      push_daughter(path, to[common - 1].volume, to[common].daughter);
-    forget_last_exited(path);
+    if (common == 0) push(out, world), ++common;
+    for (; common < depth; ++common) push_daughter(out, to[common - 1].volume, to[common].daughter);
+    forget_last_exited(out);
+  }
+
+  /// The daughter that the navigator has entered, itself or something in it, from the state of
+  /// `in`; below 0: none.
+  int entered(const NavigationState& in, const State& from, Levels to) const {
+    std::size_t depth = 0;
+    for (int i = 0; i < in.GetCurrentLevel(); ++i) depth += nodes[number(in.ValueAt(i))].level;
+    if (to.size() <= depth || depth == 0 || !holds(to[depth - 1], from)) return -1;
+    return static_cast<int>(to[depth].daughter);
   }
 
   /// The placed volumes from a volume to its daughter.
@@ -83,45 +101,55 @@ class Paths {
     if (path.GetCurrentLevel() <= path.GetMaxLevel())
       path.SetValueAt(path.GetCurrentLevel(), world);
   }
-  [[noreturn]] static void refuse_room() {
-    throw UsageError(
-        "the VecGeom state has room for fewer levels than the path: make it with "
-        "NavigationState::MakeInstance(GeoManager::Instance().getMaxDepth())");
-  }
-
-  /// As VecGeom's copies, but the room of either stays what it is.
-  static void copy(const NavigationState& from, NavigationState& to) {
-    if (from.GetMaxLevel() == to.GetMaxLevel()) [[likely]] {
-      from.CopyTo(&to);
-      return;
-    }
-    if (from.GetCurrentLevel() > to.GetMaxLevel() + 1) refuse_room();
-    to = from;
+  /// Of a path whose values are there.
+  static void set_length(NavigationState& path, int length) {
+#ifdef VECGEOM_CACHED_TRANS
+    path.Clear();
+#endif
+    while (path.GetCurrentLevel() > length) path.Pop();
+    while (path.GetCurrentLevel() < length)
+      path.PushIndexType(path.ValueAt(path.GetCurrentLevel()));
+    path.SetCacheValue(-1);
   }
 
  private:
   static constexpr TouchableId nowhere = TouchableId{1} << 62;
 
-  template <bool keep>
-  State read(const NavigationState& path, [[maybe_unused]] PathLevels* levels) const {
+  template <class Each>
+  State read(const NavigationState& path, Each&& each) const {
     static constexpr Node none{};
+    const Node* const table = nodes.data();
+    const std::size_t size = nodes.size();
     const int length = path.GetCurrentLevel();
+    if (length == 0) return {};
     TouchableId touchable = 0;
-    VolumeId volume = 0;
-    int level = 0;
+    const Node* node = &none;
     for (int i = 0; i < length; ++i) {
-      const std::size_t index = number(path.ValueAt(i));
-      const Node& node = index < nodes.size() ? nodes[index] : none;
-      touchable += node.offset;
-      volume = node.volume;
-      if constexpr (keep) {  // what an assembly wrote, the next level writes anew
-        levels->touchable[level] = touchable;
-        levels->end[level] = static_cast<std::uint8_t>(i + 1);
-      }
-      level += node.level;
+      const Index value = path.ValueAt(i);
+      const std::size_t index = number(value);
+      node = index < size ? table + index : &none;
+      touchable += node->offset;
+      each(i, value);
     }
-    if constexpr (keep) levels->count = level;
-    return length == 0 ? State{} : State{touchable, volume};
+    return {touchable, node->volume};
+  }
+
+  /// Whether a level is the state's or one above it: touchables are numbered in preorder.
+  bool holds(const kernels::StackLevel& level, const State& state) const {
+    return state.touchable() - level.touchable < touchables[level.volume];
+  }
+
+  /// Of the path down to that many levels with touchables.
+  int length_of(const NavigationState& path, int levels) const {
+    int length = 0;
+    while (levels > 0) levels -= nodes[number(path.ValueAt(length++))].level;
+    return length;
+  }
+
+  [[noreturn]] static void refuse_room() {
+    throw UsageError(
+        "the VecGeom state has room for fewer levels than the path: make it with "
+        "NavigationState::MakeInstance(GeoManager::Instance().getMaxDepth())");
   }
 
   template <class T>

@@ -36,7 +36,9 @@ class Conversion {
     for (const auto& [volume, id] : volumes_) number_daughters(paths, detector, *volume, 1);
     for (const auto& [volume, touchables] : assemblies_)
       number_daughters(paths, detector, *volume, 0);
+    paths.assemblies = !assemblies_.empty();
     for (VolumeId v = 0; v < ways_.size(); ++v) {
+      paths.touchables.push_back(detector.volume(v).touchables);
       paths.first.push_back(static_cast<std::uint32_t>(paths.placed.size()));
       for (const Way& way : ways_[v]) {
         paths.placed.push_back(static_cast<std::uint32_t>(paths.indices.size()));
