@@ -72,7 +72,8 @@ void Navigation::attach(std::span<const LogicalVolume* const> volumes) {
   }
   for (LogicalVolume* volume : own) {
     if (volume->GetNavigator() != &parts_->navigator)
-      parts_->before.all[volume] = {volume->GetNavigator(), volume->GetSafetyEstimator()};
+      parts_->before.all.try_emplace(
+          volume, Before::Had{volume->GetNavigator(), volume->GetSafetyEstimator()});
     volume->SetNavigator(&parts_->navigator);
     volume->SetSafetyEstimator(&parts_->safety);
   }

@@ -68,7 +68,9 @@ class Navigation {
   /// if one is not in the world, or an assembly.
   void attach();
   void attach(std::span<const ::vecgeom::LogicalVolume* const> volumes);
-  /// Gives the volumes back what they had; those whose navigator was changed since keep theirs.
+  /// Gives the volumes back what they had before the first attach(); those whose navigator was
+  /// changed since keep theirs. Where several of these objects are attached to a volume, the last
+  /// has to be detached first.
   void detach();
 
   /// What volumes are given: good for all volumes of the world.
