@@ -77,6 +77,12 @@ void add_vecgeom(const std::string& detector, const std::vector<Ray>& rays,
                          const auto t = peer->transport(*own_rays, 1'000'000);
                          return Totals{t.steps - t.zero_steps, t.stuck, t.length};
                        }});
+    // What the loop and the states cost beside: navjit's own loop over the same navigators.
+    auto navigator = std::make_shared<Navigator>(loop->runtime().navigator());
+    engines.push_back({"navjit's loop over VecGeom's volumes", [] {},
+                       [loop, navigator, &rays] {
+                         return transport_all(*navigator, loop->runtime().world(), rays);
+                       }});
   } catch (const Error& refused) {
     std::printf("navjit does not take VecGeom's volumes: %s\n", refused.what());
   }
