@@ -1,0 +1,51 @@
+"""Runs docs/tutorial.md: installs the build, writes the page's files, and runs its commands in order.
+
+Usage: tutorial.py BUILD PAGE FOLDER PYTHON"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+build, page, folder, python = (Path(a).absolute() for a in sys.argv[1:5])
+prefix, work = folder / "prefix", folder / "work"
+shutil.rmtree(folder, ignore_errors=True)
+work.mkdir(parents=True)
+for component in ("runtime", "development", "python"):
+    subprocess.run(["cmake", "--install", build, "--prefix", prefix, "--component", component],
+                   check=True, stdout=subprocess.DEVNULL)
+
+# The Python that the package was built for goes first.
+(folder / "bin").mkdir()
+(folder / "bin" / "python3").symlink_to(python)
+environment = dict(os.environ, HOME=str(folder), XDG_CACHE_HOME=str(folder / "cache"),
+                   PATH=f"{folder / 'bin'}:{os.environ['PATH']}")
+
+# A file's name in backquotes with a colon stands above what is in it.
+blocks = re.findall(r"(?:^`([\w.]+)`:\n\n)?^```(\w+)\n(.*?)^```$", page.read_text(), re.M | re.S)
+commands, written = [], 0
+for name, language, text in blocks:
+    if name:
+        (work / name).write_text(text)
+        written += 1
+    elif language == "sh":
+        commands.append(text)
+script = "\n".join(commands).replace("/opt/navjit", str(prefix))
+print(script, flush=True)
+result = subprocess.run(["bash", "-eux"], input=script, text=True, cwd=work,
+                        env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+print(result.stdout)
+if result.returncode != 0:
+    sys.exit(f"tutorial.py: the commands of {page} ended with {result.returncode}")
+if len(commands) < 8 or written < 3:
+    sys.exit(f"tutorial.py: {page} has {len(commands)} blocks of commands and {written} files: too few")
+
+made = re.findall(r"(?:-o|--out|--report) (\S+)", script)
+for name in made:
+    if not (work / name).is_file() or (work / name).stat().st_size == 0:
+        sys.exit(f"tutorial.py: {name} was not written")
+for said in ("mm of crystals for each ray", "eta +0.0: "):
+    if said not in result.stdout:
+        sys.exit(f"tutorial.py: nothing was said of '{said}'")
