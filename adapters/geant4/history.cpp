@@ -105,8 +105,9 @@ G4VPhysicalVolume* Navigator::reset(const G4ThreeVector& point, const G4ThreeVec
   if (!start) return Navigator::locate(point, &direction, false, false);
   state_ = *start;
   if (!engine_->geometry.plain()) SetupHierarchy();
-  // Where there is room about the point it is in no other volume.
-  if (safeties_.find(state_, {point.x(), point.y(), point.z()}) > 0) return fHistory.GetTopVolume();
+  // Where there is room about the point it is in no other volume. The safety that says so is what
+  // multiple scattering asks for next.
+  if (distance_to_boundary({point.x(), point.y(), point.z()}) > 0) return fHistory.GetTopVolume();
   return Navigator::locate(point, &direction, true, false);
 }
 

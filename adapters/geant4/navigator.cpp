@@ -1,6 +1,8 @@
 #include "navjit/geant4/navigator.hpp"
 
+#include <G4LogicalVolume.hh>
 #include <G4TouchableHistory.hh>
+#include <G4VSolid.hh>
 #include <algorithm>
 #include <limits>
 #include <sstream>
@@ -42,9 +44,7 @@ constexpr int abandon_after = 25;  ///< likewise
 }  // namespace
 
 Navigator::Navigator(std::shared_ptr<Session> session)
-    : session_(std::move(session)),
-      counts_(session_->new_counts()),
-      longest_step_with_safety_(session_->options().longest_step_with_safety) {}
+    : session_(std::move(session)), counts_(session_->new_counts()) {}
 
 Navigator::~Navigator() = default;
 
@@ -72,23 +72,18 @@ void Navigator::forget_steps() {
 
 G4double Navigator::step(const G4ThreeVector& point, const G4ThreeVector& direction, G4double limit,
                          G4double& safety) {
-  if (!engine_) return G4Navigator::ComputeStep(point, direction, limit, safety);
+  // From outside the world Geant4's own finds the way in, as it does without navjit.
+  if (!engine_ || !state_.inside()) {
+    return G4Navigator::ComputeStep(point, direction, limit, safety);
+  }
   const Vec3 from = vector(point), along = vector(direction);
   Crossing& crossing = steps_[last_step_ ^= 1];
   crossing.found = false;
   stepped_ = true;
-  safety = 0;
   fEnteredDaughter = fExitedMother = false;
-  if (!state_.inside()) {
-    fStepEndPoint = point + limit * direction;
-    return kInfinity;
-  }
-  if (const double known = safeties_.find(state_, from); known >= 0) {
-    safety = known;
-  } else if (limit <= longest_step_with_safety_) {
-    safety = navigator_->safety(state_, from);
-    safeties_.add(state_, from, safety);
-  }
+  // Multiple scattering has asked for it where it is of use; on boundaries it is 0, and neutral
+  // particles do not use it.
+  safety = std::max(safeties_.find(state_, from), 0.0);
   // Now and then navjit is asked all the same, so that it learns what is hot.
   constexpr unsigned asked_steps = 16;  // one in so many
   if (limit <= safety && ++steps_within_ % asked_steps != 0) {
@@ -156,7 +151,7 @@ G4VPhysicalVolume* Navigator::locate(const G4ThreeVector& point, const G4ThreeVe
     ResetStackAndState();
     levels_.resize(1);
     forget_steps();
-    fEnteredDaughter = follow(navigator_->locate(at, along)) < levels_.size() - 1;
+    fEnteredDaughter = follow(on_world(navigator_->locate(at, along), point)) < levels_.size() - 1;
     return state_.inside() ? fHistory.GetTopVolume() : nullptr;
   }
   const Crossing* made = fWasLimitedByGeometry ? made_step(at) : nullptr;
@@ -164,12 +159,19 @@ G4VPhysicalVolume* Navigator::locate(const G4ThreeVector& point, const G4ThreeVe
   fExitedMother = made != nullptr && made->exiting;
   const State next = made != nullptr
                          ? behind(*made, at, direction != nullptr ? vector(*direction) : along)
-                         : navigator_->relocate(state_, at, along);
+                         : on_world(navigator_->relocate(state_, at, along), point);
   const std::size_t kept = follow(next);
   fEnteredDaughter = kept < levels_.size() - 1;
   crossed_ = made;
   stepped_ = false;
   return state_.inside() ? fHistory.GetTopVolume() : nullptr;
+}
+
+State Navigator::on_world(const State& found, const G4ThreeVector& point) const {
+  if (found.inside()) return found;
+  const G4VSolid& world = *GetWorldVolume()->GetLogicalVolume()->GetSolid();
+  if (world.Inside(point) == kOutside) return found;
+  return {0, engine_->geometry.detector().world_volume()};
 }
 
 const Navigator::Crossing* Navigator::made_step(const Vec3& point) const {
@@ -205,29 +207,27 @@ bool Navigator::is_within(const State& state, std::size_t depth, TouchableId anc
 }
 
 void Navigator::relocate_within(const G4ThreeVector& point) {
-  if (!engine_) return G4Navigator::LocateGlobalPointWithinVolume(point);
+  if (!engine_ || !state_.inside()) return G4Navigator::LocateGlobalPointWithinVolume(point);
   forget_steps();
   fEnteredDaughter = fExitedMother = false;
 }
 
 G4double Navigator::safety_at(const G4ThreeVector& point, G4double enough) {
-  if (!engine_) return G4Navigator::ComputeSafety(point, enough);
-  if (!state_.inside()) return 0;
+  if (!engine_ || !state_.inside()) return G4Navigator::ComputeSafety(point, enough);
   if ((fEnteredDaughter || fExitedMother) &&
       (point - fStepEndPoint).mag2() < kCarTolerance * kCarTolerance) {
     return 0;
   }
-  const Vec3 at = vector(point);
   // All of it, as Geant4's own: multiple scattering asks with the length of a step, and makes its
   // steps longer where there is room.
-  if (const double known = safeties_.find(state_, at); known >= 0) return known;
-  const double safety = navigator_->safety(state_, at);
-  safeties_.add(state_, at, safety);
-  return safety;
+  return distance_to_boundary(vector(point));
 }
 
-double Navigator::distance_to_boundary(const G4ThreeVector& point) {
-  return navigator_->safety(state_, vector(point));
+double Navigator::distance_to_boundary(const Vec3& point) {
+  if (const double known = safeties_.find(state_, point); known >= 0) return known;
+  const double safety = navigator_->safety(state_, point);
+  safeties_.add(state_, point, safety);
+  return safety;
 }
 
 const Navigator::Crossing* Navigator::boundary() const {

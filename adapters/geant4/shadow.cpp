@@ -110,7 +110,8 @@ void ShadowNavigator::compare_histories(const char* call, const G4ThreeVector& p
   if (!agree) {
     // Where the point is on a face, either side is right; so is a volume that the track is about to
     // leave.
-    const bool tie = state().inside() && Navigator::distance_to_boundary(point) < most_length;
+    const bool tie =
+        state().inside() && distance_to_boundary({point.x(), point.y(), point.z()}) < most_length;
     ++(tie ? differences.ties : differences.histories);
     if (!tie) {
       print(call, point,

@@ -74,6 +74,26 @@ TEST_F(Calls, ThroughTheWorldAndOut) {
   EXPECT_FALSE(navigator_.state().inside());
 }
 
+TEST_F(Calls, TracksStartOnTheWorldsFace) {
+  EXPECT_EQ(locate({-100, 0, 0}, x_, false), "hall");
+  double safety = 0;
+  EXPECT_DOUBLE_EQ(navigator_.ComputeStep({-100, 0, 0}, x_, 500, safety), 80);
+  EXPECT_EQ(locate({100, 3, 0}, -x_, false), "hall");
+  EXPECT_DOUBLE_EQ(navigator_.ComputeStep({100, 3, 0}, -x_, 500, safety), 80);
+}
+
+TEST_F(Calls, TracksComeInFromOutsideTheWorld) {
+  G4GeometryManager::GetInstance()->CloseGeometry(true, false);
+  EXPECT_EQ(locate({-130, 3, 0}, x_, false), "outside");
+  double safety = 0;
+  const double length = navigator_.ComputeStep({-130, 3, 0}, x_, 500, safety);
+  EXPECT_NEAR(length, 110, 1e-9);
+  navigator_.SetGeometricallyLimitedStep();
+  EXPECT_EQ(locate({-130 + length, 3, 0}, x_, true), "outer");
+  EXPECT_NEAR(navigator_.ComputeStep({-20, 3, 0}, x_, 500, safety), 15, 1e-9);
+  G4GeometryManager::GetInstance()->OpenGeometry();
+}
+
 TEST_F(Calls, PhysicsThatLimitsIsInfinity) {
   locate({-50, 0, 0}, x_, false);
   double safety = 0;

@@ -73,7 +73,7 @@ class Navigator : public G4Navigator {
   /// Of the last two steps, the one that the track has made: the other may be a CheckNextStep.
   const Crossing* made_step(const Vec3& point) const;
   /// At most the distance from the point to the nearest boundary of where the track is, mm.
-  double distance_to_boundary(const G4ThreeVector& point);
+  double distance_to_boundary(const Vec3& point);
   Counts& counts() { return *counts_; }
 
  private:
@@ -94,6 +94,8 @@ class Navigator : public G4Navigator {
   void enter_level(const Placed& placed, const kernels::StackLevel& level);
   /// Whether the state is the touchable that is at that depth, or in it.
   bool is_within(const State& state, std::size_t depth, TouchableId ancestor);
+  /// As found; a track on the world's own face, which starts there, is in the world.
+  State on_world(const State& found, const G4ThreeVector& point) const;
   State behind(const Crossing& crossing, const Vec3& point, const Vec3& direction);
   /// Counts steps that do not move; gives the length of this one, which may be pushed.
   double checked_length(const Step& step, const Vec3& point, const Vec3& direction, State& next);
@@ -116,7 +118,6 @@ class Navigator : public G4Navigator {
   KnownSafeties safeties_{};
   unsigned steps_within_ = 0;  ///< that ended within the safety
   int zero_steps_ = 0;
-  double longest_step_with_safety_;
 };
 
 }  // namespace navjit::geant4

@@ -26,10 +26,6 @@ enum class Mode : std::uint8_t {
 struct Options {
   Mode mode = Mode::navjit;
   RuntimeOptions runtime{};
-  /// Steps of longer limits, mm, are answered with a safety of 0 unless it is known: rarely is a
-  /// boundary farther away than that, and what asks for such steps, mostly neutral particles, has
-  /// no use for safeties. Infinity: a safety with each step, as Geant4 has it.
-  double longest_step_with_safety = 1e3;
   /// How many differences a thread prints in shadow mode.
   int printed_differences = 20;
 };
