@@ -26,7 +26,7 @@ constexpr void (*commands[])(CLI::App&, apps::Action&) = {
     apps::add_inspect,  apps::add_run,      apps::add_trace,      apps::add_check,
     apps::add_simplify, apps::add_cache,    apps::add_specialise, apps::add_profile,
     apps::add_plugin,   apps::add_accuracy, apps::add_warmup,     apps::add_warmup_run,
-    apps::add_picture};
+    apps::add_picture,  apps::add_scan};
 
 /// One line, whatever names from files are in it.
 void print_error(const std::string& text) {
@@ -41,8 +41,10 @@ int parse_and_run(int argc, char** argv) {
   app.name(argc > 0 ? std::filesystem::path(argv[0]).filename().string() : "navjit");
   app.require_subcommand(1);
   app.set_version_flag("--version", version_line(), "what this program is made of");
-  bool verbose = false;
-  app.add_flag("-v,--verbose", verbose, "log decisions");
+  bool verbose = false, quiet = false;
+  CLI::Option* talk = app.add_flag("-v,--verbose", verbose, "log decisions");
+  app.add_flag("-q,--quiet", quiet, "no progress line, and of the log errors alone")
+      ->excludes(talk);
   apps::Action action;
   for (const auto add : commands) add(app, action);
   try {
@@ -54,7 +56,9 @@ int parse_and_run(int argc, char** argv) {
     return 2;
   }
   spdlog::set_default_logger(spdlog::stderr_color_mt("navjit"));
-  spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
+  spdlog::set_level(verbose ? spdlog::level::debug
+                    : quiet ? spdlog::level::err
+                            : spdlog::level::warn);
   return action();
 }
 

@@ -14,18 +14,20 @@ double interaction_length(const World& world, const Material& material) {
   return inverse > 0 ? 1 / inverse : 0;
 }
 
+MaterialRates rates_of(const World& world, const Material& material) {
+  MaterialRates rates;
+  if (material.radiation_length > 0) rates.radiation_lengths = 1 / material.radiation_length;
+  rates.mass = material.density / 10;  // of g/cm3 and mm
+  const double length = interaction_length(world, material);
+  if (length > 0) rates.interaction_lengths = rates.mass / length;
+  return rates;
+}
+
 std::vector<MaterialRates> material_rates(const World& world) {
   std::vector<MaterialRates> rates(world.volumes.size());
   for (std::size_t v = 0; v < rates.size(); ++v) {
     const std::uint32_t number = world.volumes[v].material;
-    if (number >= world.materials.size()) continue;
-    const Material& material = world.materials[number];
-    if (material.radiation_length > 0) {
-      rates[v].radiation_lengths = 1 / material.radiation_length;
-    }
-    rates[v].mass = material.density / 10;  // of g/cm3 and mm
-    const double length = interaction_length(world, material);
-    if (length > 0) rates[v].interaction_lengths = rates[v].mass / length;
+    if (number < world.materials.size()) rates[v] = rates_of(world, world.materials[number]);
   }
   return rates;
 }

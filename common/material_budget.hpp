@@ -14,6 +14,9 @@ struct MaterialRates {
   double interaction_lengths = 0;  ///< nuclear ones
 };
 
+/// Of a material of the world.
+MaterialRates rates_of(const World& world, const Material& material);
+
 /// By number of the volume.
 std::vector<MaterialRates> material_rates(const World& world);
 

@@ -44,7 +44,8 @@ std::string draw(const ExperimentReport& report, const std::string& title,
       "set title " + common::quoted(title) + " noenhanced\nset xlabel 'ns a step'\n" +
           "set ylabel 'error of the length, ulp of the coordinates: median, 99.9%, largest'\n" +
           "set logscale y\nset format y '10^{%L}'\nset xrange [0:" +
-          common::literal(1.15 * slowest) + "]\nset grid\nset key top left\n" + data + plots,
+          common::literal(1.15 * slowest) + "]\nset grid\nset key outside right top\n" + data +
+          plots,
       file);
 }
 

@@ -36,7 +36,4 @@ struct Image {
 /// A PNG file of it, with a palette where 256 colours are enough. Throws Error if libpng fails.
 std::string png_of(const Image& image);
 
-/// The bytes as text, as a page or an SVG file may contain them.
-std::string base64(const std::string& bytes);
-
 }  // namespace navjit::picture

@@ -156,7 +156,7 @@ std::string svg_sheet(const Sheet& sheet) {
     const int left = panel_x(sheet, l, i);
     svg += "<image x=" + number(left) + " y=" + number(l.head) + " width=" + number(l.panel_width) +
            " height=" + number(l.panel_height) + " href=\"data:image/png;base64," +
-           base64(png_of(sheet.panels[i].image)) + "\"/>\n";
+           common::base64(png_of(sheet.panels[i].image)) + "\"/>\n";
     if (l.head > 0) text(left + l.gap, l.gap / 2, sheet.panels[i].title);
   }
   if (sheet.legend) {

@@ -11,6 +11,7 @@
 #include "apps/options/outputs.hpp"
 #include "apps/options/runtime.hpp"
 #include "apps/options/source.hpp"
+#include "apps/run/page.hpp"
 #include "apps/run/report.hpp"
 #include "common/interruption.hpp"
 #include "navjit/errors.hpp"
@@ -28,6 +29,7 @@ struct Options {
   Observation observation;
   RuntimeOptions runtime;
   std::string report;        ///< JSON file; empty: none
+  std::string html;          ///< page; empty: none
   std::string save_profile;  ///< file for `navjit specialise`; empty: none
 };
 
@@ -35,7 +37,7 @@ struct Options {
 constexpr double longest_comparison = 3;
 
 int run(const Options& options) {
-  Output profile(options.save_profile), json(options.report);
+  Output profile(options.save_profile), json(options.report), page(options.html);
   const auto world = read(options.detector);
   common::check_origin(options.rays.source, world);
   common::RayStream rays(options.rays.rays, options.rays.source, *world);
@@ -66,9 +68,12 @@ int run(const Options& options) {
     report.compared = compare_with_generic(runtime, seen, options.runtime, made.first_rays, seconds,
                                            options.basket);
   }
+  std::string hot_map;
+  if (page && !report.interrupted) hot_map = hot_map_of(runtime, options.runtime, options.threads);
   print_table(report);
   attempt_all({[&] { profile.write([&] { return profile_text(runtime.step_profile()); }); },
-               [&] { json.write([&] { return json_text(report); }); }});
+               [&] { json.write([&] { return json_text(report); }); },
+               [&] { page.write([&] { return run_page(report, hot_map); }); }});
   if (made.differences > 0) {
     throw Error(std::to_string(made.differences) + " steps differed from the generic navigator's");
   }
@@ -88,6 +93,7 @@ void add_run(CLI::App& app, Action& action) {
       ->option_text("MM");
   add_rays(command, options->rays);
   command.add_option("--report", options->report, "write a JSON report")->option_text("FILE");
+  command.add_option("--html", options->html, "write a page for people")->option_text("FILE");
   command.add_option("--save-profile", options->save_profile, "write what navjit specialise needs")
       ->option_text("FILE");
   add_threads(command, options->threads);

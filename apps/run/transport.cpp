@@ -91,13 +91,27 @@ class Watch {
     if (thread_.joinable()) thread_.join();
   }
 
+  /// Steps so far: at every look or, in long runs, at every second, fourth, ... one.
+  std::vector<std::pair<double, std::uint64_t>> series{};
   double last_swap_s = 0, processor_s = 0;
   std::uint64_t steps_at_last_swap = 0;
 
  private:
+  void record(double t, std::uint64_t steps) {
+    constexpr std::size_t most = 2048;
+    if (++looks_ % every_ != 0) return;
+    if (series.size() == most) {
+      for (std::size_t i = 0; i < most / 2; ++i) series[i] = series[2 * i + 1];
+      series.resize(most / 2);
+      every_ *= 2;
+      return;
+    }
+    series.emplace_back(t, steps);
+  }
   void look() {
     const double t = seconds_since(start_);
     const std::uint64_t steps = progress_.steps.load();
+    record(t, steps);
     if (const std::size_t now = runtime_.specialised(); now != swapped_) {
       swapped_ = now;
       last_swap_s = t;
@@ -129,6 +143,7 @@ class Watch {
   double shown_s_ = 0;
   std::uint64_t shown_steps_ = 0;
   std::size_t swapped_ = 0;
+  std::uint64_t looks_ = 0, every_ = 1;
   std::jthread thread_;  ///< last: it uses all of them
 };
 
@@ -187,12 +202,14 @@ Transport transport_rays(Runtime& runtime, const ObservedDetector& seen, common:
     result.bail_outs += maker.counts().bail_outs;
   };
 
+  result.begun_s = runtime.report().seconds;
   const Clock::time_point start = Clock::now();
   Watch watch(runtime, progress, rays.count(), start);
   common::in_parallel(threads, stop, work);
   result.seconds = seconds_since(start);
   watch.end();
   result.watch_seconds = watch.processor_s;
+  result.series = std::move(watch.series);
   const double after = result.seconds - watch.last_swap_s;
   result.warm_steps_per_second =
       after > 0.01 && result.steps > watch.steps_at_last_swap

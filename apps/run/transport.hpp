@@ -16,9 +16,12 @@ struct Transport {
   std::uint64_t bail_outs = 0, differences = 0;  ///< NavigatorCounts
   double length_mm = 0;
   unsigned threads = 0;
-  double seconds = 0;             ///< wall time
-  double cpu_seconds = 0;         ///< processor time of the navigating threads
-  double watch_seconds = 0;       ///< and of the one that watched
+  double seconds = 0;        ///< wall time
+  double cpu_seconds = 0;    ///< processor time of the navigating threads
+  double watch_seconds = 0;  ///< and of the one that watched
+  /// Steps so far at some moments, s since the first ray; none where nobody watched.
+  std::vector<std::pair<double, std::uint64_t>> series{};
+  double begun_s = 0;             ///< of the runtime's own time
   std::vector<Ray> first_rays{};  ///< the first of them, to be made once more
   /// Steps per second of wall time after the last swap; over the whole run where there was none, or
   /// hardly any time after it.

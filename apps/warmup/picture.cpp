@@ -59,7 +59,9 @@ std::string draw(const ExperimentReport& report, const std::string& title,
   std::string script = data + "set grid\nset xrange [0:" + common::literal(end) + "]\n";
   script += "set multiplot layout " + std::string(shares.empty() ? "1,1" : "2,1") + " title " +
             common::quoted(title) + " noenhanced\n";
-  script += "set key bottom right\nset yrange [0:*]\nset ylabel 'million steps a second'\n" + rates;
+  script +=
+      "set key outside above horizontal\nset yrange [0:*]\nset ylabel 'million steps a second'\n" +
+      rates;
   if (!shares.empty()) {
     script +=
         "\nset xlabel 'seconds since the start'\nset yrange [0:100]\n"

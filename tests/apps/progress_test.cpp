@@ -63,6 +63,24 @@ TEST_P(Progress, FitsTheTerminal) {
 INSTANTIATE_TEST_SUITE_P(Apps, Progress, testing::Values(40, 80, 200),
                          [](const auto& parameter) { return std::to_string(parameter.param); });
 
+TEST(Progress, IsNotShownWhereQuietIsAskedFor) {
+  const TemporaryFolder folder;
+  // A terminal by script(1), where there is one.
+  if (std::system("command -v script > /dev/null 2>&1") != 0) GTEST_SKIP() << "no script(1)";
+  for (const std::string quiet : {"", "--quiet "}) {
+    const std::string command = "timeout -s TERM 3 " NAVJIT_COMMAND " " + quiet + "run " +
+                                detector + " --rays 1e8 --jit off --cache off > " +
+                                folder.file("out");
+    const std::string log = folder.file("log");
+    std::system(
+        ("script -q -e -c '" + command + "' " + log + " > /dev/null 2>&1 < /dev/null").c_str());
+    const std::string text = read_file(log);
+    EXPECT_EQ(text.find("% ") == std::string::npos && text.find("%, ") == std::string::npos,
+              !quiet.empty())
+        << text;
+  }
+}
+
 TEST(Progress, IsNotWrittenIntoFiles) {
   const TemporaryFolder folder;
   Process run({NAVJIT_COMMAND, "run", detector, "--rays", "1e8", "--jit", "off"},

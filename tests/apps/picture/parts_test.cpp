@@ -8,6 +8,7 @@
 #include "apps/picture/cuts.hpp"
 #include "apps/picture/sheet.hpp"
 #include "apps/picture/view.hpp"
+#include "common/markup.hpp"
 #include "common/material_budget.hpp"
 #include "common/progress_line.hpp"
 #include "geometry/gdml/read_world.hpp"
@@ -116,12 +117,12 @@ TEST(Png, IsReadBackAsItWas) {
 }
 
 TEST(Png, AsTextIsBase64) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
+  EXPECT_EQ(common::base64(""), "");
+  EXPECT_EQ(common::base64("f"), "Zg==");
+  EXPECT_EQ(common::base64("fo"), "Zm8=");
+  EXPECT_EQ(common::base64("foo"), "Zm9v");
+  EXPECT_EQ(common::base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(common::base64("\xff\xfe\xfd"), "//79");
 }
 
 TEST(Scale, EndsAtARoundNumber) {
