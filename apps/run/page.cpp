@@ -120,7 +120,7 @@ std::string summary_of(const RunReport& report) {
   std::vector<std::pair<std::string, std::string>> facts{
       {"rays", number(t.rays) + (report.interrupted ? " (interrupted)" : "")},
       {"steps", number(t.steps) + (t.stuck > 0 ? ", " + number(t.stuck) + " rays stuck" : "")},
-      {"way", text_of("%.6g m", t.length_mm / 1000)},
+      {"way", text_of("%.0f m", t.length_mm / 1000)},
       {"time", text_of("%.2f s, %.2f s of processor time", t.seconds, t.cpu_seconds)},
       {"speed", text_of("%.3f million steps a second; after the last swap %.3f",
                         t.seconds > 0 ? static_cast<double>(t.steps) / t.seconds / 1e6 : 0,

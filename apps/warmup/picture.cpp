@@ -60,7 +60,8 @@ std::string draw(const ExperimentReport& report, const std::string& title,
   script += "set multiplot layout " + std::string(shares.empty() ? "1,1" : "2,1") + " title " +
             common::quoted(title) + " noenhanced\n";
   script +=
-      "set key outside above horizontal\nset yrange [0:*]\nset ylabel 'million steps a second'\n" +
+      "set lmargin 9\nset rmargin 16\nset key outside right top\nset yrange [0:*]\nset ylabel "
+      "'million steps a second'\n" +
       rates;
   if (!shares.empty()) {
     script +=
