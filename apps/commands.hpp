@@ -24,6 +24,7 @@ using Action = std::function<int()>;
 void add_accuracy(CLI::App& app, Action& action);
 void add_cache(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
+void add_import(CLI::App& app, Action& action);
 void add_inspect(CLI::App& app, Action& action);
 void add_picture(CLI::App& app, Action& action);
 void add_plugin(CLI::App& app, Action& action);

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
 #include <vector>
 
 #include "geometry/gdml/entities.hpp"
 #include "geometry/gdml/gzip.hpp"
+#include "geometry/input_file.hpp"
 
 namespace navjit::gdml {
 namespace {
@@ -258,23 +258,10 @@ void Builder::external_entity(const XML_Char* context, const char* base, const c
 }
 
 Expected<std::string> Builder::read_file(const fs::path& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) {
-    const bool missing = !error || error == std::errc::no_such_file_or_directory;
-    return Failure{missing ? "no such file" : error.message()};
-  }
-  if (fs::is_directory(status)) return Failure{"it is a directory, not a file"};
-  if (!fs::is_regular_file(status)) return Failure{"it is not a regular file"};
-  const std::uintmax_t size = fs::file_size(path, error);
-  std::ifstream stream(path, std::ios::binary);
-  if (error || !stream) return Failure{"it cannot be opened; check its permissions"};
-  if (size > budget_.bytes) {
-    return Failure{"too much text; raise GdmlLimits::max_bytes if this is meant"};
-  }
-  std::string text(size, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(size));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
+  Expected<std::string> read = read_regular_file(
+      path, budget_.bytes, "too much text; raise GdmlLimits::max_bytes if this is meant");
+  if (!read) return read;
+  std::string text = *std::move(read);
   if (is_gzipped(text)) {
     Expected<std::string> unpacked = unpack_gzip(text, budget_.bytes);
     if (!unpacked) return unpacked;

@@ -1,4 +1,4 @@
-// Bodies of planes, of triangles and upright prisms. Private to geometry/solids.
+// Bodies of planes, of triangles and upright prisms. Private to geometry/.
 #pragma once
 
 #include <span>

@@ -30,6 +30,7 @@
 #include "navjit/solids.hpp"
 #include "navjit/state.hpp"
 #include "navjit/step_profile.hpp"
+#include "navjit/surface.hpp"
 #include "navjit/transformation.hpp"
 #include "navjit/vector.hpp"
 #include "navjit/version.hpp"

@@ -1,0 +1,93 @@
+// What the readers of surfaces share. Private to geometry/surface.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "navjit/surface.hpp"
+
+namespace navjit::surface {
+
+/// Where something is in a file.
+struct Place {
+  const std::string& file;
+  const SurfaceOptions& options;
+};
+
+/// "FILE:LINE: what", or "FILE: what" where the line is 0.
+[[noreturn]] void refuse(const Place& at, std::size_t line, const std::string& what);
+
+/// Collects corners, each once, and triangles.
+class Collector {
+ public:
+  explicit Collector(const Place& at) : at_(at) {}
+
+  /// The number of a corner at this place, in the file's units. Throws SurfaceError unless it is
+  /// finite. `line`: for that error.
+  std::uint32_t corner(const double (&xyz)[3], std::size_t line);
+  /// Adds one, unless it has no three corners. Throws SurfaceError if there are too many. `origin`:
+  /// as Surface has it.
+  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t origin);
+  const Vec3& at(std::uint32_t corner) const { return surface_.corners[corner]; }
+  void origins_are_lines() { surface_.origins_are_lines = true; }
+
+  /// The surface, with those corners alone that triangles have. Throws SurfaceError if none has.
+  Surface finish();
+
+ private:
+  struct SamePlace {
+    bool operator()(const Vec3& a, const Vec3& b) const { return a == b; }
+  };
+  struct HashOfPlace {
+    std::size_t operator()(const Vec3& p) const {
+      std::size_t hash = 0;
+      for (const double x : {p.x, p.y, p.z}) {
+        hash = (hash ^ std::hash<double>{}(x)) * 0x9e3779b97f4a7c15U;
+        hash ^= hash >> 32;
+      }
+      return hash;
+    }
+  };
+  Place at_;
+  Surface surface_;
+  std::unordered_map<Vec3, std::uint32_t, HashOfPlace, SamePlace> known_;
+};
+
+/// Words of a text, with the line that each is on.
+class Words {
+ public:
+  explicit Words(std::string_view text) : text_(text) {}
+
+  /// The next word of the text; empty at its end.
+  std::string_view next();
+  /// The next word of the same line; empty at its end.
+  std::string_view next_in_line();
+  void skip_line();
+  bool at_end() const { return at_ >= text_.size(); }
+  std::size_t line() const { return line_; }
+
+ private:
+  std::string_view word();
+
+  std::string_view text_;
+  std::size_t at_ = 0, line_ = 1;
+};
+
+/// A decimal number, nothing else.
+inline std::optional<double> number(std::string_view word) {
+  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+void read_stl(const Place& at, std::string_view bytes, Collector& into);
+void read_obj(const Place& at, std::string_view text, Collector& into);
+
+}  // namespace navjit::surface

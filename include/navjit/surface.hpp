@@ -1,0 +1,57 @@
+// Surfaces of triangles from files, as CAD programs write them: STL and OBJ.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "navjit/detail/api.hpp"
+#include "navjit/errors.hpp"
+#include "navjit/solids.hpp"
+#include "navjit/vector.hpp"
+
+namespace NAVJIT_API navjit {
+
+/// A surface (STL, OBJ) that cannot be read, or encloses nothing: "FILE:LINE: problem; what to do".
+struct SurfaceError : Error {
+  using Error::Error;
+};
+
+/// Triangles between corners that they share.
+struct Surface {
+  /// Numbers of corners, anticlockwise seen from outside.
+  using Triangle = std::array<std::uint32_t, 3>;
+  std::vector<Vec3> corners{};  ///< mm
+  std::vector<Triangle> triangles{};
+  /// Of each triangle, for messages: its line in the file, or its number among a file's facets.
+  /// Empty for a surface that is from no file.
+  std::vector<std::size_t> origins{};
+  bool origins_are_lines = false;
+};
+
+/// How a surface file is read.
+struct SurfaceOptions {
+  double unit = 1;                               ///< of the file's numbers, mm
+  std::size_t max_bytes = std::size_t{1} << 30;  ///< a longer file is refused
+  std::size_t max_triangles = 2'000'000;         ///< a surface of more is refused
+};
+
+/// Reads binary or ASCII STL, or Wavefront OBJ (of which faces alone count; those of more than
+/// three corners are cut into triangles). Which it is, the name says (.stl, .obj). Corners at one
+/// and the same place become one; triangles that have nothing between their corners are left out.
+/// The normals that a file gives are not looked at: corners run anticlockwise about the true one.
+/// Throws SurfaceError, which names file and line (of binary STL the facet). Thread-safe.
+Surface read_surface(const std::filesystem::path& path, const SurfaceOptions& options = {});
+
+/// What keeps a surface from being closed and oriented: its first edge that is not run along once
+/// in each direction, and how many there are; empty for one that encloses something. Thread-safe.
+std::string open_at(const Surface& surface);
+
+/// The body that a closed surface encloses. If all of it faces inwards it is turned. Throws
+/// GeometryError where open_at() has something to say. Thread-safe.
+Solid make_tessellated(std::string name, const Surface& surface);
+
+}  // namespace navjit
