@@ -187,7 +187,10 @@ const Navigator::Crossing* Navigator::made_step(const Vec3& point) const {
 
 State Navigator::behind(const Crossing& crossing, const Vec3& point, const Vec3& direction) {
   constexpr double same_point = 1e-6;  // mm
-  if (norm(point - crossing.end) <= same_point || !crossing.next.inside()) return crossing.next;
+  const Vec3 beside = point - crossing.end;
+  if (dot(beside, beside) <= same_point * same_point || !crossing.next.inside()) {
+    return crossing.next;
+  }
   // In a field the track ends beside the chord's crossing: what it left and entered is known, and
   // what is there besides is looked up.
   const State found = navigator_->relocate(crossing.next, point, direction);
