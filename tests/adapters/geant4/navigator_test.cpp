@@ -40,6 +40,10 @@ class Calls : public testing::Test {
     return volume == nullptr ? "outside" : std::string(volume->GetName());
   }
 
+  static G4LogicalVolume* inner_alone() {
+    return new G4LogicalVolume(new G4Box("late", 5, 5, 5), nullptr, "late");
+  }
+
   Boxes boxes_;
   std::shared_ptr<geant4::Session> session_ =
       std::make_shared<geant4::Session>(geant4::Options{.mode = geant4::Mode::navjit});
@@ -156,6 +160,14 @@ TEST_F(Calls, SecondariesStartFromTheirTouchable) {
   // On a face the direction decides.
   EXPECT_EQ(name(navigator_.ResetHierarchyAndLocate({5, 0, 0}, x_, history)), "outer");
   EXPECT_EQ(name(navigator_.ResetHierarchyAndLocate({5, 0, 0}, -x_, history)), "inner");
+}
+
+TEST_F(Calls, AWorldThatChangedIsConvertedAnew) {
+  EXPECT_EQ(locate({60, 0, 0}, x_, false), "hall");
+  new G4PVPlacement(nullptr, {60, 0, 0}, inner_alone(), "late", boxes_.hall, false, 9);
+  EXPECT_EQ(locate({60, 0, 0}, x_, false), "hall");
+  session_->geometry_changed();
+  EXPECT_EQ(locate({60, 0, 0}, x_, false), "late");
 }
 
 TEST(Use, InstallsAndConvertsTheWorldOnce) {
