@@ -38,6 +38,18 @@ class Counted {
   bool timed_;
 };
 
+/// What a call gives, or `fallback` where navjit does not take its numbers: not finite, or no
+/// direction. Geant4 then aborts the event.
+template <typename Call, typename Answer>
+Answer guarded(const char* name, const Call& call, Answer fallback) {
+  try {
+    return call();
+  } catch (const Error& error) {
+    G4Exception(name, "navjit0003", EventMustBeAborted, error.what());
+    return fallback;
+  }
+}
+
 constexpr int push_after = 10;     ///< steps that do not move
 constexpr int abandon_after = 25;  ///< likewise
 
@@ -247,7 +259,9 @@ G4ThreeVector Navigator::exit_normal(const Crossing& crossing) {
 G4double Navigator::ComputeStep(const G4ThreeVector& point, const G4ThreeVector& direction,
                                 const G4double limit, G4double& safety) {
   const Counted counted(*counts_, Call::step);
-  return step(point, direction, limit, safety);
+  return guarded(
+      "navjit::geant4::Navigator::ComputeStep()",
+      [&] { return step(point, direction, limit, safety); }, G4double{kInfinity});
 }
 
 G4VPhysicalVolume* Navigator::ResetHierarchyAndLocate(const G4ThreeVector& point,
@@ -255,7 +269,9 @@ G4VPhysicalVolume* Navigator::ResetHierarchyAndLocate(const G4ThreeVector& point
                                                       const G4TouchableHistory& history) {
   const Counted counted(*counts_, Call::reset);
   in_reset_ = true;  // Geant4's own locates by the public call
-  G4VPhysicalVolume* volume = reset(point, direction, history);
+  auto* volume = guarded(
+      "navjit::geant4::Navigator::ResetHierarchyAndLocate()",
+      [&] { return reset(point, direction, history); }, static_cast<G4VPhysicalVolume*>(nullptr));
   in_reset_ = false;
   return volume;
 }
@@ -266,7 +282,10 @@ G4VPhysicalVolume* Navigator::LocateGlobalPointAndSetup(const G4ThreeVector& poi
                                                         const G4bool ignore_direction) {
   if (in_reset_) return locate(point, direction, relative, ignore_direction);
   const Counted counted(*counts_, Call::locate);
-  return locate(point, direction, relative, ignore_direction);
+  return guarded(
+      "navjit::geant4::Navigator::LocateGlobalPointAndSetup()",
+      [&] { return locate(point, direction, relative, ignore_direction); },
+      static_cast<G4VPhysicalVolume*>(nullptr));
 }
 
 void Navigator::LocateGlobalPointWithinVolume(const G4ThreeVector& point) {
@@ -277,7 +296,8 @@ void Navigator::LocateGlobalPointWithinVolume(const G4ThreeVector& point) {
 G4double Navigator::ComputeSafety(const G4ThreeVector& point, const G4double enough,
                                   const G4bool /*keep_state*/) {
   const Counted counted(*counts_, Call::safety);
-  return safety_at(point, enough);
+  return guarded(
+      "navjit::geant4::Navigator::ComputeSafety()", [&] { return safety_at(point, enough); }, 0.0);
 }
 
 G4ThreeVector Navigator::GetGlobalExitNormal(const G4ThreeVector& point, G4bool* valid) {

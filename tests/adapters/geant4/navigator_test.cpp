@@ -8,7 +8,9 @@
 #include <G4PVPlacement.hh>
 #include <G4TouchableHistory.hh>
 #include <G4TransportationManager.hh>
+#include <G4VExceptionHandler.hh>
 
+#include <cmath>
 #include <sstream>
 
 #include "navjit/geant4/use.hpp"
@@ -160,6 +162,30 @@ TEST_F(Calls, SecondariesStartFromTheirTouchable) {
   // On a face the direction decides.
   EXPECT_EQ(name(navigator_.ResetHierarchyAndLocate({5, 0, 0}, x_, history)), "outer");
   EXPECT_EQ(name(navigator_.ResetHierarchyAndLocate({5, 0, 0}, -x_, history)), "inner");
+}
+
+/// Keeps what it is told.
+struct Handler : G4VExceptionHandler {
+  std::string codes{};
+  G4bool Notify(const char*, const char* code, G4ExceptionSeverity severity,
+                const char* what) override {
+    codes += code;
+    EXPECT_EQ(severity, EventMustBeAborted) << what;
+    return false;
+  }
+};
+
+TEST_F(Calls, NumbersThatAreNoneAbortTheEvent) {
+  const Handler handler;
+  locate({-50, 0, 0}, x_, false);
+  double safety = 0;
+  EXPECT_EQ(navigator_.ComputeStep({-50, 0, 0}, 2 * x_, 500, safety), kInfinity);
+  EXPECT_EQ(navigator_.ComputeStep({std::nan(""), 0, 0}, x_, 500, safety), kInfinity);
+  EXPECT_EQ(locate({0, std::nan(""), 0}, x_, true), "outside");
+  EXPECT_EQ(navigator_.ComputeSafety({0, 0, std::nan("")}), 0);
+  EXPECT_EQ(handler.codes, "navjit0003navjit0003navjit0003navjit0003");
+  // It is as good as before.
+  EXPECT_EQ(navigator_.ComputeStep({-50, 0, 0}, x_, 500, safety), 30);
 }
 
 TEST_F(Calls, AWorldThatChangedIsConvertedAnew) {
