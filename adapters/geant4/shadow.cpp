@@ -76,7 +76,9 @@ G4double ShadowNavigator::step(const G4ThreeVector& point, const G4ThreeVector& 
   ++differences.steps;
   const double a = std::min(ours, limit), b = std::min(theirs, limit);
   const double difference = a == b ? 0 : std::abs(a - b);
-  if (difference > most_length) {
+  // In huge worlds no number is as good as that.
+  const double rounding = 1e-14 * (point.mag() + b);
+  if (difference > std::max(most_length, rounding)) {
     ++differences.lengths;
     print("ComputeStep", point,
           sentence("navjit ", ours, ", Geant4 ", theirs, " mm, along ", direction, ", limit ",
