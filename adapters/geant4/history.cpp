@@ -70,13 +70,24 @@ std::size_t Navigator::follow(const State& next) {
 std::optional<State> Navigator::adopt(const G4NavigationHistory& history) {
   const std::size_t depth = history.GetDepth();
   // Levels that are one object are the same place, and so are those above them.
-  std::size_t kept = std::min(depth, levels_.size() - 1);
-  const auto same = [&](std::size_t at) {
+  const std::size_t most = std::min(depth, levels_.size() - 1);
+  std::size_t kept = most;
+  const auto one_object = [&](std::size_t at) {
     const auto level = static_cast<G4int>(at);
     return &history.GetTransform(level) == &fHistory.GetTransform(level);
   };
-  while (kept > 0 && !same(kept)) --kept;
-  const bool equal = kept == depth && kept == levels_.size() - 1;
+  const auto same_copy = [&](std::size_t at) {
+    const auto level = static_cast<G4int>(at);
+    return history.GetVolume(level) == fHistory.GetVolume(level) &&
+           history.GetReplicaNo(level) == fHistory.GetReplicaNo(level);
+  };
+  while (kept > 0 && !one_object(kept)) --kept;
+  while (kept < most && same_copy(kept + 1)) ++kept;
+  if (kept == depth) {
+    fHistory.BackLevel(static_cast<G4int>(levels_.size() - 1 - kept));
+    levels_.resize(kept + 1);
+    return State{levels_.back().touchable, levels_.back().volume};
+  }
   levels_.resize(kept + 1);
   for (std::size_t at = kept + 1; at <= depth; ++at) {
     const auto level = static_cast<G4int>(at);
@@ -90,7 +101,7 @@ std::optional<State> Navigator::adopt(const G4NavigationHistory& history) {
     }
     levels_.push_back({mother.touchable + placed->offset, placed->id});
   }
-  if (!equal) fHistory = history;
+  fHistory = history;
   return State{levels_.back().touchable, levels_.back().volume};
 }
 
