@@ -29,6 +29,7 @@ void add_inspect(CLI::App& app, Action& action);
 void add_picture(CLI::App& app, Action& action);
 void add_plugin(CLI::App& app, Action& action);
 void add_profile(CLI::App& app, Action& action);
+void add_report(CLI::App& app, Action& action);
 void add_run(CLI::App& app, Action& action);
 void add_scan(CLI::App& app, Action& action);
 void add_simplify(CLI::App& app, Action& action);

@@ -26,7 +26,7 @@ constexpr void (*commands[])(CLI::App&, apps::Action&) = {
     apps::add_inspect,  apps::add_run,      apps::add_trace,      apps::add_check,
     apps::add_simplify, apps::add_cache,    apps::add_specialise, apps::add_profile,
     apps::add_plugin,   apps::add_accuracy, apps::add_warmup,     apps::add_warmup_run,
-    apps::add_picture,  apps::add_scan,     apps::add_import};
+    apps::add_picture,  apps::add_scan,     apps::add_import,     apps::add_report};
 
 /// One line, whatever names from files are in it.
 void print_error(const std::string& text) {

@@ -147,26 +147,37 @@ Ray RayMaker::ray(std::uint64_t number) const {
   return ray;
 }
 
-RayStream::RayStream(const std::string& text, const RaySource& source, const World& world) {
+RayStream::RayStream(const std::string& text, const RaySource& source, const World& world,
+                     const Part& part) {
+  std::uint64_t all = 0;
   if (looks_like_number(text)) {
-    count_ = parse_count(text);
+    all = parse_count(text);
     maker_.emplace(world, source);
   } else {
     file_.emplace(text);
+    if (part.whole()) return;
+    for (RayFile file(text); file.next();) ++all;
+  }
+  counted_ = true;
+  first_ = part.begin(all);
+  count_ = part.end(all) - first_;
+  if (file_) {
+    for (std::uint64_t i = 0; i < first_; ++i) file_->next();
   }
 }
 
 std::vector<Ray> RayStream::next(std::size_t most) {
   std::vector<Ray> rays;
   while (rays.size() < most) {
+    if (counted_ && made_ == count_) break;
     if (file_) {
       const std::optional<Ray> ray = file_->next();
       if (!ray) break;
       rays.push_back(*ray);
     } else {
-      if (made_ == count_) break;
-      rays.push_back(maker_->ray(made_++));
+      rays.push_back(maker_->ray(first_ + made_));
     }
+    ++made_;
   }
   return rays;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "common/part.hpp"
 #include "common/target.hpp"
 #include "geometry/model/world.hpp"
 #include "runtime/transport.hpp"
@@ -74,8 +75,10 @@ class RayMaker {
 class RayStream {
  public:
   /// The world has to outlive it. Throws as RayFile and RayMaker, and UsageError for a
-  /// number that is no count.
-  RayStream(const std::string& text, const RaySource& source, const World& world);
+  /// number that is no count. `part`: of them, with the numbers that they have in the whole; of a
+  /// file, which is read once before to count them.
+  RayStream(const std::string& text, const RaySource& source, const World& world,
+            const Part& part = {});
 
   /// How many there are; 0 where that is not known, since they are a file's.
   std::uint64_t count() const { return count_; }
@@ -85,7 +88,8 @@ class RayStream {
  private:
   std::optional<RayFile> file_;
   std::optional<RayMaker> maker_;
-  std::uint64_t count_ = 0, made_ = 0;
+  std::uint64_t count_ = 0, made_ = 0, first_ = 0;
+  bool counted_ = false;
 };
 
 /// All of them. Throws the same.

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/options/numbers.hpp"
+#include "navjit/errors.hpp"
 
 namespace navjit::apps {
 
@@ -35,6 +36,21 @@ void add_source(CLI::App& command, common::RaySource& source) {
       ->option_text("VOLUME|auto")
       ->excludes(origin)
       ->excludes(eta);
+}
+
+void add_part(CLI::App& command, common::Part& part) {
+  command
+      .add_option_function<std::string>(
+          "--part",
+          [&part](const std::string& text) {
+            try {
+              part = common::parse_part(text);
+            } catch (const UsageError& error) {
+              throw CLI::ValidationError("--part", error.what());
+            }
+          },
+          "of all rays only the K-th of N stretches, for many machines")
+      ->option_text("K/N");
 }
 
 void add_rays(CLI::App& command, RayOptions& options) {

@@ -24,6 +24,7 @@ namespace {
 struct Options {
   Detector detector;
   RayOptions rays{.rays = "100000"};
+  common::Part part;
   unsigned threads = 1;
   std::size_t basket = 0;  ///< 0: rays one by one
   Observation observation;
@@ -40,7 +41,7 @@ int run(const Options& options) {
   Output profile(options.save_profile), json(options.report), page(options.html);
   const auto world = read(options.detector);
   common::check_origin(options.rays.source, world);
-  common::RayStream rays(options.rays.rays, options.rays.source, *world);
+  common::RayStream rays(options.rays.rays, options.rays.source, *world, options.part);
   const double all_begun = process_seconds(), own_begun = thread_seconds();
   const ObservedDetector seen(world, options.observation);
   log_observation(seen);
@@ -59,6 +60,7 @@ int run(const Options& options) {
   report.interrupted = common::interruption() != 0;
   report.detector = options.detector.file;
   report.seen = &seen;
+  report.part = options.part;
   report.basket = options.basket;
   report.jit = options.runtime.jit;
   report.budget = options.runtime.budget;
@@ -92,6 +94,7 @@ void add_run(CLI::App& app, Action& action) {
       ->check(number_above(0, 1e12))
       ->option_text("MM");
   add_rays(command, options->rays);
+  add_part(command, options->part);
   command.add_option("--report", options->report, "write a JSON report")->option_text("FILE");
   command.add_option("--html", options->html, "write a page for people")->option_text("FILE");
   command.add_option("--save-profile", options->save_profile, "write what navjit specialise needs")

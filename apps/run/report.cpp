@@ -201,6 +201,7 @@ std::string json_text(const RunReport& report) {
       {"compile_ms", report.runtime.compile_ms},
       {"code_bytes", report.runtime.code_bytes},
   };
+  if (!report.part.whole()) json["part"] = common::part_text(report.part);
   if (report.budget) json["budget_mm"] = *report.budget;
   if (report.seen != nullptr) json["observe"] = to_json(*report.seen);
   auto& scenes = json["scenes"] = nlohmann::ordered_json::array();

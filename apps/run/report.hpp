@@ -7,6 +7,7 @@
 
 #include "apps/run/compare.hpp"
 #include "apps/run/transport.hpp"
+#include "common/part.hpp"
 #include "navjit/observation.hpp"
 #include "navjit/options.hpp"
 #include "navjit/report.hpp"
@@ -18,6 +19,7 @@ struct RunReport {
   const ObservedDetector* seen = nullptr;
   Transport transport;
   std::size_t basket = 0;  ///< rays at once; 0: one by one
+  common::Part part{};
   bool interrupted = false;
   double compile_cpu_seconds = 0;  ///< processor time of all but the navigating threads
   JitMode jit = JitMode::on;

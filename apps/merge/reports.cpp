@@ -1,0 +1,197 @@
+#include "apps/merge/reports.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/part.hpp"
+#include "navjit/errors.hpp"
+
+namespace navjit::apps {
+namespace {
+
+using nlohmann::json;
+
+const json& member(const json& object, const char* key) {
+  const auto at = object.find(key);
+  if (at == object.end()) throw Error(std::string("'") + key + "' is missing: is it a report?");
+  return *at;
+}
+
+double number(const json& object, const char* key) {
+  const json& value = member(object, key);
+  if (!value.is_number() || !std::isfinite(value.get<double>()) || value.get<double>() < 0) {
+    throw Error(std::string("'") + key + "' is not a number above 0");
+  }
+  return value.get<double>();
+}
+
+std::uint64_t whole(const json& object, const char* key) {
+  const json& value = member(object, key);
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() >> 60 != 0) {
+    throw Error(std::string("'") + key + "' is not a count");
+  }
+  return value.get<std::uint64_t>();
+}
+
+std::string text(const json& object, const char* key) {
+  const json& value = member(object, key);
+  if (!value.is_string()) throw Error(std::string("'") + key + "' is not a text");
+  return value.get<std::string>();
+}
+
+/// What has to be alike in all, as text.
+std::string circumstances(const json& report) {
+  std::string all;
+  for (const char* key : {"version", "detector", "jit"}) all += text(report, key) + '\n';
+  const auto observed = report.find("observe");
+  if (observed != report.end() && observed->is_object()) all += text(*observed, "kind");
+  return all;
+}
+
+constexpr const char* counts[] = {"rays",          "steps",       "stuck",   "threads",
+                                  "bail_outs",     "differences", "modules", "cached_modules",
+                                  "plugin_scenes", "deoptimised"};
+/// Runs are made side by side: their speeds add up.
+constexpr const char* sums[] = {"length_mm",  "cpu_seconds",      "compile_cpu_seconds",
+                                "compile_ms", "steps_per_second", "warm_steps_per_second"};
+
+}  // namespace
+
+void ReportMerger::add(const json& report) {
+  if (!report.is_object()) throw Error("it is no report of navjit run");
+  for (const char* key : counts) whole(report, key);
+  for (const char* key : sums) number(report, key);
+  for (const char* key : {"seconds", "code_bytes", "share_specialised"}) number(report, key);
+  if (!reports_.empty() && circumstances(report) != circumstances(reports_.front())) {
+    throw Error("it is of another version, detector, --jit or --observe than the first");
+  }
+  circumstances(report);
+  add_part(report);
+  add_scenes(report);
+  reports_.push_back(report);
+}
+
+void ReportMerger::add_part(const json& report) {
+  const auto given = report.find("part");
+  common::Part part{};
+  if (given != report.end()) part = common::parse_part(text(report, "part"));
+  const std::uint64_t of = given == report.end() ? 0 : part.of;
+  if (reports_.empty()) of_ = of;
+  if (of != of_) {
+    throw Error(of == 0 ? "it is of a whole run, and the first is of a part"
+                        : "it is of " + std::to_string(of) +
+                              " parts, and the first is not; merge parts of one run");
+  }
+  if (of > 0 && !parts_.insert(part.number).second) {
+    throw Error("part " + std::to_string(part.number) + " is there twice");
+  }
+}
+
+void ReportMerger::add_scenes(const json& report) {
+  const json& rows = member(report, "scenes");
+  if (!rows.is_array()) throw Error("'scenes' is not an array");
+  for (const json& row : rows) {
+    if (!row.is_object()) throw Error("a scene is not an object");
+    Scene& scene = scenes_[{text(row, "volume"), text(row, "structure")}];
+    const std::uint64_t steps = whole(row, "steps");
+    const auto weight = static_cast<double>(steps);
+    if (const double ns = number(row, "generic_ns_per_step"); ns > 0) {
+      scene.generic_ns += ns * weight;
+      scene.generic_steps += weight;
+    }
+    if (const double ns = number(row, "specialised_ns_per_step"); ns > 0) {
+      scene.specialised_ns += ns * weight;
+      scene.specialised_steps += weight;
+    }
+    scene.compile_ms += number(row, "compile_ms");
+    const double at = number(row, "specialised_at_s");
+    scene.always_specialised = scene.always_specialised && at > 0;
+    scene.specialised_at_s = std::max(scene.specialised_at_s, at);
+    scene.swapped_at_s = std::max(scene.swapped_at_s, number(row, "swapped_at_s"));
+    for (const char* key : {"code", "binding", "status", "note"}) text(row, key);
+    if (scene.of_most_steps.is_null() || steps > scene.most_steps) {
+      scene.most_steps = steps;
+      scene.of_most_steps = row;
+    }
+    scene.steps += steps;
+  }
+}
+
+double ReportMerger::scenes_steps() const {
+  double all = 0;
+  for (const auto& [name, scene] : scenes_) all += static_cast<double>(scene.steps);
+  return std::max(all, 1.0);
+}
+
+nlohmann::ordered_json ReportMerger::merged() const {
+  const json& first = reports_.front();
+  nlohmann::ordered_json made{{"version", first["version"]},
+                              {"detector", first["detector"]},
+                              {"jit", first["jit"]},
+                              {"merged", reports_.size()}};
+  if (of_ > 0) {
+    made["parts"] = of_;
+    made["parts_there"] = parts_;
+  }
+  bool interrupted = false;
+  for (const json& r : reports_) interrupted = interrupted || r.value("interrupted", false);
+  made["interrupted"] = interrupted;
+  for (const char* key : counts) {
+    std::uint64_t sum = 0;
+    for (const json& r : reports_) sum += whole(r, key);
+    made[key] = sum;
+  }
+  for (const char* key : sums) {
+    double sum = 0;
+    for (const json& r : reports_) sum += number(r, key);
+    made[key] = sum;
+  }
+  for (const char* key : {"seconds", "code_bytes"}) {
+    double most = 0;
+    for (const json& r : reports_) most = std::max(most, number(r, key));
+    made[key] = most;
+  }
+  double specialised = 0, steps = 0;
+  for (const json& r : reports_) {
+    specialised += number(r, "share_specialised") * number(r, "steps");
+    steps += number(r, "steps");
+  }
+  made["share_specialised"] = steps > 0 ? specialised / steps : 0;
+  std::vector<std::pair<const Scene*, const std::string*>> order;
+  for (const auto& [name, scene] : scenes_) order.emplace_back(&scene, &name.first);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.first->steps > b.first->steps; });
+  const double all = scenes_steps();
+  auto& rows = made["scenes"] = nlohmann::ordered_json::array();
+  for (const auto& [scene, name] : order) {
+    const json& like = scene->of_most_steps;
+    rows.push_back(
+        {{"volume", *name},
+         {"structure", like["structure"]},
+         {"steps", scene->steps},
+         {"share", static_cast<double>(scene->steps) / all},
+         {"generic_ns_per_step",
+          scene->generic_steps > 0 ? scene->generic_ns / scene->generic_steps : 0},
+         {"specialised_ns_per_step",
+          scene->specialised_steps > 0 ? scene->specialised_ns / scene->specialised_steps : 0},
+         {"compile_ms", scene->compile_ms},
+         {"specialised_at_s", scene->always_specialised ? scene->specialised_at_s : 0},
+         {"swapped_at_s", scene->swapped_at_s},
+         {"code", like["code"]},
+         {"binding", like["binding"]},
+         {"status", like["status"]},
+         {"note", like["note"]}});
+  }
+  return made;
+}
+
+std::string ReportMerger::missing() const {
+  const std::uint64_t there = parts_.size();
+  if (of_ == 0 || there == of_) return {};
+  std::uint64_t first = 1;
+  while (parts_.contains(first)) ++first;
+  return "; " + std::to_string(of_ - there) + " of " + std::to_string(of_) +
+         " parts are missing, the first of them " + std::to_string(first);
+}
+
+}  // namespace navjit::apps
