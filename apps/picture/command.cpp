@@ -139,7 +139,8 @@ void add_cut_options(CLI::App& command, picture::Request& request) {
                                  request.frame.cuts.push_back(parsed("--cut", text));
                              },
                              "cut away what is there: x>0 or, where all of them hold, x>0,y>0 (mm)")
-                         ->option_text("WHERE ...");
+                         ->allow_extra_args(false)
+                         ->option_text("WHERE");
   command
       .add_option_function<std::string>(
           "--slice",
@@ -188,12 +189,15 @@ void add_picture(CLI::App& app, Action& action) {
   command
       .add_option("--hide", request.show.hide,
                   "volumes or materials to be passed (* and ? are any)")
-      ->option_text("NAME ...");
+      ->allow_extra_args(false)
+      ->option_text("NAME");
   command.add_option("--show", request.show.show, "the same to be seen, although gases")
-      ->option_text("NAME ...");
+      ->allow_extra_args(false)
+      ->option_text("NAME");
   command
       .add_option("--only", request.show.only, "volumes; nothing beside them and what is in them")
-      ->option_text("NAME ...");
+      ->allow_extra_args(false)
+      ->option_text("NAME");
   command.add_flag("--flat", request.flat, "colours as they are, without light and lines");
   command.add_flag("--log", request.logarithmic, "logarithmic scale of numbers");
   command.add_flag("!--no-legend", request.legend, "the view alone");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 #include "common/numbers.hpp"
 #include "navjit/errors.hpp"
@@ -69,22 +70,6 @@ std::vector<Gap> gaps_of(const std::vector<Cut>& cuts, const Ray& ray) {
   }
   gaps.resize(kept);
   return gaps;
-}
-
-double left_of(const std::vector<Gap>& gaps, double from, double to) {
-  double left = to - from;
-  for (const Gap& gap : gaps)
-    left -= std::max(0.0, std::min(to, gap.to) - std::max(from, gap.from));
-  return left;
-}
-
-FirstLeft first_left(const std::vector<Gap>& gaps, double from, double to) {
-  FirstLeft first{true, from, nullptr};
-  for (const Gap& gap : gaps) {
-    if (first.at >= gap.from && first.at < gap.to) first = {true, gap.to, &gap};
-  }
-  first.any = first.at < to;
-  return first;
 }
 
 }  // namespace navjit::picture

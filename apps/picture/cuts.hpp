@@ -1,12 +1,13 @@
 // What is cut away of a detector, so that one sees into it.
 #pragma once
 
-#include <string>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string_view>
 #include <vector>
 
-#include "navjit/vector.hpp"
-#include "runtime/transport.hpp"
+#include "common/passage.hpp"
 
 namespace navjit::picture {
 
@@ -31,15 +32,39 @@ struct Gap {
 /// Of all cuts, in order, and none touches the next.
 std::vector<Gap> gaps_of(const std::vector<Cut>& cuts, const Ray& ray);
 
-/// How much of a way is not cut away, mm.
-double left_of(const std::vector<Gap>& gaps, double from, double to);
-
-/// Where a way first is not cut away; null `gap` if that is at its beginning.
-struct FirstLeft {
-  bool any = false;
-  double at = 0;
-  const Gap* gap = nullptr;  ///< the one that ends there
-};
-FirstLeft first_left(const std::vector<Gap>& gaps, double from, double to);
+/// As common::pass(), but what is cut away is jumped over: `sink(leg, face)` gets the parts of legs
+/// that are left, with ways from the start of the ray; `face` is the normal of the plane that a
+/// part begins on, or null where none is cut.
+template <class AnyNavigator, class Sink>
+common::PassageEnd pass_uncut(AnyNavigator& navigator, const World& world, const Ray& ray,
+                              const std::vector<Gap>& gaps, Sink&& sink) {
+  double start = 0;
+  for (std::size_t next = 0;;) {
+    const Vec3* face = nullptr;
+    if (next < gaps.size() && gaps[next].from <= start) {
+      start = gaps[next].to;
+      if (!std::isfinite(start)) return common::PassageEnd::left;
+      face = &gaps[next++].face;
+    }
+    const double end =
+        next < gaps.size() ? gaps[next].from : std::numeric_limits<double>::infinity();
+    bool at_end = false;
+    const Ray part{ray.position + start * ray.direction, ray.direction};
+    const auto how = common::pass(navigator, world, part, [&](common::Leg leg) {
+      const Vec3* const begins_on = leg.from == 0 ? face : nullptr;
+      leg.from += start;
+      leg.to += start;
+      at_end = leg.to >= end;
+      leg.to = std::min(leg.to, end);
+      if (leg.from < end && !sink(leg, begins_on)) {
+        at_end = false;
+        return false;
+      }
+      return !at_end;
+    });
+    if (how != common::PassageEnd::stopped || !at_end) return how;
+    start = end;
+  }
+}
 
 }  // namespace navjit::picture

@@ -52,10 +52,10 @@ float light_of(const View& view, const Ray& ray, Vec3 normal) {
 }
 
 Surface surface_at(Navigator& navigator, const View& view, const Ray& ray, const Leg& leg,
-                   const FirstLeft& hit) {
+                   const Vec3* face) {
   Vec3 normal = ray.direction;
-  if (hit.gap != nullptr) {
-    normal = hit.gap->face;
+  if (face != nullptr) {
+    normal = *face;
   } else if (leg.before.inside()) {
     normal = navigator.boundary_normal(leg.before, leg.state, leg.point);
   } else if (leg.from > 0) {
@@ -92,13 +92,12 @@ std::vector<Surface> surfaces(Runtime& runtime, const Visible& visible, const Fr
   std::vector<Surface> seen(pixels_of(frame));
   for_each_pixel(runtime, frame, [&](Navigator& navigator, const Ray& ray, std::size_t number) {
     const std::vector<Gap> gaps = gaps_of(frame.cuts, ray);
-    const PassageEnd end = common::pass(navigator, runtime.world(), ray, [&](const Leg& leg) {
-      if (!visible.opaque[leg.state.volume()]) return true;
-      const FirstLeft hit = first_left(gaps, leg.from, leg.to);
-      if (!hit.any) return true;
-      seen[number] = surface_at(navigator, frame.view, ray, leg, hit);
-      return false;
-    });
+    const PassageEnd end =
+        pass_uncut(navigator, runtime.world(), ray, gaps, [&](const Leg& leg, const Vec3* face) {
+          if (!visible.opaque[leg.state.volume()] || !(leg.from < leg.to)) return true;
+          seen[number] = surface_at(navigator, frame.view, ray, leg, face);
+          return false;
+        });
     if (end == PassageEnd::stuck) seen[number].volume = Surface::stuck;
   });
   return seen;
@@ -123,12 +122,11 @@ std::vector<double> values(Runtime& runtime, const Visible& visible, const Frame
     const std::vector<Gap> gaps =
         quantity == Quantity::steps ? std::vector<Gap>{} : gaps_of(frame.cuts, ray);
     double sum = 0;
-    const PassageEnd end = common::pass(navigator, runtime.world(), ray, [&](const Leg& leg) {
-      sum += quantity == Quantity::steps
-                 ? 1
-                 : rates[leg.state.volume()] * left_of(gaps, leg.from, leg.to);
-      return true;
-    });
+    const PassageEnd end =
+        pass_uncut(navigator, runtime.world(), ray, gaps, [&](const Leg& leg, const Vec3*) {
+          sum += quantity == Quantity::steps ? 1 : rates[leg.state.volume()] * (leg.to - leg.from);
+          return true;
+        });
     sums[number] = end == PassageEnd::stuck ? std::numeric_limits<double>::quiet_NaN() : sum;
   });
   return sums;

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "apps/picture/view.hpp"
-#include "common/passage.hpp"
 #include "navjit/errors.hpp"
 
 namespace navjit::picture {
@@ -72,11 +71,9 @@ void probe(Navigator& navigator, const World& world, const Visible& visible,
     coordinate(ray.position, axis) =
         sign > 0 ? low - 0.01 * (high - low) : high + 0.01 * (high - low);
     const std::vector<Gap> gaps = gaps_of(cuts, ray);
-    common::pass(navigator, world, ray, [&](const common::Leg& leg) {
-      if (!visible.opaque[leg.state.volume()]) return true;
-      const FirstLeft hit = first_left(gaps, leg.from, leg.to);
-      if (!hit.any) return true;
-      Vec3 p = ray.position + hit.at * ray.direction;
+    pass_uncut(navigator, world, ray, gaps, [&](const common::Leg& leg, const Vec3*) {
+      if (!visible.opaque[leg.state.volume()] || !(leg.from < leg.to)) return true;
+      Vec3 p = ray.position + leg.from * ray.direction;
       for (int k = 0; k < 3; ++k) {
         const double around = k == axis ? 0 : coordinate(cell, k) / 2;
         const double c = coordinate(p, k);

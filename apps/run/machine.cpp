@@ -4,8 +4,11 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <fstream>
 #include <string_view>
+
+#include "runtime/version.hpp"
 
 namespace navjit::apps {
 namespace {
@@ -57,6 +60,17 @@ Machine this_machine() {
     machine.system = std::string(name.sysname) + " " + name.release + " " + name.machine;
   }
   return machine;
+}
+
+std::vector<std::pair<std::string, std::string>> circumstances() {
+  const Machine machine = this_machine();
+  char memory[32];
+  std::snprintf(memory, sizeof memory, "%.3g GB", static_cast<double>(machine.memory_mb) / 1024);
+  return {{"command", command_line()},
+          {"program", version_line()},
+          {"processor", machine.processor + " (" + std::to_string(machine.processors) + ")"},
+          {"memory", memory},
+          {"system", machine.system}};
 }
 
 }  // namespace navjit::apps

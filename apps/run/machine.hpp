@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace navjit::apps {
 
@@ -16,5 +18,8 @@ struct Machine {
   std::string system;           ///< kernel, its release, and the architecture
 };
 Machine this_machine();
+
+/// Both in words, and what the program is: what and its value, for people.
+std::vector<std::pair<std::string, std::string>> circumstances();
 
 }  // namespace navjit::apps

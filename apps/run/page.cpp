@@ -6,7 +6,6 @@
 
 #include "apps/run/machine.hpp"
 #include "common/page.hpp"
-#include "runtime/version.hpp"
 
 namespace navjit::apps {
 namespace {
@@ -143,7 +142,6 @@ std::string summary_of(const RunReport& report) {
 
 std::string run_page(const RunReport& report, const std::string& hot_map) {
   const Transport& t = report.transport;
-  const Machine machine = this_machine();
   std::string body = summary_of(report);
 
   body += common::heading_html("What was hot, and what was done about it");
@@ -180,14 +178,10 @@ std::string run_page(const RunReport& report, const std::string& hot_map) {
   body += scenes_of(report);
 
   body += common::heading_html("Command and machine");
-  body += common::facts_html(
-      {{"command", command_line()},
-       {"detector", report.detector},
-       {"threads", std::to_string(t.threads)},
-       {"program", version_line()},
-       {"processor", machine.processor + " (" + std::to_string(machine.processors) + ")"},
-       {"memory", text_of("%.3g GB", static_cast<double>(machine.memory_mb) / 1024)},
-       {"system", machine.system}});
+  std::vector<std::pair<std::string, std::string>> facts = circumstances();
+  facts.push_back({"detector", report.detector});
+  facts.push_back({"threads", std::to_string(t.threads)});
+  body += common::facts_html(facts);
   return common::page_html("navjit run: " + report.detector, body);
 }
 

@@ -109,7 +109,8 @@ void add_scan(CLI::App& app, Action& action) {
       ->transform(count(1, 1000))
       ->option_text("N");
   command.add_option("--stop", request.stop, "volumes at which rays end (* and ? are any)")
-      ->option_text("NAME ...");
+      ->allow_extra_args(false)
+      ->option_text("NAME");
   add_choice(command, "--of", options->quantity, quantities,
              "what table and picture show: x0, mass (g/cm2) or lambda (interaction lengths)")
       ->option_text("WHAT");

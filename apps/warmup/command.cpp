@@ -9,8 +9,10 @@
 #include "apps/commands.hpp"
 #include "apps/options/numbers.hpp"
 #include "apps/options/outputs.hpp"
+#include "apps/run/machine.hpp"
 #include "apps/warmup/experiment.hpp"
 #include "apps/warmup/one_run_options.hpp"
+#include "apps/warmup/page.hpp"
 #include "apps/warmup/picture.hpp"
 #include "apps/warmup/report.hpp"
 #include "common/gnuplot.hpp"
@@ -33,6 +35,7 @@ struct Options {
   std::string report;   ///< JSON file; empty: none
   std::string csv;      ///< every point; empty: none
   std::string picture;  ///< SVG or PNG file; empty: none
+  std::string html;     ///< page; empty: none
 };
 
 std::vector<warmup::Variant> variants_of(const Options& options) {
@@ -55,7 +58,7 @@ std::vector<warmup::Variant> variants_of(const Options& options) {
 /// Throws also if the same rays had different steps in different runs.
 int warmup(const Options& options) {
   if (!options.picture.empty()) common::check_picture(options.picture);
-  Output json(options.report), csv(options.csv), picture(options.picture);
+  Output json(options.report), csv(options.csv), picture(options.picture), page(options.html);
   const common::Interruptible interruptible;
   if (!jit::has_compiler()) {
     throw Error("this program was built without a compiler: nothing warms up");
@@ -88,6 +91,13 @@ int warmup(const Options& options) {
            return warmup::draw(report,
                                std::filesystem::path(options.every.detector.file).filename(),
                                options.picture);
+         });
+       },
+       [&] {
+         page.write([&] {
+           return warmup::page(report,
+                               std::filesystem::path(options.every.detector.file).filename(),
+                               circumstances());
          });
        }});
   if (!report.same_rays) throw Error("runs differ in the steps of the same rays");
@@ -124,6 +134,7 @@ void add_warmup(CLI::App& app, Action& action) {
   command.add_option("--csv", options->csv, "write every point")->option_text("FILE");
   command.add_option("--picture", options->picture, "speed and share against time; by gnuplot")
       ->option_text("FILE.svg|.png");
+  command.add_option("--html", options->html, "write a page for people")->option_text("FILE");
   command.callback([options, shared, &action] {
     options->words = warmup::words_given(shared);
     action = [options] { return warmup(*options); };

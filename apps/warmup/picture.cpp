@@ -10,26 +10,9 @@ namespace {
 
 constexpr int bins = 80;
 
-/// Lines "time rate share", medians over the repetitions; empty if there is nothing to draw.
-std::string lines_of(const VariantReport& each, double end) {
-  std::string lines;
-  for (int i = 0; i < bins; ++i) {
-    const double from = end * i / bins, to = end * (i + 1) / bins;
-    std::vector<double> rates, shares;
-    for (const RunFigures& run : each.runs) {
-      rates.push_back(rate(run.record.series, from, to) / 1e6);
-      shares.push_back(100 * share_at(run.record.swaps, to));
-    }
-    lines += common::literal((from + to) / 2) + ' ' + common::literal(spread(rates).median) + ' ' +
-             common::literal(spread(shares).median) + '\n';
-  }
-  return lines;
-}
-
 }  // namespace
 
-std::string draw(const ExperimentReport& report, const std::string& title,
-                 const std::string& file) {
+std::vector<Curve> curves_of(const ExperimentReport& report) {
   double end = 0;
   for (const VariantReport& each : report.variants) {
     for (const RunFigures& run : each.runs) {
@@ -37,13 +20,41 @@ std::string draw(const ExperimentReport& report, const std::string& title,
       end = end == 0 ? last : std::min(end, last);
     }
   }
-  if (end == 0) throw Error(file + ": nothing was measured that could be drawn");
-  std::string data, rates, shares;
-  for (std::size_t i = 0; i < report.variants.size(); ++i) {
-    const VariantReport& each = report.variants[i];
+  std::vector<Curve> curves;
+  if (end == 0) return curves;
+  for (const VariantReport& each : report.variants) {
     if (each.runs.empty()) continue;  // a signal came before
+    Curve curve{each.variant, {}};
+    for (int i = 0; i < bins; ++i) {
+      const double from = end * i / bins, to = end * (i + 1) / bins;
+      std::vector<double> rates, shares;
+      for (const RunFigures& run : each.runs) {
+        rates.push_back(rate(run.record.series, from, to) / 1e6);
+        shares.push_back(100 * share_at(run.record.swaps, to));
+      }
+      curve.moments.push_back({(from + to) / 2, spread(rates).median, spread(shares).median});
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+std::string draw(const ExperimentReport& report, const std::string& title,
+                 const std::string& file) {
+  const std::vector<Curve> curves = curves_of(report);
+  if (curves.empty()) throw Error(file + ": nothing was measured that could be drawn");
+  const Curve::Moment& last = curves.front().moments.back();
+  const double end = last.seconds * 2 * bins / (2 * bins - 1);
+  std::string data, rates, shares;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const Curve& each = curves[i];
     const std::string block = "$v" + std::to_string(i);
-    data += block + " << EOD\n" + lines_of(each, end) + "EOD\n";
+    data += block + " << EOD\n";
+    for (const Curve::Moment& at : each.moments) {
+      data += common::literal(at.seconds) + ' ' + common::literal(at.million_steps_per_second) +
+              ' ' + common::literal(at.percent_specialised) + '\n';
+    }
+    data += "EOD\n";
     const std::string look = " with lines lw 2 lc " + std::to_string(i + 1) + " title " +
                              common::quoted(each.variant.name) + " noenhanced";
     const auto plot = [&](std::string& commands, const char* columns) {

@@ -47,10 +47,13 @@ TEST_F(Page, TellsWhatTheRunWasLike) {
     const std::string page =
         page_of(NAVJIT_DETECTORS_DIR "/absorber.gdml --rays 20000 --jit " + jit);
     EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
-    for (const char* part : {"20,000", "What was hot", "Speed against time", "<polyline", "ns/step",
-                             "Where the time goes", "data:image/png;base64,", "--rays 20000"}) {
+    for (const char* part : {"20,000", "What was hot", "Speed against time", "ns/step",
+                             "Command and machine", "--rays 20000"}) {
       EXPECT_NE(page.find(part), npos) << jit << ": " << part;
     }
+    // A machine with too much else to do may have no time for the rest.
+    EXPECT_TRUE(page.find("<polyline") != npos || page.find("too short") != npos);
+    EXPECT_EQ(page.find("Where the time goes") != npos, page.find("image/png") != npos);
     EXPECT_EQ(page.find("://"), npos) << "nothing from elsewhere";
     EXPECT_EQ(count(page, "<tr>"), count(page, "</tr>"));
   }
@@ -61,6 +64,19 @@ TEST_F(Page, NamesAreNoMarkup) {
   const std::string page = page_of(folder_.file("det.gdml") + " --rays 3000");
   EXPECT_NE(page.find("&lt;script&gt;document.title=&#39;owned"), npos);
   EXPECT_EQ(count(page, "<script>"), 1U);
+}
+
+TEST_F(Page, OfAWarmUpHasItsCurves) {
+  const Output output = run_navjit("warmup " NAVJIT_DETECTORS_DIR
+                                   "/absorber.gdml --seconds 0.2 --repetitions 1 --modes cold "
+                                   "--html " +
+                                   file_);
+  ASSERT_EQ(output.status, 0) << output.text;
+  const std::string page = read_file(file_);
+  EXPECT_EQ(count(page, "<polyline"), 4U);
+  EXPECT_NE(page.find("speed-up in the end"), npos);
+  EXPECT_EQ(page.find("://"), npos);
+  EXPECT_EQ(page.find("nan"), npos);
 }
 
 TEST_F(Page, OfAnInterruptedRunIsWritten) {

@@ -33,6 +33,8 @@ const std::vector<std::string> printing{
     "profile merge FOLDER/profile.json FOLDER/profile.json -o FOLDER/merged.json",
     "specialise " + detector + " --profile FOLDER/profile.json --emit cpp -o FOLDER/plugin.cpp",
     "picture " + detector + " --size 30x20 -o FOLDER/p.png",
+    "scan " + detector + " --eta-bins 3 --phi-bins 4 --rays 1 --csv FOLDER/s.csv",
+    "run " + detector + " --rays 10 --jit off --html FOLDER/r.html",
     "warmup-run " + detector + " --seconds 0.05 --jit off",
     "warmup " + detector + " --seconds 0.05 --repetitions 1 --modes cold",
 };

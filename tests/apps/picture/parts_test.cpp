@@ -92,14 +92,6 @@ TEST(Cuts, OfARayAreMerged) {
   EXPECT_EQ(gaps[1].to, 16);
   EXPECT_EQ(gaps[1].face.x, -1);
   EXPECT_EQ(gaps[2].to, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(left_of(gaps, 0, 40), 40 - 2 - 6 - 10);
-  const FirstLeft hit = first_left(gaps, 11, 20);
-  EXPECT_TRUE(hit.any);
-  EXPECT_EQ(hit.at, 16);
-  EXPECT_EQ(hit.gap, &gaps[1]);
-  EXPECT_FALSE(first_left(gaps, 11, 15).any);
-  EXPECT_FALSE(first_left(gaps, 31, 99).any);
-  EXPECT_EQ(first_left(gaps, 3, 4).gap, nullptr);
 }
 
 TEST(Png, IsReadBackAsItWas) {
