@@ -85,6 +85,9 @@ class BoxTree {
   double scan(std::uint32_t first, std::uint32_t last, const Test& test, double limit,
               const NumberOf& number_of, const Take& take) const;
 
+  template <class Test, class Visit>
+  void visit_overlapping(const Test& test, const Visit& visit) const;
+
   /// For Method::regular_tree.
   template <class Test, class Visit>
   void descend(const Test& test, double limit, const Visit& visit) const;

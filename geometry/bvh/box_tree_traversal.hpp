@@ -84,7 +84,7 @@ double BoxTree::scan(std::uint32_t first, std::uint32_t last, const Test& test, 
                      const NumberOf& number_of, const Take& take) const {
   detail::NearestFirst found;
   detail::Verdict verdict;
-  float rounded_limit = float_above(limit);
+  float rounded_limit = float_above_point(limit);
   const auto take_found = [&] {
     while (!found.empty()) {
       const auto [distance, number] = found.take();
@@ -92,7 +92,7 @@ double BoxTree::scan(std::uint32_t first, std::uint32_t last, const Test& test, 
       limit = take(number, distance);
     }
     found.clear();
-    rounded_limit = float_above(limit);
+    rounded_limit = float_above_point(limit);
   };
   for (std::uint32_t g = first; g < last; ++g) {
     test(groups_[g], rounded_limit, verdict);
@@ -116,7 +116,7 @@ void BoxTree::descend(const Test& test, double limit, const Visit& visit) const 
   detail::DepthFirst open;
   detail::NearestFirst found;
   open.insert(0, 0, 0);
-  float rounded_limit = float_above(limit);
+  float rounded_limit = float_above_point(limit);
   while (!open.empty()) {
     const auto [distance, group] = open.take();
     if (!Test::within(distance, limit)) continue;
@@ -142,7 +142,7 @@ void BoxTree::descend(const Test& test, double limit, const Visit& visit) const 
       limit = visit(box.number, box.distance);
     }
     found.clear();
-    rounded_limit = float_above(limit);
+    rounded_limit = float_above_point(limit);
   }
 }
 
@@ -163,7 +163,7 @@ void BoxTree::descend_wide(const Test& test, double limit, const Visit& visit) c
   unsigned depth = 0;
   std::size_t group = 0;
   Candidates candidates;
-  float rounded_limit = float_above(limit);
+  float rounded_limit = float_above_point(limit);
   test(groups[0], rounded_limit, candidates, distances[0]);
   for (;;) {
     const std::uint32_t key = candidates.nearest();
@@ -188,7 +188,7 @@ void BoxTree::descend_wide(const Test& test, double limit, const Visit& visit) c
     const double distance = distances[depth][lane];
     if (!Test::within(distance, limit)) continue;
     limit = visit(number, distance);
-    rounded_limit = float_above(limit);
+    rounded_limit = float_above_point(limit);
   }
 }
 
@@ -226,12 +226,16 @@ void BoxTree::near(const Vec3& p, double radius, Visit&& visit) const {
 
 template <class Visit>
 void BoxTree::containing(const Vec3& p, Visit&& visit) const {
-  overlapping({p, p}, visit);
+  visit_overlapping(detail::OverlapTest(p), visit);
 }
 
 template <class Visit>
 void BoxTree::overlapping(const Extent& box, Visit&& visit) const {
-  const detail::OverlapTest test(box);
+  visit_overlapping(detail::OverlapTest(box), visit);
+}
+
+template <class Test, class Visit>
+void BoxTree::visit_overlapping(const Test& test, const Visit& visit) const {
   // True to go on.
   const auto scan_children = [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t g = first; g < last; ++g) {

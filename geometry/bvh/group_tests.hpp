@@ -128,7 +128,7 @@ class RayTest {
   void set(int axis, double p, double v, double inverse) {
     constexpr double margin = 0x1p-21, largest = 0x1p100;
     const bool down = v < 0;
-    const float below = float_below(p), above = float_above(p);
+    const float below = float_below_point(p), above = float_above_point(p);
     near_row_[axis] = down ? axis + 3 : axis;
     far_row_[axis] = down ? axis : axis + 3;
     near_origin_[axis] = down ? below : above;
@@ -153,8 +153,8 @@ class DistanceTest {
   explicit DistanceTest(const Vec3& p) {
     const double coordinate[3] = {p.x, p.y, p.z};
     for (int axis = 0; axis < 3; ++axis) {
-      below_[axis] = Lanes(float_below(coordinate[axis]));
-      above_[axis] = Lanes(float_above(coordinate[axis]));
+      below_[axis] = Lanes(float_below_point(coordinate[axis]));
+      above_[axis] = Lanes(float_above_point(coordinate[axis]));
     }
   }
 
@@ -203,6 +203,14 @@ class OverlapTest {
     for (int axis = 0; axis < 3; ++axis) {
       below_[axis] = Lanes(float_below(low[axis]));
       above_[axis] = Lanes(float_above(high[axis]));
+    }
+  }
+
+  explicit OverlapTest(const Vec3& p) {
+    const double coordinate[3] = {p.x, p.y, p.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      below_[axis] = Lanes(float_below_point(coordinate[axis]));
+      above_[axis] = Lanes(float_above_point(coordinate[axis]));
     }
   }
 

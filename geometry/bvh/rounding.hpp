@@ -21,4 +21,13 @@ inline float float_below(double x) {
 /// A float strictly above `x`; +infinity if there is no finite one. `x` may be infinite, not NaN.
 inline float float_above(double x) { return -float_below(-x); }
 
+/// The same, to the bit, without a branch, for |x| up to 1e30 (above: for any positive x, infinity
+/// included): for points, of which each search rounds six coordinates, and for limits.
+inline float float_below_point(double x) {
+  return static_cast<float>(x - (std::fabs(x) * 0x1p-23 + 0x1p-100));
+}
+inline float float_above_point(double x) {
+  return static_cast<float>(x + (std::fabs(x) * 0x1p-23 + 0x1p-100));
+}
+
 }  // namespace navjit::bvh

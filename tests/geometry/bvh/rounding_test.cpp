@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 
@@ -35,6 +37,24 @@ TEST(Rounding, BeyondTheRangeOfFloats) {
   EXPECT_EQ(float_above(-1e300), -largest);
   EXPECT_EQ(float_above(infinity), static_cast<float>(infinity));
   EXPECT_EQ(float_below(-infinity), -static_cast<float>(infinity));
+}
+
+TEST(Rounding, OfPointsGivesTheSameBits) {
+  std::mt19937_64 random(3);
+  const auto expect_same = [](double x) {
+    EXPECT_EQ(std::bit_cast<std::uint32_t>(float_below_point(x)),
+              std::bit_cast<std::uint32_t>(float_below(x)))
+        << x;
+    EXPECT_EQ(std::bit_cast<std::uint32_t>(float_above_point(x)),
+              std::bit_cast<std::uint32_t>(float_above(x)))
+        << x;
+  };
+  std::uniform_real_distribution<double> mantissa(-1, 1), exponent(-320, 30);
+  for (int i = 0; i < 100000; ++i) expect_same(mantissa(random) * std::pow(10, exponent(random)));
+  for (const double x : {0.0, -0.0, 1.0, -1.0, 1e30, -1e30, 5e-324}) expect_same(x);
+  for (const double x : {1e38, 3.4028235e38, 1e300, std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(float_above_point(x), float_above(x)) << x;
+  }
 }
 
 }  // namespace
