@@ -42,7 +42,7 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 TEST_F(Parts, MakeTheRaysOfTheWholeRun) {
-  for (const std::string rays : {std::string("1003"), file("rays.csv")}) {
+  for (const std::string& rays : {std::string("1003"), file("rays.csv")}) {
     if (rays != "1003") {
       std::string text = "x,y,z,dx,dy,dz\n";
       for (int i = 0; i < 501; ++i) {
