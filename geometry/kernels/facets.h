@@ -297,6 +297,12 @@ Real path_until(const Facets<Real>& s, const Vec3<Real>& p, const Direction<Real
 template <class Real>
 bool contains(const Facets<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   if (box_distance2(s.boxes[0], p) > tol * tol) return false;
+  if (v.x == 0 && v.y == 0 && v.z == 0) {
+    // Asked without a direction: all of the surface belongs to it, and any ray tells the rest.
+    if (surface_distance2(s, p, tol * tol * Real(1.000001)) <= tol * tol) return true;
+    const Direction<Real> up = make_direction<Real>(0, 0, 1);
+    return crossings_ahead(s, p, up, tol, infinity<Real>()).total < 0;
+  }
   const Direction<Real> whole = make_direction(v.x, v.y, v.z);
   return crossings_ahead(s, p, whole, tol, infinity<Real>()).total < 0;
 }

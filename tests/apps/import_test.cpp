@@ -52,7 +52,7 @@ TEST_F(Import, MakesADetectorOfTheBody) {
     int inside = 0;
     for (int i = 0; i < points; ++i) {
       const Vec3 point{x(random), y(random), z(random)};
-      const State state = navigator.locate(point, {0, 0, 1});
+      const State state = navigator.locate(point);
       ASSERT_TRUE(state.inside());
       const bool within = detector.depth(state) == 1;
       inside += within ? 1 : 0;

@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "geometry/solids/any_solid.hpp"
+#include "geometry/solids/facets.hpp"
 #include "geometry/surface/polygon.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/folder.hpp"
@@ -134,6 +136,18 @@ TEST_F(Surfaces, OpenOnesNameTheirEdge) {
   mesh.push_back(mesh[3]);
   open = open_at(read("a.stl", tests::ascii_stl(mesh)));
   EXPECT_TRUE(contains(open, "is of 3 triangles")) << open;
+}
+
+TEST(Tessellated, IsFoundWithoutADirection) {
+  const Solid block = make_tessellated("block", tests::block());
+  const auto& facets = *static_cast<const kernels::Facets<double>*>(block.shape.get());
+  const auto none = kernels::make_direction<double>(0, 0, 0);
+  for (const Vec3& p : {Vec3{0, 0, 0}, {0, 0, 3}, {0, 0, -3}, {5, 0, 0}, {4.9, 3.9, -2.9}}) {
+    EXPECT_TRUE(kernels::contains(facets, p, none, 1e-9));
+  }
+  for (const Vec3& p : {Vec3{0, 0, 3.1}, {0, 0, -3.1}, {6, 0, 0}}) {
+    EXPECT_FALSE(kernels::contains(facets, p, none, 1e-9));
+  }
 }
 
 TEST_F(Surfaces, FlatOnesEncloseNothing) {
