@@ -197,8 +197,8 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
     if ((known > 0) & (limit <= known) & !shadow_) {
       require_unit(direction);
       ++own.counts.within_safety;
-      own.profile.count(from.volume());
-      return {limit, false, from};
+      own.profile.count(own.sphere.state.volume());  // one that was checked
+      return {limit, false, own.sphere.state};
     }
   }
   return step_of(own.stack, from, point, direction, limit);

@@ -91,6 +91,18 @@ TEST_P(NavigatorApi, StepsWithinTheLastSafetyAreTheStepsOfOneWhoNeverAsked) {
   }
 }
 
+TEST_P(NavigatorApi, AStepWithinTheSafetyTrustsNoVolumeThatItIsGiven) {
+  const Vec3 point{90, 90, 90}, direction{0, 0, 1};
+  const State state = navigator_.locate(point, direction);
+  ASSERT_GT(navigator_.safety(state, point), 0.01);
+  const State false_one(state.touchable(), state.volume() + 1'000'000'000);
+  if (GetParam() == JitMode::shadow) {
+    EXPECT_THROW(navigator_.step(false_one, point, direction, 0.001), UsageError);
+    return;
+  }
+  EXPECT_EQ(navigator_.step(false_one, point, direction, 0.001).next.volume(), state.volume());
+}
+
 TEST_P(NavigatorApi, ASafetyIsToldAsFarAsItIsEnough) {
   std::size_t less = 0, all = 0;
   for (int i = 0; i < 3000; ++i) {
