@@ -42,7 +42,7 @@ if result.returncode != 0:
 if len(commands) < 8 or written < 3:
     sys.exit(f"tutorial.py: {page} has {len(commands)} blocks of commands and {written} files: too few")
 
-made = re.findall(r"(?:-o|--out|--report) (\S+)", script)
+made = re.findall(r"(?:-o|--out|--report|--html) ([\w.]+)(?=\s)", script + "\n")
 for name in made:
     if not (work / name).is_file() or (work / name).stat().st_size == 0:
         sys.exit(f"tutorial.py: {name} was not written")
