@@ -200,7 +200,8 @@ void add_picture(CLI::App& app, Action& action) {
       ->option_text("NAME");
   command.add_flag("--flat", request.flat, "colours as they are, without light and lines");
   command.add_flag("--log", request.logarithmic, "logarithmic scale of numbers");
-  command.add_flag("!--no-legend", request.legend, "the view alone");
+  command.add_flag_callback(
+      "--no-legend", [options] { options->request.legend = false; }, "the view alone");
   add_threads(command, options->threads);
   add_cache_option(command, request.runtime.cache, true);
   command.callback([options, mode, colour, &action] {
