@@ -63,6 +63,7 @@ struct Session {
       : options(the_options), xml{options.limits.max_bytes, options.limits.max_elements} {}
 
   const GdmlOptions& options;
+  std::filesystem::path main_file;
   XmlBudget xml;
   int open_files = 0;
   std::size_t loop_elements = 0;

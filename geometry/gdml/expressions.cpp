@@ -177,6 +177,7 @@ void Evaluator::define_constant(std::string_view name, double value) { define(na
 void Evaluator::define_variable(std::string_view name, double value) { define(name, value, true); }
 
 void Evaluator::define(std::string_view name, double value, bool variable) {
+  name = trimmed(name);
   const auto [position, added] = values_.try_emplace(std::string(name), Value{value, variable});
   if (added) return;
   if (!position->second.builtin) {
@@ -186,6 +187,7 @@ void Evaluator::define(std::string_view name, double value, bool variable) {
 }
 
 void Evaluator::set_variable(std::string_view name, double value) {
+  name = trimmed(name);
   if (!broken_.empty()) check_readable(name);
   const auto found = values_.find(name);
   if (found == values_.end() || !found->second.variable) {
@@ -196,14 +198,14 @@ void Evaluator::set_variable(std::string_view name, double value) {
 }
 
 void Evaluator::define_broken(std::string_view name, const std::string& message) {
-  broken_.try_emplace(std::string(name), message);
+  broken_.try_emplace(std::string(trimmed(name)), message);
   // Parsers remember where the values are of names that they have met.
   compiled_.clear();
   parser_.reset();
 }
 
 std::optional<double> Evaluator::defined(std::string_view name) const {
-  const auto found = values_.find(name);
+  const auto found = values_.find(trimmed(name));
   if (found == values_.end() || found->second.builtin) return std::nullopt;
   return found->second.number;
 }

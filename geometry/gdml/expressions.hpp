@@ -28,7 +28,8 @@ template <class T>
 using StringMap = std::unordered_map<std::string, T, StringHash, std::equal_to<>>;
 
 /// The named values of one file, and the values of expressions over them and the built-in units.
-/// As in CLHEP, ^ and ** are powers, bind tighter than a sign and group from the left.
+/// As in CLHEP, ^ and ** are powers, bind tighter than a sign and group from the left, and blanks
+/// around a name that is defined are not part of it.
 class Evaluator {
  public:
   Evaluator();

@@ -22,6 +22,19 @@ Target find_target(FileContext& file, const XmlElement& element, const std::stri
   return {nullptr, file.look_up(&FileContext::volumes, element, "volume", name), name};
 }
 
+/// Geant4 looks in the working folder only, and is started beside the main file. Where it is
+/// started elsewhere, names may count from the file that has them, or from the main file.
+fs::path module_path(const Session& session, const XmlElement& element, std::string_view name) {
+  const fs::path path(name);
+  const fs::path beside = fs::path(*element.file).parent_path() / path;
+  const fs::path beside_main = fs::path(session.main_file).parent_path() / path;
+  std::error_code error;
+  for (const fs::path* candidate : {&path, &beside, &beside_main}) {
+    if (fs::exists(*candidate, error)) return *candidate;
+  }
+  return beside;
+}
+
 /// <file name='...' volname='...'>: the module's volume of that name, or its world.
 Target find_in_module(FileContext& file, const XmlElement& element) {
   const auto name = element.find("name");
@@ -29,13 +42,8 @@ Target find_in_module(FileContext& file, const XmlElement& element) {
   if (name->find("://") != std::string_view::npos) {
     fail(element, "the module is on a network and is not fetched; save it beside the file");
   }
-  // Geant4 looks in the working folder only.
-  fs::path path(*name);
-  std::error_code error;
-  if (path.is_relative() && !fs::exists(path, error)) {
-    path = fs::path(*element.file).parent_path() / path;
-  }
-  FileContext& module = read_file(file.session, path, &element);
+  FileContext& module =
+      read_file(file.session, module_path(file.session, element, *name), &element);
   if (element.find("volname")) {
     return find_target(module, element, file.reference(element, "volname"));
   }

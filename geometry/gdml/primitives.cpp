@@ -9,14 +9,14 @@
 namespace navjit::gdml {
 namespace {
 
-/// Reads the dimensions of one element in its units; mm and rad where it names none.
+/// Reads the dimensions of one element in its units; mm and rad where it names none. The unit of
+/// angles is looked at where there is an angle: a box may name any, as for Geant4.
 class Dimensions {
  public:
   Dimensions(FileContext& file, const XmlElement& element)
       : file_(file),
         element_(element),
-        length_unit_(file.unit(element, "lunit", Dimension::length)),
-        angle_unit_(file.unit(element, "aunit", Dimension::angle)) {}
+        length_unit_(file.unit(element, "lunit", Dimension::length)) {}
 
   double length(const char* attribute) const {
     return file_.length(element_, attribute, length_unit_);
@@ -33,10 +33,10 @@ class Dimensions {
     return file_.length(element_, attribute, 0.5 * length_unit_);
   }
   double angle(const char* attribute) const {
-    return file_.number(element_, attribute) * angle_unit_;
+    return file_.number(element_, attribute) * angle_unit();
   }
   double angle(const char* attribute, double fallback) const {
-    return file_.number(element_, attribute, fallback) * angle_unit_;
+    return file_.number(element_, attribute, fallback) * angle_unit();
   }
   /// A number of sides, which cost memory as elements do.
   int sides(const char* attribute) const {
@@ -67,6 +67,8 @@ class Dimensions {
   }
 
  private:
+  double angle_unit() const { return file_.unit(element_, "aunit", Dimension::angle); }
+
   void check_count(int n, const char* what) const {
     const int most = file_.session.options.limits.max_planes;
     if (n <= most) return;
@@ -76,7 +78,7 @@ class Dimensions {
 
   FileContext& file_;
   const XmlElement& element_;
-  double length_unit_, angle_unit_;
+  double length_unit_;
 };
 
 DivisibleShape read_box(const Dimensions& d) {
@@ -117,9 +119,9 @@ DivisibleShape read_para(const Dimensions& d) {
           .x1 = d.half("x"),
           .y1 = d.half("y"),
           .hz = d.half("z"),
-          .alpha = d.angle("alpha"),
-          .theta = d.angle("theta"),
-          .phi = d.angle("phi")};
+          .alpha = d.angle("alpha", 0),
+          .theta = d.angle("theta", 0),
+          .phi = d.angle("phi", 0)};
 }
 
 Solid read_trap(const Dimensions& d, const std::string& name) {

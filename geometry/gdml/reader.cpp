@@ -79,6 +79,9 @@ FileContext& read_file(Session& session, const fs::path& path, const XmlElement*
   session.files_in_order.push_back(file.get());
   try {
     file->document = parse_xml(path, session.options.limits, session.xml, from);
+    if (file->document->ends_in_junk) {
+      file->note(*file->document->root, "left out what stands behind its end");
+    }
     read_root(*file);
   } catch (const GdmlError& e) {
     file->problem = e.what();
@@ -113,6 +116,7 @@ namespace {
 World read_unchecked(const std::filesystem::path& path, const GdmlOptions& options,
                      GdmlReport* report) {
   gdml::Session session(options);
+  session.main_file = path;
   gdml::FileContext& file = gdml::read_file(session, path, nullptr);
   const gdml::Setup& setup = gdml::choose_setup(file, options.setup);
   const gdml::XmlElement& world_element = *setup.world_element;

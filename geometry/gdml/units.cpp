@@ -131,6 +131,9 @@ constexpr Unit in_attributes[] = {
     {"kGy", kilo * gray, other}, {"mGy", milli * gray, other}, {"uGy", micro * gray, other},
     {"perCent", 1e-2, other}, {"perThousand", 1e-3, other}, {"perMillion", 1e-6, other},
     {"percent", 1e-2, other}, {"%", 1e-2, other},
+    // Not in Geant4's table, but in that of programs which add to it.
+    {"in", 2.54 * cm, length}, {"inch", 2.54 * cm, length}, {"ft", 30.48 * cm, length},
+    {"foot", 30.48 * cm, length},
 };
 // clang-format on
 

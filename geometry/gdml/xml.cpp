@@ -288,6 +288,8 @@ void Builder::parse_text(XML_Parser parser, const std::string& file, const std::
     const XML_Error error = XML_GetErrorCode(parser);
     if (error == XML_ERROR_NO_MEMORY) {
       out_of_memory_ = true;
+    } else if (document_.root != nullptr && open_.empty()) {
+      document_.ends_in_junk = true;  // The tree is whole; Geant4 reads it, too.
     } else if (text.empty()) {
       problem_ = printable_path(file) + ":1: the file is empty";
     } else {

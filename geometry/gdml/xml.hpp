@@ -53,6 +53,7 @@ struct XmlDocument {
   std::pmr::monotonic_buffer_resource arena;
   std::deque<std::string> files;
   const XmlElement* root = nullptr;
+  bool ends_in_junk = false;  ///< there is text or a further element behind the root's end
 };
 
 /// What may still be read, shared by a file and its modules.

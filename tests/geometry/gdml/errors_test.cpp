@@ -73,14 +73,14 @@ TEST_F(GdmlErrors, Definitions) {
                    "<position x='mm'/>");
   expect_in_define("<expression name='c'>1+</expression>", "<expression name='c'>",
                    "its text: ", uses_c);
-  expect_in_define("<quantity name='c' value='1' unit='inch'/>", "<quantity name='c'>",
-                   "unit: 'inch' is not a unit", uses_c);
+  expect_in_define("<quantity name='c' value='1' unit='furlong'/>", "<quantity name='c'>",
+                   "unit: 'furlong' is not a unit", uses_c);
   expect_in_define("<position name='p' x='1' unit='deg'/>", "<position name='p'>",
                    "unit: 'deg' is not a unit of length; use mm", uses_p);
   expect_in_define("<position name='p'/><position name='p' x='a'/>", "<position name='p'>",
                    "x: unknown name 'a'", uses_p);
-  expect_in_define("<rotation name='r' unit='inch'/>", "<rotation name='r'>",
-                   "unit: 'inch' is not a unit of angle; use deg", "<rotationref ref='r'/>");
+  expect_in_define("<rotation name='r' unit='furlong'/>", "<rotation name='r'>",
+                   "unit: 'furlong' is not a unit of angle; use deg", "<rotationref ref='r'/>");
   expect_in_define("<scale name='s' x='a'/>", "<scale name='s'>", "x: unknown name 'a'",
                    "<scaleref ref='s'/>");
   expect_in_define("<position name='p' x='1e300'/>", "<position name='p'>", "beyond 1e30 mm",

@@ -217,6 +217,18 @@ TEST_F(GdmlExpressions, SurviveHugeOnes) {
   EXPECT_EQ(evaluator_.evaluate(std::string(4000, '(') + "1" + std::string(4000, ')')), 1);
 }
 
+TEST_F(GdmlExpressions, BlanksAroundADefinedNameAreNotPartOfIt) {
+  evaluator_.define_constant("gap ", 2);
+  EXPECT_EQ(evaluator_.evaluate("2*gap"), 4);
+  EXPECT_EQ(evaluator_.defined("gap"), 2);
+  EXPECT_THROW(evaluator_.define_constant(" gap", 3), ExpressionError);
+  evaluator_.define_variable("\tk", 1);
+  evaluator_.set_variable("k ", 5);
+  EXPECT_EQ(evaluator_.evaluate("k"), 5);
+  evaluator_.define_broken("lost ", "no value");
+  EXPECT_EQ(error("lost"), "no value");
+}
+
 TEST_F(GdmlExpressions, IntegersHaveNoFraction) {
   EXPECT_EQ(evaluator_.evaluate_integer("2*i+1"), 7);
   EXPECT_EQ(evaluator_.evaluate_integer("-3"), -3);

@@ -156,6 +156,17 @@ TEST_F(GdmlReader, ReadsModules) {
   EXPECT_EQ(top(world).touchables, 7u);
 }
 
+// Geant4 is started beside the main file, and knows no other place.
+TEST_F(GdmlReader, ModulesOfModulesAreNamedFromTheMainFile) {
+  write("parts/wheel/spoke.gdml", Gdml{.structure = volume("W")});
+  write("parts/wheel/wheel.gdml",
+        Gdml{.structure = volume("W", "<physvol><file name='parts/wheel/spoke.gdml'/></physvol>") +
+                          volume("V", "<physvol><file name='spoke.gdml'/></physvol>")});
+  const World world = read(
+      Gdml{.structure = volume("W", "<physvol><file name='parts/wheel/wheel.gdml'/></physvol>")});
+  EXPECT_EQ(top(world).touchables, 3u);
+}
+
 TEST_F(GdmlReader, RefusesBadModules) {
   const auto place = [](const std::string& file) {
     return Gdml{.structure = volume("W", "\n<physvol>" + file + "</physvol>")};

@@ -307,9 +307,45 @@ TEST_F(GdmlTolerant, UnitsOfEveryKind) {
     silent(Gdml{.define = "<quantity name='q' value='1' unit='" + unit + "'/>",
                 .structure = volume("W")});
   }
+  // Geant4 has them where a program adds them to its table.
+  for (const std::string unit : {"in", "inch"}) {
+    const World world = silent(
+        Gdml{.structure = volume("W", physvol("D", "<position x='2' unit='" + unit + "'/>"))});
+    EXPECT_DOUBLE_EQ(top(world).daughters[0].transformation.translation[0], 50.8) << unit;
+  }
+  const World feet =
+      silent(Gdml{.define = "<quantity name='q' value='2' unit='ft'/>",
+                  .structure = volume("W", physvol("D", "<position x='q' unit='mm'/>"))});
+  EXPECT_DOUBLE_EQ(top(feet).daughters[0].transformation.translation[0], 609.6);
   // As names these would hide typing errors.
+  EXPECT_HAS(error_of(Gdml{.structure = volume("W", physvol("D", "<position x='2*in'/>"))}),
+             "unknown name 'in'");
   EXPECT_HAS(error_of(Gdml{.structure = volume("W", physvol("D", "<position x='day'/>"))}),
              "unknown name 'day'");
+}
+
+// As for Geant4: a solid without angles may name any unit of them, angles that are not given are 0.
+TEST_F(GdmlTolerant, AnglesThatASolidDoesNotHave) {
+  silent(Gdml{
+      .solids = "<box name='x' x='2' y='2' z='2' aunit='radiam'/>",
+      .structure = "<volume name='W'><materialref ref='G4_AIR'/><solidref ref='x'/></volume>"});
+  EXPECT_HAS(error_of(Gdml{.solids = "<tube name='x' rmax='2' z='2' deltaphi='6' aunit='radiam'/>",
+                           .structure = "<volume name='W'><materialref ref='G4_AIR'/>"
+                                        "<solidref ref='x'/></volume>"}),
+             "aunit: 'radiam' is not a unit of angle");
+  const World world = silent(Gdml{
+      .solids = "<para name='x' x='2' y='4' z='6'/>",
+      .structure = "<volume name='W'><materialref ref='G4_AIR'/><solidref ref='x'/></volume>"});
+  EXPECT_EQ(top(world).solid.extent.max.y, 2);
+}
+
+TEST_F(GdmlTolerant, WhatStandsBehindTheEnd) {
+  const std::string whole = Gdml{.structure = volume("W", physvol("D"))};
+  for (const std::string junk : {"LA", "<gdml/>", "</gdml>", "&nothing;"}) {
+    const World world =
+        noted(whole + "  \n" + junk, "2: <gdml>: left out what stands behind its end");
+    EXPECT_EQ(top(world).daughters.size(), 1u) << junk;
+  }
 }
 
 }  // namespace
