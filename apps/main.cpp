@@ -10,6 +10,7 @@
 #include <new>
 
 #include "apps/commands.hpp"
+#include "apps/mpi/launcher.hpp"
 #include "common/interruption.hpp"
 #include "common/leave.hpp"
 #include "common/standard_streams.hpp"
@@ -28,8 +29,12 @@ constexpr void (*commands[])(CLI::App&, apps::Action&) = {
     apps::add_plugin,   apps::add_accuracy, apps::add_warmup,     apps::add_warmup_run,
     apps::add_picture,  apps::add_scan,     apps::add_import,     apps::add_report};
 
+/// Of the processes of one run, the first speaks.
+bool silent = false;
+
 /// One line, whatever names from files are in it.
 void print_error(const std::string& text) {
+  if (silent) return;
   std::fflush(stdout);  // where both go to one place, the error has a line to itself
   std::fprintf(stderr, "navjit: %s\n", common::printable(one_line(text, 4000)).c_str());
 }
@@ -56,9 +61,10 @@ int parse_and_run(int argc, char** argv) {
     return 2;
   }
   spdlog::set_default_logger(spdlog::stderr_color_mt("navjit"));
-  spdlog::set_level(verbose ? spdlog::level::debug
-                    : quiet ? spdlog::level::err
-                            : spdlog::level::warn);
+  spdlog::set_level(silent    ? spdlog::level::off
+                    : verbose ? spdlog::level::debug
+                    : quiet   ? spdlog::level::err
+                              : spdlog::level::warn);
   return action();
 }
 
@@ -81,7 +87,11 @@ int guarded(int argc, char** argv) {
 int main(int argc, char** argv) {
   common::secure_standard_streams();
   common::watch_signals();
+  silent = apps::mpi::is_silent(argc, argv);
   const int status = guarded(argc, argv);
+  // A launcher kills the others as soon as one ends with another status than 0: that is the first
+  // one's to do, once it has spoken.
+  if (silent) common::leave(0);
   const int signal = common::interruption();
   if (signal == 0) common::leave(status);
   print_error("ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")");

@@ -43,6 +43,11 @@ Interruptible::~Interruptible() { --interruptible; }
 
 int interruption() noexcept { return noted.load(std::memory_order_relaxed); }
 
+void note_interruption(int signal) noexcept {
+  int none = 0;
+  noted.compare_exchange_strong(none, signal);
+}
+
 void stop_if_interrupted() {
   if (const int signal = interruption()) throw Interrupted(signal);
 }

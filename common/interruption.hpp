@@ -27,6 +27,9 @@ class Interruptible {
 /// The signal that was noted; 0 for none. From any thread.
 int interruption() noexcept;
 
+/// As if this signal had come while it is only noted: it came to another process of the run.
+void note_interruption(int signal) noexcept;
+
 /// Thrown where there is nothing to be written: the way out through everything's destructors.
 class Interrupted : public std::exception {
  public:

@@ -48,12 +48,12 @@ const std::string& text(const std::string& path, const Json& object, const char*
   return at->get_ref<const std::string&>();
 }
 
-std::vector<char> bytes_of(const std::string& path) {
+std::string bytes_of(const std::string& path) {
   const cache::File file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file) fail(path, std::strerror(errno));
   auto bytes = cache::read_all(file, max_bytes);
   if (!bytes) fail(path, bytes.failure().message);
-  return *std::move(bytes);
+  return {bytes->begin(), bytes->end()};
 }
 
 }  // namespace
@@ -77,9 +77,10 @@ void write_profile(const StepProfile& profile, const std::string& path) {
   write_output(path, profile_text(profile));
 }
 
-StepProfile read_profile(const std::string& path) {
-  const std::vector<char> bytes = bytes_of(path);
-  const Json json = Json::parse(bytes.begin(), bytes.end(), nullptr, false);
+StepProfile read_profile(const std::string& path) { return parse_profile(bytes_of(path), path); }
+
+StepProfile parse_profile(const std::string& bytes, const std::string& path) {
+  const Json json = Json::parse(bytes, nullptr, false);
   if (!json.is_object() || text(path, json, "format") != format) {
     fail(path, "it is no profile of navjit");
   }

@@ -68,6 +68,7 @@ void ReportMerger::add(const json& report) {
   circumstances(report);
   add_part(report);
   add_scenes(report);
+  add_comparison(report);
   reports_.push_back(report);
 }
 
@@ -117,6 +118,19 @@ void ReportMerger::add_scenes(const json& report) {
   }
 }
 
+void ReportMerger::add_comparison(const json& report) {
+  const json& compared = member(report, "compared");
+  if (!compared.is_object()) throw Error("'compared' is not an object");
+  const std::uint64_t rays = whole(compared, "rays");
+  const double with = number(compared, "steps_per_second_with");
+  const double without = number(compared, "steps_per_second_without");
+  if (rays == 0 || !(with > 0) || !(without > 0)) return;
+  ++compared_;
+  compared_rays_ += rays;
+  with_ += with;
+  without_ += without;
+}
+
 double ReportMerger::scenes_steps() const {
   double all = 0;
   for (const auto& [name, scene] : scenes_) all += static_cast<double>(scene.steps);
@@ -157,6 +171,13 @@ nlohmann::ordered_json ReportMerger::merged() const {
     steps += number(r, "steps");
   }
   made["share_specialised"] = steps > 0 ? specialised / steps : 0;
+  made["speedup"] = nullptr;
+  if (compared_ == reports_.size()) {
+    made["speedup"] = with_ / without_;
+    made["compared"] = {{"rays", compared_rays_},
+                        {"steps_per_second_with", with_},
+                        {"steps_per_second_without", without_}};
+  }
   std::vector<std::pair<const Scene*, const std::string*>> order;
   for (const auto& [name, scene] : scenes_) order.emplace_back(&scene, &name.first);
   std::stable_sort(order.begin(), order.end(),

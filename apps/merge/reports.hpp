@@ -32,10 +32,14 @@ class ReportMerger {
   };
   void add_part(const nlohmann::json& report);
   void add_scenes(const nlohmann::json& report);
+  void add_comparison(const nlohmann::json& report);
   double scenes_steps() const;
 
   std::vector<nlohmann::json> reports_;
   std::map<std::pair<std::string, std::string>, Scene> scenes_;  ///< by volume and structure
+  std::uint64_t compared_ = 0;                                   ///< reports that have a comparison
+  std::uint64_t compared_rays_ = 0;
+  double with_ = 0, without_ = 0;  ///< steps per second of it
   std::set<std::uint64_t> parts_;
   std::uint64_t of_ = 0;  ///< parts that there are in all; 0: runs that are no parts
 };

@@ -38,7 +38,7 @@ void add_source(CLI::App& command, common::RaySource& source) {
       ->excludes(eta);
 }
 
-void add_part(CLI::App& command, common::Part& part) {
+void add_part(CLI::App& command, std::optional<common::Part>& part) {
   command
       .add_option_function<std::string>(
           "--part",

@@ -1,6 +1,7 @@
 // Which rays a command shoots.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "common/rays.hpp"
@@ -20,8 +21,8 @@ struct RayOptions {
 /// one of those options beside them the command line is refused.
 void add_rays(CLI::App& command, RayOptions& options);
 
-/// --part K/N: of all rays, those of one process of many.
-void add_part(CLI::App& command, common::Part& part);
+/// --part K/N: of all rays, those of one process of many; nothing where it is not given.
+void add_part(CLI::App& command, std::optional<common::Part>& part);
 
 /// Where random rays start and where they go: --seed, --origin, --eta, --aim.
 void add_source(CLI::App& command, common::RaySource& source);

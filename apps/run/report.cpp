@@ -125,11 +125,12 @@ void print_table(const RunReport& report) {
     std::printf("%-44s %6.2f%%\n", ("(" + std::to_string(others) + " more)").c_str(), 100 * rest);
   }
   const Transport& t = report.transport;
-  std::printf("\n%llu rays%s, %llu steps, %.9g mm, %llu stuck, %u thread%s, %.2f s\n",
+  std::printf("\n%llu rays%s, %llu steps, %.9g mm, %llu stuck, ",
               static_cast<unsigned long long>(t.rays), report.interrupted ? " (interrupted)" : "",
               static_cast<unsigned long long>(t.steps), t.length_mm,
-              static_cast<unsigned long long>(t.stuck), t.threads, t.threads == 1 ? "" : "s",
-              t.seconds);
+              static_cast<unsigned long long>(t.stuck));
+  if (report.processes > 1) std::printf("%u processes, ", report.processes);
+  std::printf("%u thread%s, %.2f s\n", t.threads, t.threads == 1 ? "" : "s", t.seconds);
   std::printf("%.3f M steps/s", steps_per_second(t) / 1e6);
   if (report.jit != JitMode::off) {
     std::printf(" over the whole run, %.3f M steps/s after the last swap",
@@ -139,10 +140,11 @@ void print_table(const RunReport& report) {
   if (report.jit == JitMode::on || report.jit == JitMode::wait) {
     if (const auto& c = report.compared) {
       std::printf(
-          "one thread, first %llu rays again, in turn, in processor time: %.3f M steps/s with the "
+          "one thread%s, first %llu rays again, in turn, in processor time: %.3f M steps/s with "
+          "the "
           "JIT, %.3f M steps/s without: %.2f times\n",
-          static_cast<unsigned long long>(c->rays), c->with / 1e6, c->without / 1e6,
-          *report.speedup());
+          report.processes > 1 ? " for each process" : "", static_cast<unsigned long long>(c->rays),
+          c->with / 1e6, c->without / 1e6, *report.speedup());
     }
     std::printf(
         "%zu modules (%zu from the cache), %.0f ms of compilation, %zu kB of code, %llu "
@@ -201,6 +203,7 @@ std::string json_text(const RunReport& report) {
       {"compile_ms", report.runtime.compile_ms},
       {"code_bytes", report.runtime.code_bytes},
   };
+  if (report.processes > 1) json["processes"] = report.processes;
   if (!report.part.whole()) json["part"] = common::part_text(report.part);
   if (report.budget) json["budget_mm"] = *report.budget;
   if (report.seen != nullptr) json["observe"] = to_json(*report.seen);

@@ -150,7 +150,7 @@ class Watch {
 }  // namespace
 
 Transport transport_rays(Runtime& runtime, const ObservedDetector& seen, common::RayStream& rays,
-                         unsigned threads, std::size_t basket) {
+                         unsigned threads, std::size_t basket, const std::atomic<bool>& in_vain) {
   const double tolerance = runtime.world().tolerance;
   Transport result;
   result.threads = threads;
@@ -182,7 +182,7 @@ Transport transport_rays(Runtime& runtime, const ObservedDetector& seen, common:
       ~AtTheEnd() { all.stop(); }
     } const at_the_end{chunks};
     const double begun = thread_seconds();
-    const auto go_on = [&] { return common::interruption() == 0 && !stop; };
+    const auto go_on = [&] { return common::interruption() == 0 && !stop && !in_vain; };
     RayMaker maker(runtime, seen, basket);
     for (bool complete = true; complete;) {
       const auto piece = chunks.take();

@@ -1,6 +1,7 @@
 // The transport of `navjit run`: rays on several threads, watched by the calling one.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -34,8 +35,8 @@ constexpr std::size_t rays_kept = 1 << 16;
 /// Transports the rays with a progress line on a terminal, until all are made or a signal was noted
 /// (common/interruption.hpp). Throws what common::in_parallel, RayStream and navigators throw.
 /// `runtime` navigates what is left of `seen`. `basket`: so many rays at once in each thread; 0:
-/// one by one, with the same sums to the last bit.
+/// one by one, with the same sums to the last bit. It stops as well once `in_vain` is set.
 Transport transport_rays(Runtime& runtime, const ObservedDetector& seen, common::RayStream& rays,
-                         unsigned threads, std::size_t basket = 0);
+                         unsigned threads, std::size_t basket, const std::atomic<bool>& in_vain);
 
 }  // namespace navjit::apps

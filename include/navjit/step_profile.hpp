@@ -36,6 +36,9 @@ void write_profile(const StepProfile& profile, const std::string& path);
 /// file may be hostile: at most 64 MB are read.
 StepProfile read_profile(const std::string& path);
 
+/// The same for what profile_text() gave; errors name it `name`.
+StepProfile parse_profile(const std::string& text, const std::string& name = "the profile");
+
 /// The sums of both. Throws Error if they are of different detectors.
 StepProfile merge(const StepProfile& a, const StepProfile& b);
 

@@ -2,6 +2,7 @@
 
 Usage: tutorial.py BUILD PAGE FOLDER PYTHON"""
 
+import json
 import os
 import re
 import shutil
@@ -21,7 +22,10 @@ for component in ("runtime", "development", "python"):
 (folder / "bin").mkdir()
 (folder / "bin" / "python3").symlink_to(python)
 environment = dict(os.environ, HOME=str(folder), XDG_CACHE_HOME=str(folder / "cache"),
-                   PATH=f"{folder / 'bin'}:{os.environ['PATH']}")
+                   PATH=f"{folder / 'bin'}:{os.environ['PATH']}",
+                   # mpirun as root, on fewer processors than processes, with no way to other machines.
+                   OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_plm_rsh_agent="")
 
 # A file's name in backquotes with a colon stands above what is in it.
 blocks = re.findall(r"(?:^`([\w.]+)`:\n\n)?^```(\w+)\n(.*?)^```$", page.read_text(), re.M | re.S)
@@ -30,6 +34,8 @@ for name, language, text in blocks:
     if name:
         (work / name).write_text(text)
         written += 1
+    elif text.startswith("mpirun ") and shutil.which("mpirun") is None:
+        print(f"left out, for there is no mpirun: {text}")
     elif language == "sh":
         commands.append(text)
 script = "\n".join(commands).replace("/opt/navjit", str(prefix))
@@ -46,6 +52,10 @@ made = re.findall(r"(?:-o|--out|--report|--html) ([\w.]+)(?=\s)", script + "\n")
 for name in made:
     if not (work / name).is_file() or (work / name).stat().st_size == 0:
         sys.exit(f"tutorial.py: {name} was not written")
+if (work / "together.json").is_file():
+    together, parts = (json.loads((work / name).read_text()) for name in ("together.json", "all.json"))
+    if together["steps"] != parts["steps"] or together["processes"] != 4:
+        sys.exit(f"tutorial.py: {together['steps']} steps by MPI, and {parts['steps']} in parts")
 for said in ("mm of crystals for each ray", "eta +0.0: "):
     if said not in result.stdout:
         sys.exit(f"tutorial.py: nothing was said of '{said}'")
