@@ -40,8 +40,10 @@ for name, language, text in blocks:
         commands.append(text)
 script = "\n".join(commands).replace("/opt/navjit", str(prefix))
 print(script, flush=True)
-result = subprocess.run(["bash", "-eux"], input=script, text=True, cwd=work,
-                        env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+# As a file: mpirun would read the rest of a script that comes by the standard input.
+(folder / "script").write_text(script)
+result = subprocess.run(["bash", "-eux", folder / "script"], text=True, cwd=work, env=environment,
+                        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 print(result.stdout)
 if result.returncode != 0:
     sys.exit(f"tutorial.py: the commands of {page} ended with {result.returncode}")
