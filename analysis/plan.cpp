@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "analysis/candidates.hpp"
+#include "analysis/foreign.hpp"
 #include "analysis/solid_key.hpp"
 
 namespace navjit {
@@ -150,6 +151,7 @@ Worth worth_compiling(const Geometry& geometry, const ScenePlan& plan) {
   if (geometry.scene(plan.volume).solid.kind == SolidKind::facets) {
     return no("its own faces take the time");
   }
+  if (holds_foreign(geometry.scene(plan.volume))) return no("there is no code for foreign solids");
   if (plan.classes.size() > most_classes) return no("too many different solids to spell out");
   std::size_t numbers = solid_key(geometry.scene(plan.volume).solid).size() / 8;
   for (const DaughterClass& c : plan.classes) {

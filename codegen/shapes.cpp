@@ -1,5 +1,6 @@
 #include "codegen/shapes.hpp"
 
+#include <stdexcept>
 #include <type_traits>
 
 #include "analysis/solid_key.hpp"
@@ -114,6 +115,8 @@ std::string Shapes::literal(const AnySolid<double>& solid) {
                            shape.b;
                          }) {
       return "{" + operand_literal(shape.a) + ", " + operand_literal(shape.b) + "}";
+    } else if constexpr (std::is_same_v<Shape, kernels::ForeignShape>) {
+      throw std::logic_error("code was asked for that holds a foreign solid");
     } else {
       LiteralWriter writer{definitions_, arrays_, {}};
       visit_fields(shape, writer);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analysis/foreign.hpp"
 #include "codegen/data/instances.hpp"
 #include "codegen/module_text.hpp"
 #include "codegen/scene_types.hpp"
@@ -23,7 +24,7 @@ bool is_known_to_library(SolidKind kind) {
 bool gains_from_structure(const Geometry& geometry, const ScenePlan& plan) {
   if (plan.candidates == Candidates::tree || plan.candidates == Candidates::wires) return false;
   const Scene& scene = geometry.scene(plan.volume);
-  if (scene.solid.kind == SolidKind::facets) return false;
+  if (scene.solid.kind == SolidKind::facets || holds_foreign(scene)) return false;
   if (!is_known_to_library(scene.solid.kind)) return true;
   if (scene.daughters.empty() || all_boxes(scene) || all_of_kind(scene, SolidKind::tube)) {
     return false;

@@ -19,11 +19,13 @@ void add_text(std::string& bytes, const std::string& text) {
   bytes += text;
 }
 
-/// As solid_key, which knows a scaled solid only by its address.
+/// As solid_key, which knows scaled and foreign solids only by their addresses.
 void add_solid(std::string& bytes, const kernels::AnySolid<double>& solid) {
   add(bytes, static_cast<int>(solid.kind));
   kernels::visit(solid, [&](const auto& shape) {
-    if constexpr (requires { shape.inverse_x; }) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, kernels::ForeignShape>) {
+      add_text(bytes, shape.solid->key());
+    } else if constexpr (requires { shape.inverse_x; }) {
       for (const double x : {shape.inverse_x, shape.inverse_y, shape.inverse_z}) add(bytes, x);
       add_solid(bytes, shape.solid);
     } else if constexpr (requires { shape.a, shape.b; }) {

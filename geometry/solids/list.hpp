@@ -7,6 +7,7 @@
 #include "geometry/solids/cone.hpp"
 #include "geometry/solids/cuttube.hpp"
 #include "geometry/solids/facets.hpp"
+#include "geometry/solids/foreign.hpp"
 #include "geometry/solids/hull.hpp"
 #include "geometry/solids/orb.hpp"
 #include "geometry/solids/polycone.hpp"
@@ -54,5 +55,6 @@
   SOLID(placed, "placed", AnyPlaced)                      \
   SOLID(union_of, "union", AnyUnion)                      \
   SOLID(intersection_of, "intersection", AnyIntersection) \
-  SOLID(subtraction_of, "subtraction", AnySubtraction)
+  SOLID(subtraction_of, "subtraction", AnySubtraction)    \
+  SOLID(foreign, "foreign", Foreign)
 // clang-format on

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -17,7 +18,8 @@ namespace navjit {
 template <class Real>
 class WideSolid {
  public:
-  explicit WideSolid(const Solid& solid) : root_(wide(solid.any())) {}
+  /// Throws GeometryError if a foreign solid is in it.
+  explicit WideSolid(const Solid& solid) : name_(solid.name), root_(wide(solid.any())) {}
 
   /// Valid as long as this object or a copy of it lives.
   kernels::AnySolid<Real> any() const { return root_; }
@@ -65,6 +67,11 @@ class WideSolid {
     return to;
   }
 
+  kernels::ForeignShape wide(const kernels::ForeignShape&) const {
+    throw GeometryError("solid '" + name_ +
+                        "': a foreign solid answers in double precision alone, and has no wider "
+                        "form to judge it by");
+  }
   kernels::AnyScaled<Real> wide(const kernels::AnyScaled<double>& s) {
     return {wide(s.solid), wide(s.inverse_x), wide(s.inverse_y), wide(s.inverse_z), wide(s.most)};
   }
@@ -88,6 +95,7 @@ class WideSolid {
     return {wide(s.a), wide(s.b)};
   }
 
+  std::string name_;
   std::vector<std::shared_ptr<const void>> kept_;
   kernels::AnySolid<Real> root_;
 };

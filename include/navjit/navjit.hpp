@@ -19,6 +19,7 @@
 #include "navjit/cache.hpp"
 #include "navjit/detector.hpp"
 #include "navjit/errors.hpp"
+#include "navjit/foreign_solid.hpp"
 #include "navjit/gdml.hpp"
 #include "navjit/log.hpp"
 #include "navjit/material.hpp"

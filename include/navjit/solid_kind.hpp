@@ -36,6 +36,7 @@ enum class SolidKind : std::uint8_t {
   union_of,
   intersection_of,
   subtraction_of,
+  foreign,
 };
 
 template <class Real>

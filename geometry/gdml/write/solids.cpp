@@ -108,6 +108,11 @@ std::string wedge_text(const kernels::Wedge<double>& w) {
   return attributes({{"startphi", start}, {"deltaphi", navjit::detail::angle_of(w)}}) + in_rad();
 }
 
+void write_shape(SolidWriter&, const std::string& name, const kernels::ForeignShape&) {
+  throw GeometryError("solid '" + name +
+                      "' is a foreign one, which GDML has no words for: leave its volume out");
+}
+
 void write_shape(SolidWriter& out, const std::string& name, const kernels::AnyScaled<double>& s) {
   const std::string inner = out.add(s.solid, name + "_unscaled");
   out.write(

@@ -62,6 +62,8 @@ void write_shape(SolidWriter& out, const std::string& name, const kernels::Polyc
 void write_shape(SolidWriter& out, const std::string& name, const kernels::Polyhedra<double>& s);
 void write_shape(SolidWriter& out, const std::string& name, const kernels::TwistedTube<double>& s);
 void write_shape(SolidWriter& out, const std::string& name, const kernels::AnyScaled<double>& s);
+[[noreturn]] void write_shape(SolidWriter& out, const std::string& name,
+                              const kernels::ForeignShape& s);
 /// Shapes of several kinds.
 void write_quadric(SolidWriter& out, const std::string& name, SolidKind kind,
                    const kernels::QuadricSolid<double>& s);
