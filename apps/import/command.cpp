@@ -1,4 +1,4 @@
-// `navjit import`: a surface as CAD programs write it becomes a detector.
+// `navjit import`: a surface as CAD programs write it becomes a detector, and a ROOT geometry GDML.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,7 @@
 #include "common/text.hpp"
 #include "navjit/builder.hpp"
 #include "navjit/gdml.hpp"
+#include "navjit/root.hpp"
 #include "navjit/surface.hpp"
 
 namespace navjit::apps {
@@ -23,7 +24,7 @@ const common::Choices<double> units{{"um", 1e-3}, {"mm", 1},    {"cm", 10},
                                     {"m", 1000},  {"in", 25.4}, {"ft", 304.8}};
 
 struct Options {
-  std::string surface, out, name;
+  std::string file, out, name, setup;
   MaterialWish material{.name = "Aluminium"};
   MaterialWish world{.name = "Air"};
   double unit = 1;
@@ -41,11 +42,11 @@ Vec3 world_of(const Extent& extent) {
 
 int import_surface(const Options& options) {
   Output out(options.out);
-  const Surface surface = read_surface(options.surface, {.unit = options.unit});
+  const Surface surface = read_surface(options.file, {.unit = options.unit});
   const std::string name =
-      !options.name.empty() ? options.name : std::filesystem::path(options.surface).stem().string();
+      !options.name.empty() ? options.name : std::filesystem::path(options.file).stem().string();
   if (const std::string open = open_at(surface); !open.empty()) {
-    throw SurfaceError(common::printable(options.surface) + ": " + open +
+    throw SurfaceError(common::printable(options.file) + ": " + open +
                        "; close the surface in the program that wrote it");
   }
   DetectorBuilder builder;
@@ -70,18 +71,46 @@ int import_surface(const Options& options) {
   return 0;
 }
 
+/// What says something about surfaces alone is refused where it would not be heeded.
+int import_geometry(const Options& options, const CLI::App& command) {
+  for (const char* option :
+       {"--unit", "--name", "--material", "--density", "--formula", "--world"}) {
+    if (command.count(option) > 0) {
+      throw UsageError(std::string(option) + " is for surfaces; " +
+                       common::printable(options.file) + " is a ROOT file, leave it out");
+    }
+  }
+  Output out(options.out);
+  GdmlReport report;
+  const Detector detector = read_root(options.file, {.key = options.setup}, &report);
+  std::printf("%zu logical volumes, %zu materials, %llu touchables\n", detector.volumes(),
+              detector.materials(), static_cast<unsigned long long>(detector.touchables()));
+  for (const std::string& note : report.skipped) std::printf("note: %s\n", note.c_str());
+  out.write([&] { return gdml_text(detector); });
+  return 0;
+}
+
+int import_file(const Options& options, const CLI::App& command) {
+  if (is_root_file(options.file)) return import_geometry(options, command);
+  if (!options.setup.empty()) {
+    throw UsageError("--setup is for ROOT files; " + common::printable(options.file) +
+                     " is none, leave it out");
+  }
+  return import_surface(options);
+}
+
 }  // namespace
 
 void add_import(CLI::App& app, Action& action) {
   const auto options = std::make_shared<Options>();
-  CLI::App& command =
-      *app.add_subcommand("import", "Write a surface (STL, OBJ) as a volume in a box, as GDML");
-  command.add_option("surface", options->surface, "file .stl or .obj")
+  CLI::App& command = *app.add_subcommand(
+      "import", "Write a ROOT geometry, or a surface (STL, OBJ) as a volume in a box, as GDML");
+  command.add_option("file", options->file, "ROOT file with a TGeoManager, or file .stl or .obj")
       ->required()
-      ->option_text("SURFACE");
+      ->option_text("FILE");
   command.add_option("-o,--out", options->out, "GDML file")->required()->option_text("FILE");
   add_choice(command, "--unit", options->unit, units,
-             "of the file's numbers: um, mm (default), cm, m, in or ft")
+             "of a surface's numbers: um, mm (default), cm, m, in or ft")
       ->option_text("UNIT");
   command.add_option("--name", options->name, "of the volume (default: that of the file)")
       ->option_text("NAME");
@@ -95,7 +124,12 @@ void add_import(CLI::App& app, Action& action) {
       ->option_text("FORMULA");
   command.add_option("--world", options->world.name, "material of the box (default: Air)")
       ->option_text("NAME");
-  command.callback([options, &action] { action = [options] { return import_surface(*options); }; });
+  command
+      .add_option("--setup", options->setup, "which TGeoManager of a ROOT file (default: first)")
+      ->option_text("NAME");
+  command.callback([options, &command, &action] {
+    action = [options, &command] { return import_file(*options, command); };
+  });
 }
 
 }  // namespace navjit::apps

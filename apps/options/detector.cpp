@@ -4,15 +4,23 @@
 
 #include <CLI/CLI.hpp>
 
+#include "navjit/root.hpp"
+
 namespace navjit::apps {
 
 void add_detector(CLI::App& command, Detector& detector) {
-  command.add_option("detector", detector.file, "GDML file")->required();
-  command.add_option("--setup", detector.setup, "which <setup> of the file (default: its default)")
+  command.add_option("detector", detector.file, "GDML file, or ROOT file with a TGeoManager")
+      ->required();
+  command
+      .add_option("--setup", detector.setup,
+                  "which <setup> of the file, or which TGeoManager (default: its default)")
       ->option_text("NAME");
 }
 
 std::shared_ptr<const World> read(const Detector& detector, GdmlReport& report) {
+  if (is_root_file(detector.file)) {
+    return read_root(detector.file, {.key = detector.setup}, &report).model();
+  }
   return std::make_shared<const World>(
       read_world(detector.file, {.setup = detector.setup}, &report));
 }

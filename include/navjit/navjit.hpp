@@ -27,6 +27,7 @@
 #include "navjit/observation.hpp"
 #include "navjit/options.hpp"
 #include "navjit/report.hpp"
+#include "navjit/root.hpp"
 #include "navjit/runtime.hpp"
 #include "navjit/solids.hpp"
 #include "navjit/state.hpp"

@@ -8,6 +8,7 @@
 #include "navjit/runtime.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/folder.hpp"
+#include "tests/support/root_geometry.hpp"
 #include "tests/support/surfaces.hpp"
 
 namespace navjit {
@@ -107,6 +108,56 @@ TEST_F(Import, WhatIsOpenIsRefusedAndWritesNothing) {
       << output.text;
   EXPECT_FALSE(std::filesystem::exists(out_));
   EXPECT_EQ(run_navjit("import " + folder_.file("none.stl") + " -o " + out_).status, 1);
+}
+
+tests::RootPointer root_detector(const std::string& name) {
+  const auto leaf = tests::root_volume(name, tests::root_box("leafbox", 1, 2, 3));
+  return tests::root_manager(tests::root_volume(
+      "world", tests::root_box("hall", 50, 50, 50),
+      {tests::root_node("leaf_1", leaf, 7, tests::root_translation(-5, 0, 0)),
+       tests::root_node("leaf_2", leaf, 8,
+                        tests::root_placed(5, 0, 0, {0, -1, 0, 1, 0, 0, 0, 0, -1}))}));
+}
+
+TEST_F(Import, WritesRootGeometriesAsGdml) {
+  const std::string bytes =
+      tests::root_file({{"first", root_detector("one")}, {"second", root_detector("two")}},
+                       tests::RootPacking::zlib);
+  // Whatever the file is called.
+  const tests::Output output = import("detector.dat", bytes);
+  ASSERT_EQ(output.status, 0) << output.text;
+  const Detector detector = read_gdml(out_);
+  EXPECT_EQ(detector.touchables(), 3U);
+  const LogicalVolume& world = detector.volume(detector.world_volume());
+  EXPECT_EQ(world.daughters.at(1).copy_number, 8);
+  EXPECT_EQ(world.daughters.at(1).transformation.translation[0], 50);
+  EXPECT_EQ(detector.material(world).name, "Lead");
+
+  ASSERT_EQ(import("detector.root", bytes, "--setup second").status, 0);
+  EXPECT_TRUE(read_gdml(out_).find_volume("two"));
+  EXPECT_EQ(import("detector.root", bytes, "--setup third").status, 1);
+  EXPECT_EQ(import("detector.root", bytes, "--unit cm").status, 1);
+  EXPECT_EQ(import("block.stl", tests::binary_stl(tests::block()), "--setup first").status, 1);
+}
+
+TEST_F(Import, RootGeometriesAreReadByEveryCommandAsTheirGdmlIs) {
+  const std::string root = folder_.file("detector.root");
+  ASSERT_EQ(import("detector.root", tests::root_file({{"g", root_detector("leaf")}})).status, 0);
+  for (const std::string command : {"trace --rays 500", "check", "inspect"}) {
+    const std::size_t word = command.find(' ');
+    const std::string verb = command.substr(0, word);
+    const std::string options = word == std::string::npos ? "" : command.substr(word);
+    const tests::Output from_root = run_navjit(verb + " " + root + options);
+    const tests::Output from_gdml = run_navjit(verb + " " + out_ + options);
+    EXPECT_EQ(from_root.status, 0) << from_root.text;
+    // `inspect` begins with the file's name.
+    const auto after_name = [&](const tests::Output& o) {
+      return o.text.substr(o.text.find('\n'));
+    };
+    EXPECT_EQ(after_name(from_root), after_name(from_gdml)) << command;
+  }
+  const tests::Output run = run_navjit("run " + root + " --rays 1000 --jit off");
+  EXPECT_EQ(run.status, 0) << run.text;
 }
 
 }  // namespace

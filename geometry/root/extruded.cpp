@@ -1,0 +1,31 @@
+// TGeoXtru: a polygon along sections, which may have steps.
+#include "geometry/root/reading.hpp"
+
+namespace navjit::root {
+
+Solid read_extruded(const Object& s) {
+  constexpr std::size_t most = 100'000;
+  const std::size_t corners = s.count("fNvert", most), sections = s.count("fNz", most);
+  const std::span<const double> x = s.numbers("fX", corners), y = s.numbers("fY", corners);
+  const std::span<const double> z = s.numbers("fZ", sections), x0 = s.numbers("fX0", sections),
+                                y0 = s.numbers("fY0", sections),
+                                scale = s.numbers("fScale", sections);
+  std::vector<PlanarPoint> polygon;
+  for (std::size_t i = 0; i < corners; ++i) polygon.push_back({cm * x[i], cm * y[i]});
+  // Two sections at one z are a step: one body ends there, another begins.
+  std::vector<std::vector<ExtrudedSection>> bodies(1);
+  for (std::size_t i = 0; i < sections; ++i) {
+    if (i > 0 && z[i] == z[i - 1]) {
+      if (x0[i] == x0[i - 1] && y0[i] == y0[i - 1] && scale[i] == scale[i - 1]) continue;
+      bodies.emplace_back();
+    }
+    bodies.back().push_back({cm * z[i], cm * x0[i], cm * y0[i], scale[i]});
+  }
+  Solid solid = make_extruded(s.name, polygon, bodies.front());
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    solid = make_union(s.name, solid, make_extruded(s.name, polygon, bodies[i]));
+  }
+  return solid;
+}
+
+}  // namespace navjit::root

@@ -1,0 +1,17 @@
+// ROOT's lists of objects.
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "geometry/root/pointers.hpp"
+
+namespace navjit::root {
+
+/// The objects of a TObjArray, TList or THashList, which begins at `at`; none of another class.
+/// `spend` is called with the number of them before there is memory for it. Throws FormatError.
+std::vector<Reference> list_at(const RecordBytes& record, std::string_view type, Bytes at,
+                               const std::function<void(std::size_t)>& spend);
+
+}  // namespace navjit::root

@@ -1,0 +1,74 @@
+// The objects of one record, each read when it is asked for.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "geometry/root/layouts.hpp"
+#include "geometry/root/pointers.hpp"
+
+namespace navjit::root {
+
+/// An object, with those of its members that geometries are made of. Throws RootError where a
+/// member is asked for that it does not have.
+struct Object {
+  using Value = std::variant<double, std::string, std::vector<double>, Reference>;
+
+  std::string type;  ///< its class
+  std::string name{};
+  std::uint32_t bits = 0;  ///< TObject's
+  std::vector<std::pair<std::string_view, Value>> members{};
+
+  bool is(std::string_view wanted) const { return type == wanted; }
+  double number(std::string_view member) const;
+  double number(std::string_view member, double fallback) const;
+  /// A number that counts: a whole one of at most `most`.
+  std::size_t count(std::string_view member, std::size_t most) const;
+  /// At least so many numbers, finite ones.
+  std::span<const double> numbers(std::string_view member, std::size_t least) const;
+  /// 0 where there is no such member.
+  Reference reference(std::string_view member) const;
+  /// "TGeoTube 'pipe'".
+  std::string label() const;
+  /// Throws a RootError: the label and the problem.
+  [[noreturn]] void fail(const std::string& problem) const;
+
+ private:
+  const Value* find(std::string_view member) const;
+};
+
+/// All objects of a record. Throws FormatError throughout.
+class Objects {
+ public:
+  Objects(std::string bytes, const Key& key, const Layouts& layouts);
+
+  /// The object that a pointer names; the same one each time.
+  const Object& at(Reference reference);
+  /// The same for one that is asked for once; it is not kept.
+  Object read(Reference reference);
+  /// Those of a list; none for 0.
+  std::vector<Reference> list(Reference reference);
+
+ private:
+  void read_class(Bytes& at, std::string_view type, Object& into, int depth);
+  bool read_member(Bytes& at, const Member& member,
+                   const std::vector<std::pair<std::string_view, std::uint32_t>>& counters,
+                   Object& into);
+  void spend(std::size_t amount);
+
+  std::string bytes_;
+  RecordBytes record_;
+  std::string own_type_;
+  const Layouts& layouts_;
+  std::size_t budget_;
+  std::unordered_map<Reference, std::unique_ptr<const Object>> known_;
+};
+
+}  // namespace navjit::root

@@ -1,0 +1,50 @@
+// Detectors from ROOT files that hold a TGeoManager (https://root.cern).
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+#include "navjit/detail/api.hpp"
+#include "navjit/detector.hpp"
+#include "navjit/errors.hpp"
+#include "navjit/gdml.hpp"
+
+namespace NAVJIT_API navjit {
+
+/// A ROOT file that cannot be read: "FILE: CLASS 'name': problem; what to do".
+struct RootError : Error {
+  using Error::Error;
+};
+
+/// What a file may ask for. The defaults are far above any real detector's; they keep a hostile
+/// file from exhausting memory or time.
+struct RootLimits {
+  std::size_t max_bytes = std::size_t{1} << 30;  ///< of the geometry, unpacked
+  std::size_t max_keys = 100'000;                ///< objects and folders of the file
+  std::size_t max_placements = 1'000'000;        ///< daughters of all volumes and assemblies
+  std::size_t max_name_bytes = 64'000'000;       ///< of all their names
+  std::size_t max_solid_depth = 200;             ///< levels of nested booleans
+  std::size_t max_solid_parts = 10'000;          ///< primitives that make up one boolean
+};
+
+/// What is read of a file.
+struct RootOptions {
+  /// Name of the TGeoManager, or of a single TGeoVolume; empty: the first TGeoManager, or else the
+  /// first volume.
+  std::string key{};
+  RootLimits limits{};
+};
+
+/// Whether a file begins as ROOT's do, whatever its name. False where it cannot be opened.
+/// Thread-safe.
+bool is_root_file(const std::filesystem::path& path);
+
+/// Reads the geometry of a ROOT file: the tree below the master volume of a TGeoManager, or a
+/// volume. Centimetres become mm; placements have ROOT's names and node numbers; divisions are
+/// written out; assemblies are dissolved into the volumes that hold them. Throws RootError, and
+/// nothing else but std::bad_alloc. Thread-safe.
+Detector read_root(const std::filesystem::path& path, const RootOptions& options = {},
+                   GdmlReport* report = nullptr);
+
+}  // namespace navjit
