@@ -1,6 +1,7 @@
 #include "adapters/geant4/copies.hpp"
 
 #include <G4LogicalVolume.hh>
+#include <G4PhantomParameterisation.hh>
 #include <G4ReplicaNavigation.hh>
 #include <G4Tubs.hh>
 #include <G4VPVParameterisation.hh>
@@ -14,6 +15,9 @@ namespace {
 [[noreturn]] void refuse(const G4VPhysicalVolume& volume, const std::string& why) {
   throw Unsupported("volume '" + volume.GetName() + "': " + why);
 }
+
+/// Each is a placement of its own, which takes 1600 bytes with all that navigation needs of it.
+constexpr G4int most_copies = 1 << 20;
 
 struct Replication {
   EAxis axis;
@@ -42,7 +46,7 @@ void for_each_replica(G4VPhysicalVolume& volume, const std::function<void(const 
   G4ReplicaNavigation navigation;
   for (G4int i = 0; i < replication.count; ++i) {
     navigation.ComputeTransformation(i, &volume);
-    Copy copy{i, logical.GetSolid(), logical.GetMaterial()};
+    Copy copy{i, logical.GetSolid(), logical.GetMaterial(), true};
     if (replication.axis == kRho) copy.shape = ring(volume, *copy.solid, replication, i);
     take(copy);
   }
@@ -52,18 +56,27 @@ void for_each_parameterised(G4VPhysicalVolume& volume,
                             const std::function<void(const Copy&)>& take) {
   G4VPVParameterisation* parameterisation = volume.GetParameterisation();
   if (parameterisation == nullptr) refuse(volume, "it has no parameterisation");
-  if (parameterisation->IsNested()) {
-    refuse(volume, "its parameterisation is nested: its materials depend on the mother's copy");
-  }
-  if (volume.GetRegularStructureId() != 0) {
+  const auto* phantom = dynamic_cast<const G4PhantomParameterisation*>(parameterisation);
+  if (volume.GetRegularStructureId() != 0 && phantom != nullptr && phantom->SkipEqualMaterials()) {
     refuse(volume,
-           "it is a regular structure, whose boundaries Geant4 skips where materials agree");
+           "it is a regular structure whose boundaries Geant4 skips where materials agree: navjit "
+           "stops at all of them, after SetSkipEqualMaterials(false)");
   }
-  for (G4int i = 0; i < Replication(volume).count; ++i) {
+  const G4int count = Replication(volume).count;
+  if (count > most_copies) {
+    refuse(volume, "it has " + std::to_string(count) + " copies: navjit takes " +
+                       std::to_string(most_copies) + " in one volume");
+  }
+  for (G4int i = 0; i < count; ++i) {
     G4VSolid* solid = parameterisation->ComputeSolid(i, &volume);
     solid->ComputeDimensions(parameterisation, i, &volume);
     parameterisation->ComputeTransformation(i, &volume);
-    take({i, solid, parameterisation->ComputeMaterial(i, &volume, nullptr)});
+    // Where a material depends on the mother's copy, Geant4 is told of it at each entrance; navjit
+    // needs none.
+    const G4Material* material = parameterisation->IsNested()
+                                     ? volume.GetLogicalVolume()->GetMaterial()
+                                     : parameterisation->ComputeMaterial(i, &volume, nullptr);
+    take({i, solid, material, phantom == nullptr});
   }
 }
 

@@ -15,6 +15,7 @@ struct Copy {
   G4int number;
   const G4VSolid* solid;       ///< of its logical volume, in the copy's dimensions
   const G4Material* material;  ///< may be null
+  bool changing = true;        ///< whether copies may have other solids
   /// Instead of `solid`, where Geant4 ignores that: rings along the radius.
   Solid shape{};
 };

@@ -1,10 +1,12 @@
 #include "navjit/geant4/geometry.hpp"
 
 #include <G4LogicalVolume.hh>
+#include <G4Region.hh>
 #include <G4RotationMatrix.hh>
+#include <G4VSensitiveDetector.hh>
 #include <map>
-#include <sstream>
 #include <tuple>
+#include <typeinfo>
 
 #include "adapters/geant4/copies.hpp"
 #include "adapters/geant4/materials.hpp"
@@ -23,12 +25,25 @@ Transformation transformation(const G4VPhysicalVolume& volume) {
       {r->xx(), r->xy(), r->xz(), r->yx(), r->yy(), r->yz(), r->zx(), r->zy(), r->zz()});
 }
 
-/// All of a solid that matters, as text: a parameterisation changes it in place.
-std::string text_of(const G4VSolid& solid) {
-  std::ostringstream text;
-  text.precision(17);
-  solid.StreamInfo(text);
-  return std::move(text).str();
+/// Geant4 knows a copy's solid in one state only, that of the copy which was computed last; one
+/// that is asked itself has to be a copy of its own.
+const G4VSolid& own_copy(const G4VSolid& solid) {
+  const G4VSolid* copy = solid.Clone();
+  if (copy == nullptr || typeid(*copy) != typeid(solid)) {
+    throw Unsupported("solid '" + solid.GetName() + "': navjit has none of the class " +
+                      solid.GetEntityType() +
+                      ", and for a parameterised volume the class needs a Clone() of its own");
+  }
+  return *copy;
+}
+
+void mark(DetectorBuilder& builder, VolumeId id, const G4LogicalVolume& logical) {
+  if (const G4VSensitiveDetector* detector = logical.GetSensitiveDetector()) {
+    builder.add_auxiliary(id, {.type = "SensDet", .value = detector->GetName()});
+  }
+  if (const G4Region* region = logical.GetRegion(); region != nullptr && logical.IsRootRegion()) {
+    builder.add_auxiliary(id, {.type = "Region", .value = region->GetName()});
+  }
 }
 
 }  // namespace
@@ -41,18 +56,25 @@ struct Conversion {
   std::vector<std::pair<VolumeId, const G4LogicalVolume*>> waiting{};
   std::map<const G4LogicalVolume*, VolumeId> plain{};
   std::map<std::tuple<const G4LogicalVolume*, std::string, const G4Material*>, VolumeId> variants{};
+  std::vector<std::string> asked{};  ///< volumes whose solids answer for themselves
 
   VolumeId add(const G4LogicalVolume& logical, Solid solid, const G4Material* material) {
     const VolumeId id = builder.volume(logical.GetName(), std::move(solid), materials(material));
     builder.set_user_data(id, reinterpret_cast<std::uintptr_t>(&logical));
+    mark(builder, id, logical);
     daughters.resize(id + 1);
     waiting.emplace_back(id, &logical);
     return id;
   }
 
-  Solid solid_of(const G4LogicalVolume& logical, const G4VSolid& solid) {
+  /// `changing`: the solid is that of another copy later.
+  Solid solid_of(const G4LogicalVolume& logical, const G4VSolid& solid, bool changing) {
     try {
-      return convert(solid);
+      ForeignSolids foreign;
+      Solid converted = convert(solid, foreign);
+      if (foreign.empty()) return converted;
+      asked.push_back(logical.GetName());
+      return changing ? convert(own_copy(solid), foreign) : converted;
     } catch (const Error& error) {
       throw Unsupported("volume '" + logical.GetName() + "': " + error.what());
     }
@@ -61,15 +83,16 @@ struct Conversion {
   VolumeId volume(const G4LogicalVolume& logical) {
     const auto known = plain.find(&logical);
     if (known != plain.end()) return known->second;
-    const VolumeId id = add(logical, solid_of(logical, *logical.GetSolid()), logical.GetMaterial());
+    const VolumeId id =
+        add(logical, solid_of(logical, *logical.GetSolid(), false), logical.GetMaterial());
     return plain[&logical] = id;
   }
 
   VolumeId volume(const G4LogicalVolume& logical, const Copy& copy) {
     if (copy.shape.shape) return add(logical, copy.shape, copy.material);
     const auto [known, added] =
-        variants.try_emplace({&logical, text_of(*copy.solid), copy.material});
-    if (added) known->second = add(logical, solid_of(logical, *copy.solid), copy.material);
+        variants.try_emplace({&logical, copy.changing ? text_of(*copy.solid) : "", copy.material});
+    if (added) known->second = add(logical, solid_of(logical, *copy.solid, true), copy.material);
     return known->second;
   }
 
@@ -99,15 +122,19 @@ struct Conversion {
       const auto [id, logical] = conversion.waiting[i];
       conversion.place_daughters(id, *logical);
     }
-    return {conversion.builder.build(top), std::move(conversion.daughters), world};
+    return {conversion.builder.build(top), std::move(conversion.daughters),
+            std::move(conversion.asked), world};
   }
 };
 
 Geometry::Geometry(G4VPhysicalVolume& world) : Geometry(Conversion::run(world)) {}
 
 Geometry::Geometry(Detector detector, std::vector<std::vector<Placed>> daughters,
-                   G4VPhysicalVolume& world)
-    : detector_(std::move(detector)), daughters_(std::move(daughters)), world_(&world) {
+                   std::vector<std::string> asked, G4VPhysicalVolume& world)
+    : detector_(std::move(detector)),
+      daughters_(std::move(daughters)),
+      asked_(std::move(asked)),
+      world_(&world) {
   for (VolumeId mother = 0; mother < daughters_.size(); ++mother) {
     const LogicalVolume& volume = detector_.volume(mother);
     for (std::uint32_t i = 0; i < daughters_[mother].size(); ++i) {

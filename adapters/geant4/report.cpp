@@ -59,6 +59,17 @@ void print_volumes(const RuntimeReport& report, std::ostream& out) {
   }
 }
 
+void print_asked(const std::vector<std::string>& volumes, std::ostream& out) {
+  if (volumes.empty()) return;
+  constexpr std::size_t shown = 5;
+  out << "  Geant4's own solids were asked in " << volumes.size()
+      << (volumes.size() == 1 ? " volume:" : " volumes:");
+  for (std::size_t i = 0; i < std::min(shown, volumes.size()); ++i) {
+    out << (i == 0 ? " " : ", ") << volumes[i];
+  }
+  out << (volumes.size() > shown ? ", ...\n" : "\n");
+}
+
 }  // namespace
 
 void print_report(Session& session, std::ostream& out) {
@@ -75,7 +86,10 @@ void print_report(Session& session, std::ostream& out) {
         << " tracks were pushed, " << counts.abandoned << " abandoned\n";
   }
   if (session.options().mode == Mode::shadow) print_differences(counts.differences, out);
-  if (const auto engine = session.present_engine()) print_volumes(engine->runtime.report(), out);
+  if (const auto engine = session.present_engine()) {
+    print_volumes(engine->runtime.report(), out);
+    print_asked(engine->geometry.asked_of_geant4(), out);
+  }
   out.flags(flags);
   out.precision(precision);
 }

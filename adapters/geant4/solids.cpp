@@ -19,6 +19,7 @@
 #include <G4TwistedTrap.hh>
 #include <G4TwistedTrd.hh>
 #include <G4TwistedTubs.hh>
+#include <sstream>
 #include <typeindex>
 #include <unordered_map>
 
@@ -111,9 +112,8 @@ std::pair<const std::type_index, Maker> entry() {
   return {typeid(S), [](const G4VSolid& s) { return make(static_cast<const S&>(s)); }};
 }
 
-}  // namespace
-
-Solid convert(const G4VSolid& solid) {
+/// Empty where there is no kernel for it.
+Solid convert_known(const G4VSolid& solid, ForeignSolids& foreign) {
   static const std::unordered_map<std::type_index, Maker> makers{
       entry<G4Box, box>(),
       entry<G4Tubs, tubs>(),
@@ -139,9 +139,27 @@ Solid convert(const G4VSolid& solid) {
     return maker->second(solid);
   }
   if (Solid converted = convert_contour(solid); converted.shape) return converted;
-  if (Solid converted = convert_composite(solid); converted.shape) return converted;
-  throw Unsupported("solid '" + solid.GetName() + "': navjit has none of the class " +
-                    solid.GetEntityType());
+  return convert_composite(solid, foreign);
+}
+
+}  // namespace
+
+std::string text_of(const G4VSolid& solid) {
+  std::ostringstream text;
+  text.precision(17);
+  solid.StreamInfo(text);
+  return std::move(text).str();
+}
+
+Solid convert(const G4VSolid& solid, ForeignSolids& foreign) {
+  const std::size_t before = foreign.size();
+  try {
+    if (Solid converted = convert_known(solid, foreign); converted.shape) return converted;
+  } catch (const GeometryError&) {
+    foreign.resize(before);  // Geant4 takes what navjit's makers do not
+  }
+  foreign.push_back(&solid);
+  return convert_foreign(solid);
 }
 
 }  // namespace navjit::geant4

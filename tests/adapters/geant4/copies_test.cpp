@@ -208,24 +208,5 @@ TEST(Reflections, HaveReflectedDaughters) {
   expect_alike(hall);
 }
 
-/// Materials that depend on the mother's copy.
-class Nested : public Chambers {
- public:
-  using Chambers::Chambers;
-  G4bool IsNested() const override { return true; }
-};
-
-TEST(Refusal, OfNestedParameterisations) {
-  const Hall hall;
-  new G4PVParameterised("nested", box("cell", 20, 15, 10), hall.volume, kZAxis, 3,
-                        new Nested(nullptr, nullptr));
-  try {
-    const geant4::Geometry geometry(*hall.world);
-    FAIL() << "it was converted";
-  } catch (const geant4::Unsupported& error) {
-    EXPECT_NE(std::string(error.what()).find("'nested'"), std::string::npos) << error.what();
-  }
-}
-
 }  // namespace
 }  // namespace navjit

@@ -212,22 +212,5 @@ TEST_P(Solids, AreWalkedAlike) {
 INSTANTIATE_TEST_SUITE_P(Each, Solids, testing::ValuesIn(samples),
                          [](const auto& sample) { return std::string(sample.param.name); });
 
-class Unknown : public G4Box {
- public:
-  using G4Box::G4Box;
-};
-
-TEST(Refusal, NamesVolumeAndSolid) {
-  auto* hall = new G4LogicalVolume(new G4Box("hall", 100, 100, 100), nullptr, "hall");
-  auto* world = new G4PVPlacement(nullptr, {}, hall, "hall", nullptr, false, 0);
-  auto* volume = new G4LogicalVolume(new Unknown("odd", 1, 2, 3), nullptr, "oddVolume");
-  new G4PVPlacement(nullptr, {5, -3, 2}, volume, "placed", hall, false, 7);
-  const tests::Walked walked = tests::walk(*world, {.tracks = 10});
-  EXPECT_NE(walked.refusal.find("volume 'oddVolume'"), std::string::npos) << walked.refusal;
-  EXPECT_NE(walked.refusal.find("solid 'odd'"), std::string::npos) << walked.refusal;
-  EXPECT_EQ(walked.counts.differences.steps, 0U);
-  EXPECT_GT(walked.boundaries, 10U);  // Geant4's own navigator did it
-}
-
 }  // namespace
 }  // namespace navjit

@@ -4,6 +4,7 @@
 #include <G4VPhysicalVolume.hh>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -27,7 +28,9 @@ struct Placed {
 
 /// The Detector of a world of Geant4's, and the way back to its placements. Each logical volume
 /// becomes one volume; a parameterisation that changes solid or material makes one for each that
-/// differs. What it keeps of Geant4 is pointers: the world has to stay as it is. Immutable.
+/// differs. Sensitive detectors and roots of regions have the tags that observation reads
+/// (navjit/observation.hpp): those of the thread that converts. What it keeps of Geant4 is
+/// pointers: the world has to stay as it is. Immutable.
 class Geometry {
  public:
   /// Geant4's solids may be in any state of their parameterisations afterwards, as after Geant4's
@@ -36,6 +39,8 @@ class Geometry {
 
   const Detector& detector() const { return detector_; }
   G4VPhysicalVolume& world() const { return *world_; }
+  /// Names of the volumes whose solid, or a part of it, Geant4 itself is asked for.
+  const std::vector<std::string>& asked_of_geant4() const { return asked_; }
   /// Whether there are placements alone, no replicas and no parameterisations.
   bool plain() const { return plain_; }
 
@@ -57,10 +62,12 @@ class Geometry {
     std::size_t operator()(const Key& key) const;
   };
 
-  Geometry(Detector detector, std::vector<std::vector<Placed>> daughters, G4VPhysicalVolume& world);
+  Geometry(Detector detector, std::vector<std::vector<Placed>> daughters,
+           std::vector<std::string> asked, G4VPhysicalVolume& world);
 
   Detector detector_;
   std::vector<std::vector<Placed>> daughters_;  ///< by mother
+  std::vector<std::string> asked_;
   std::unordered_map<Key, std::uint32_t, Hash> numbers_;
   G4VPhysicalVolume* world_;
   bool plain_ = true;
