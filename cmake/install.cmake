@@ -16,6 +16,8 @@ install(FILES ${PROJECT_BINARY_DIR}/cmake/navjit-config.cmake
               ${PROJECT_BINARY_DIR}/cmake/navjit-config-version.cmake
         DESTINATION ${package_folder} COMPONENT development)
 
+include(cmake/install_adapters.cmake)
+
 # pkg-config's files name the prefix relative to themselves: what is installed can be moved.
 cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX
            BASE_DIRECTORY ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig OUTPUT_VARIABLE to_prefix)

@@ -41,18 +41,6 @@ struct Hall {
   }
 };
 
-void expect_alike(const Hall& hall, const tests::Walk& walk = {.tracks = 4000}) {
-  const tests::Walked walked = tests::walk(*hall.world, walk);
-  EXPECT_EQ(walked.refusal, "");
-  const geant4::Differences& found = walked.counts.differences;
-  EXPECT_GT(found.steps, 20000U);
-  EXPECT_LE(found.lengths + found.histories, found.steps / 20000);
-  EXPECT_LT(found.largest_length, 1e-6);
-  EXPECT_EQ(found.safeties, 0U);
-  EXPECT_EQ(walked.without_normal, 0U);
-  EXPECT_EQ(walked.stuck, 0U);
-}
-
 TEST(Replicas, OfABoxAlongItsAxes) {
   const Hall hall;
   auto* calorimeter = box("calorimeter", 100, 100, 100);
@@ -64,7 +52,7 @@ TEST(Replicas, OfABoxAlongItsAxes) {
   new G4PVPlacement(nullptr, {0, 0, -5}, box("absorber", 12.5, 100, 5), "absorber", strip, false,
                     0);
   new G4PVPlacement(nullptr, {0, 0, 3}, box("gap", 10, 90, 2), "gap", strip, false, 1);
-  expect_alike(hall);
+  tests::expect_alike(*hall.world);
 }
 
 TEST(Replicas, OfATubeInAzimuth) {
@@ -75,7 +63,7 @@ TEST(Replicas, OfATubeInAzimuth) {
                                     nullptr, "wedge");
   new G4PVReplica("wedge", wedge, drum, kPhi, 12, M_PI / 6);
   new G4PVPlacement(nullptr, {80, 0, 0}, box("crystal", 30, 8, 60), "crystal", wedge, false, 0);
-  expect_alike(hall);
+  tests::expect_alike(*hall.world);
 }
 
 TEST(Replicas, OfATubeAlongTheRadius) {
@@ -83,7 +71,7 @@ TEST(Replicas, OfATubeAlongTheRadius) {
   auto* drum = tube("drum", 0, 120, 100);
   hall.place(drum, {0, 10, 0}, 0.5);
   new G4PVReplica("ring", tube("ring", 0, 20, 100), drum, kRho, 6, 20);
-  expect_alike(hall);
+  tests::expect_alike(*hall.world);
 }
 
 TEST(Divisions, OfBoxAndCone) {
@@ -97,7 +85,7 @@ TEST(Divisions, OfBoxAndCone) {
   auto* part =
       new G4LogicalVolume(new G4Cons("part", 10, 60, 20, 80, 18, 0, 2 * M_PI), nullptr, "part");
   new G4PVDivision("part", part, cone, kZAxis, 5, 0);
-  expect_alike(hall);
+  tests::expect_alike(*hall.world);
 }
 
 /// Chambers that grow, alternately of two materials, each turned a little more.
@@ -138,7 +126,7 @@ struct Tracker {
   }
 };
 
-TEST(Parameterised, WithOtherDimensionsAndMaterials) { expect_alike(Tracker().hall); }
+TEST(Parameterised, WithOtherDimensionsAndMaterials) { tests::expect_alike(*Tracker().hall.world); }
 
 TEST(Parameterised, LeavesGeant4InTheCopyThatTheTrackIsIn) {
   const Tracker tracker;
@@ -189,7 +177,7 @@ TEST(Assemblies, AreImprinted) {
     rotation->rotateX(0.5 * i);
     assembly->MakeImprint(hall.volume, where, rotation);
   }
-  expect_alike(hall);
+  tests::expect_alike(*hall.world);
 }
 
 TEST(Reflections, HaveReflectedDaughters) {
@@ -205,7 +193,7 @@ TEST(Reflections, HaveReflectedDaughters) {
   factory->Place(G4Translate3D(80, 0, 0) * G4ReflectX3D(), "module", module, hall.volume, false, 1);
   factory->Place(G4Translate3D(0, 90, 10) * G4Transform3D(turn, {}) * G4ReflectZ3D(), "module",
                  module, hall.volume, false, 2);
-  expect_alike(hall);
+  tests::expect_alike(*hall.world);
 }
 
 }  // namespace

@@ -74,18 +74,6 @@ struct Hall {
   }
 };
 
-void expect_alike(const Hall& hall) {
-  const tests::Walked walked = tests::walk(*hall.world, {.tracks = 6000});
-  EXPECT_EQ(walked.refusal, "");
-  const geant4::Differences& found = walked.counts.differences;
-  EXPECT_GT(found.steps, 20000U);
-  EXPECT_LE(found.lengths + found.histories, found.steps / 20000);
-  EXPECT_LT(found.largest_length, 1e-6);
-  EXPECT_EQ(found.safeties, 0U);
-  EXPECT_EQ(walked.without_normal, 0U);
-  EXPECT_EQ(walked.stuck, 0U);
-}
-
 TEST(OwnSolids, AreAskedThemselves) {
   const Hall hall;
   G4LogicalVolume* tube =
@@ -99,7 +87,7 @@ TEST(OwnSolids, AreAskedThemselves) {
       nullptr, {10, 0, 20},
       new G4LogicalVolume(new Wrapped(new G4Box("corner", 20, 30, 30)), nullptr, "corner"),
       "corner", box, false, 0);
-  expect_alike(hall);
+  tests::expect_alike(*hall.world);
 }
 
 TEST(OwnSolids, ArePartsOfOthers) {
@@ -112,7 +100,7 @@ TEST(OwnSolids, ArePartsOfOthers) {
   hall.place(new G4IntersectionSolid("core", block, bore, turn, {5, 3, 0}), {0, 0, 0}, 0.2);
   hall.place(new G4ReflectedSolid("mirrored", bore, G4ReflectX3D() * G4TranslateX3D(12)),
              {100, 0, 0}, 0.2);
-  expect_alike(hall);
+  tests::expect_alike(*hall.world);
 }
 
 /// Bricks that grow.
@@ -132,7 +120,7 @@ TEST(OwnSolids, OfCopiesThatDiffer) {
   const Hall hall;
   auto* brick = new G4LogicalVolume(new Lower("brick", 1, 2, 3), nullptr, "brick");
   new G4PVParameterised("bricks", brick, hall.volume, kZAxis, 7, new Bricks);
-  expect_alike(hall);
+  tests::expect_alike(*hall.world);
   const geant4::Geometry geometry(*hall.world);
   EXPECT_EQ(geometry.asked_of_geant4().size(), 7U);
   EXPECT_EQ(geometry.asked_of_geant4()[0], "brick");

@@ -34,18 +34,6 @@ struct Hall {
   }
 };
 
-void expect_alike(const Hall& hall) {
-  const tests::Walked walked = tests::walk(*hall.world, {.tracks = 4000});
-  EXPECT_EQ(walked.refusal, "");
-  const geant4::Differences& found = walked.counts.differences;
-  EXPECT_GT(found.steps, 20000U);
-  EXPECT_LE(found.lengths + found.histories, found.steps / 20000);
-  EXPECT_LT(found.largest_length, 1e-6);
-  EXPECT_EQ(found.safeties, 0U);
-  EXPECT_EQ(walked.without_normal, 0U);
-  EXPECT_EQ(walked.stuck, 0U);
-}
-
 /// Voxels along z of two materials, as a chess board with the columns and rows that they are in.
 class Board : public G4VNestedParameterisation {
  public:
@@ -85,7 +73,7 @@ struct Chess {
   }
 };
 
-TEST(Nested, AreWalkedAlike) { expect_alike(Chess().hall); }
+TEST(Nested, AreWalkedAlike) { tests::expect_alike(*Chess().hall.world); }
 
 TEST(Nested, HaveTheMaterialOfTheMothersCopy) {
   const Chess chess;
@@ -142,7 +130,7 @@ G4PVParameterised* phantom(const Hall& hall, bool skip) {
 TEST(Phantoms, AreWalkedAlikeWhereEveryBoundaryCounts) {
   const Hall hall;
   phantom(hall, false);
-  expect_alike(hall);
+  tests::expect_alike(*hall.world);
 }
 
 TEST(Phantoms, AreRefusedWhereBoundariesAreSkipped) {

@@ -1,5 +1,7 @@
 #include "tests/adapters/geant4/walk.hpp"
 
+#include <gtest/gtest.h>
+
 #include <G4GeometryManager.hh>
 #include <G4LogicalVolume.hh>
 #include <G4TouchableHistory.hh>
@@ -128,6 +130,18 @@ Walked walk(G4VPhysicalVolume& world, Walk walk) {
   G4GeometryManager::GetInstance()->CloseGeometry(true, false);
   walk.options.mode = geant4::Mode::shadow;
   return Walker(world, std::move(walk)).run();
+}
+
+void expect_alike(G4VPhysicalVolume& world, const Walk& made) {
+  const Walked walked = walk(world, made);
+  EXPECT_EQ(walked.refusal, "");
+  const geant4::Differences& found = walked.counts.differences;
+  EXPECT_GT(found.steps, 20000U);
+  EXPECT_LE(found.lengths + found.histories, found.steps / 20000);
+  EXPECT_LT(found.largest_length, 1e-6);
+  EXPECT_EQ(found.safeties, 0U);
+  EXPECT_EQ(walked.without_normal, 0U);
+  EXPECT_EQ(walked.stuck, 0U);
 }
 
 }  // namespace navjit::tests

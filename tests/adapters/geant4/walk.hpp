@@ -33,4 +33,7 @@ struct Walked {
 /// calls, secondaries that start later from their touchable. Closes the geometry.
 Walked walk(G4VPhysicalVolume& world, Walk walk);
 
+/// Makes the tracks, and expects that both navigators agree on all but 1 in 20,000 steps.
+void expect_alike(G4VPhysicalVolume& world, const Walk& walk = {.tracks = 4000});
+
 }  // namespace navjit::tests

@@ -1,0 +1,12 @@
+# Component geant4 of find_package(navjit).
+if(NOT TARGET navjit::geant4)
+  find_package(Geant4 11 QUIET)
+  if(Geant4_FOUND)
+    include(${CMAKE_CURRENT_LIST_DIR}/navjit-geant4-targets.cmake)
+  else()
+    set(navjit_reason "Geant4 11 was not found: -D Geant4_DIR=FOLDER names it")
+  endif()
+endif()
+if(TARGET navjit::geant4)
+  set(navjit_geant4_FOUND TRUE)
+endif()

@@ -1,0 +1,15 @@
+# Component vecgeom of find_package(navjit).
+if(NOT TARGET VecGeom::vecgeom)
+  # Keeps Vc, which VecGeom brings along, from guessing at the machine.
+  set(TARGET_ARCHITECTURE none CACHE STRING "Read by Vc's CMake package only")
+  find_package(VecGeom 1.2 QUIET CONFIG)
+endif()
+find_package(Threads QUIET)
+if(NOT TARGET VecGeom::vecgeom OR NOT TARGET Threads::Threads)
+  set(navjit_reason "VecGeom 1.2 was not found: -D VecGeom_DIR=FOLDER names it")
+elseif(NOT TARGET navjit::vecgeom)
+  include(${CMAKE_CURRENT_LIST_DIR}/navjit-vecgeom-targets.cmake)
+endif()
+if(TARGET navjit::vecgeom)
+  set(navjit_vecgeom_FOUND TRUE)
+endif()
