@@ -2,7 +2,6 @@
 
 #include <G4LogicalVolume.hh>
 #include <G4Region.hh>
-#include <G4RotationMatrix.hh>
 #include <G4VSensitiveDetector.hh>
 #include <map>
 #include <tuple>
@@ -11,19 +10,10 @@
 #include "adapters/geant4/copies.hpp"
 #include "adapters/geant4/materials.hpp"
 #include "adapters/geant4/solids.hpp"
+#include "adapters/geant4/transformation.hpp"
 
 namespace navjit::geant4 {
 namespace {
-
-/// Of what a physical volume says now.
-Transformation transformation(const G4VPhysicalVolume& volume) {
-  const G4ThreeVector origin = volume.GetTranslation();
-  const G4RotationMatrix* r = volume.GetRotation();
-  if (r == nullptr) return placed_at({origin.x(), origin.y(), origin.z()});
-  return make_transformation(
-      {origin.x(), origin.y(), origin.z()},
-      {r->xx(), r->xy(), r->xz(), r->yx(), r->yy(), r->yz(), r->zx(), r->zy(), r->zz()});
-}
 
 /// Geant4 knows a copy's solid in one state only, that of the copy which was computed last; one
 /// that is asked itself has to be a copy of its own.

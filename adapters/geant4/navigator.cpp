@@ -8,6 +8,8 @@
 #include <sstream>
 #include <string>
 
+#include "adapters/geant4/guarded.hpp"
+
 namespace navjit::geant4 {
 namespace {
 
@@ -37,18 +39,6 @@ class Counted {
   double start_;
   bool timed_;
 };
-
-/// What a call gives, or `fallback` where navjit does not take its numbers: not finite, or no
-/// direction. Geant4 then aborts the event.
-template <typename Call, typename Answer>
-Answer guarded(const char* name, const Call& call, Answer fallback) {
-  try {
-    return call();
-  } catch (const Error& error) {
-    G4Exception(name, "navjit0003", EventMustBeAborted, error.what());
-    return fallback;
-  }
-}
 
 constexpr int push_after = 10;     ///< steps that do not move
 constexpr int abandon_after = 25;  ///< likewise
@@ -116,6 +106,7 @@ G4double Navigator::step(const G4ThreeVector& point, const G4ThreeVector& direct
                       !(crossing.next == state_);
   crossing.exiting = !crossing.entering;
   crossing.from = state_;
+  crossing.depth = levels_.size() - 1;
   crossing.start = from;
   crossing.direction = along;
   crossing.limit = limit;
@@ -251,7 +242,9 @@ const Navigator::Crossing* Navigator::boundary() const {
 }
 
 G4ThreeVector Navigator::exit_normal(const Crossing& crossing) {
-  return vector(navigator_->boundary_normal(crossing.from, crossing.next, crossing.end));
+  if (!crossing.entering) return vector(navigator_->normal(crossing.from, crossing.end));
+  const kernels::StackLevel& level = path(crossing.next)[crossing.depth + 1];
+  return -vector(navigator_->normal({level.touchable, level.volume}, crossing.end));
 }
 
 // What Geant4 calls.

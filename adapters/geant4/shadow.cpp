@@ -1,6 +1,7 @@
 #include "navjit/geant4/shadow.hpp"
 
 #include <G4TouchableHistory.hh>
+#include <G4VSolid.hh>
 #include <G4ios.hh>
 #include <algorithm>
 #include <cmath>
@@ -113,7 +114,9 @@ void ShadowNavigator::compare_histories(const char* call, const G4ThreeVector& p
     // Where the point is on a face, either side is right; so is a volume that the track is about to
     // leave.
     const bool tie =
-        state().inside() && distance_to_boundary({point.x(), point.y(), point.z()}) < most_length;
+        state().inside()
+            ? distance_to_boundary({point.x(), point.y(), point.z()}) < most_length
+            : GetWorldVolume()->GetLogicalVolume()->GetSolid()->Inside(point) == kSurface;
     ++(tie ? differences.ties : differences.histories);
     if (!tie) {
       print(call, point,

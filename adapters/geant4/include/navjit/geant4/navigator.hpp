@@ -51,6 +51,7 @@ class Navigator : public G4Navigator {
     bool found = false;
     bool entering = false, exiting = false;
     State from{}, next{};
+    std::size_t depth = 0;  ///< of `from`
     Vec3 start{}, direction{}, end{};
     double limit = 0;
   };
