@@ -220,9 +220,13 @@ TEST(Use, InstallsAndConvertsTheWorldOnce) {
 }
 
 TEST(Use, LeavesGeant4WhereTheWorldIsRefused) {
-  class Odd : public G4Box {
+  class Odd : public G4Box {  // one that does not say how large it is
    public:
     using G4Box::G4Box;
+    G4bool CalculateExtent(const EAxis, const G4VoxelLimits&, const G4AffineTransform&, G4double&,
+                           G4double&) const override {
+      return false;
+    }
   };
   auto* hall = new G4LogicalVolume(new Odd("odd", 100, 100, 100), nullptr, "hall");
   auto* world = new G4PVPlacement(nullptr, {}, hall, "hall", nullptr, false, 0);
