@@ -25,6 +25,7 @@ struct Options {
   int repetitions = 7;
   bench::Asked asked = bench::Asked::whole;
   bool peers = true;
+  bool perf_map = false;
 };
 
 struct Engine {
@@ -38,11 +39,12 @@ struct Engine {
 struct Specialised {
   Runtime runtime;
   Navigator navigator;
-  explicit Specialised(const std::shared_ptr<const World>& world, JitMode mode)
+  Specialised(const std::shared_ptr<const World>& world, JitMode mode, bool perf_map)
       : runtime(world,
-                [mode] {
+                [=] {
                   RuntimeOptions options;
                   options.jit = mode;
+                  options.specialiser.perf_map = perf_map;
                   return options;
                 }()),
         navigator(runtime.navigator()) {}
@@ -83,7 +85,7 @@ void add_vecgeom(const std::string& detector, const std::vector<peers::Flight>& 
 double measure(const std::string& file, const Options& options) {
   const auto world = std::make_shared<const World>(read_world(file));
   const std::vector<Ray> primaries = bench::rays_of_any(options.rays, *world);
-  Specialised generic(world, JitMode::off), made(world, JitMode::on);
+  Specialised generic(world, JitMode::off, false), made(world, JitMode::on, options.perf_map);
   const auto flights = bench::shower(generic.runtime, primaries, options.shower);
   std::vector<Engine> engines;
   for (Specialised* s : {&generic, &made}) {
@@ -138,6 +140,7 @@ int main(int argc, char** argv) try {
                  "before each step: whole, enough for the step (VecGeom: whole), or none")
       ->transform(CLI::CheckedTransformer(safeties));
   app.add_flag("!--without-peers", options.peers, "navjit alone");
+  app.add_flag("--perf-map", options.perf_map, "name generated functions for perf");
   CLI11_PARSE(app, argc, argv);
   if (detectors.size() > 1) options.peers = false;  // VecGeom holds one detector in a process
   std::printf(

@@ -122,9 +122,10 @@ inline Floats root_of_lanes(Floats x) {
 
 /// The first lane that has the least number.
 inline unsigned least_lane(Floats x) {
-  float least = x[0];
-  for (int i = 1; i < box_lanes; ++i) least = x[i] < least ? x[i] : least;
-  return static_cast<unsigned>(__builtin_ctz(lanes_of(x <= all_lanes(least))));
+  Floats least = smaller_lanes(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
+  least = smaller_lanes(least, __builtin_shufflevector(least, least, 2, 3, 0, 1, 6, 7, 4, 5));
+  least = smaller_lanes(least, __builtin_shufflevector(least, least, 1, 0, 3, 2, 5, 4, 7, 6));
+  return static_cast<unsigned>(__builtin_ctz(lanes_of(x <= least)));
 }
 
 /// Distances of a point from boxes, as the generic navigator has them, bit by bit
@@ -168,14 +169,15 @@ template <class Away>
 inline double safety_near_boxes(const NearBoxes& boxes, const Vec3<double>& p, double safety,
                                 Away away) {
   const BoxDistances from(p);
+  // The nearest box first: mostly nothing is as near as what is in it.
   const auto ask = [&](unsigned m) {
-    const Floats distance = BoxDistances::distances(from.squares(boxes.blocks[m]));
-    for (unsigned lanes = lanes_of(distance < all_lanes(strictly_above(safety))); lanes != 0;
-         lanes &= lanes - 1) {
-      const unsigned lane = static_cast<unsigned>(__builtin_ctz(lanes));
+    Floats distance = BoxDistances::distances(from.squares(boxes.blocks[m]));
+    while (lanes_of(distance < all_lanes(strictly_above(safety))) != 0) {
+      const unsigned lane = least_lane(distance);
       const double bound = static_cast<double>(distance[lane]);
-      if (!(bound < safety)) continue;
+      if (!(bound < safety)) return;
       safety = smaller(larger(away(boxes.daughters[m][lane]), bound), safety);
+      distance[lane] = __builtin_inff();
     }
   };
   if (boxes.count == 1) {
