@@ -90,7 +90,9 @@ void bind_to_data(Specialisation& spec, VolumeId volume) {
       return;
     }
   }
-  if (only_if_faster) {
+  // What is relocated in at the end of others' steps, and has few of its own, is for the run to
+  // judge: made-up steps say nothing about it.
+  if (only_if_faster && recorded) {
     std::erase_if(ways, [&](const Bound& b) { return b.ns > most_of_generic * generic_ns; });
   }
   const bool pays = !ways.empty();
@@ -174,13 +176,12 @@ bool bind_hot_to_data(Specialisation& spec) {
       std::max(least_steps, static_cast<std::uint64_t>(least_share * static_cast<double>(all)));
   for (std::size_t v = 0; v < spec.steps.size(); ++v) {
     const auto volume = static_cast<VolumeId>(v);
-    if (spec.steps[v] + spec.steps_below[v] >= least && !spec.bound.contains(volume)) {
+    if (spec.executions(volume) >= static_cast<double>(least) && !spec.bound.contains(volume)) {
       hot.push_back(volume);
     }
   }
-  std::stable_sort(hot.begin(), hot.end(), [&](VolumeId a, VolumeId b) {
-    return spec.steps[a] + spec.steps_below[a] > spec.steps[b] + spec.steps_below[b];
-  });
+  std::stable_sort(hot.begin(), hot.end(),
+                   [&](VolumeId a, VolumeId b) { return spec.executions(a) > spec.executions(b); });
   const double until = steady_seconds() + most_ms * 1e-3;
   for (const VolumeId volume : hot) {
     if (spec.stopping() || steady_seconds() > until) return true;

@@ -25,7 +25,7 @@ constexpr double gain_over_data = 0.15;
 /// seven detectors: of one to three solids they took 70 to 470 ms, of dozens up to 5 s.
 constexpr double solid_ms = 100;
 /// Fewer steps in a scene are not worth a place in a structure.
-constexpr std::uint64_t least_steps = 500;
+constexpr double least_steps = 500;
 
 struct Structure {
   std::vector<codegen::Module> scenes{};
@@ -39,7 +39,7 @@ std::map<std::string, Structure> find_structures(Specialisation& spec, bool all)
   std::map<std::string, Structure> structures;
   for (std::size_t v = 0; v < geometry.size(); ++v) {
     const auto volume = static_cast<VolumeId>(v);
-    const std::uint64_t executions = spec.steps[v] + spec.steps_below[v];
+    const double executions = spec.executions(volume);
     if (!spec.facts.reachable[v] || spec.structure_tried.contains(volume)) continue;
     if (!all && (executions < least_steps || !std::isfinite(bound_ns(spec, volume)))) continue;
     const ScenePlan plan = plan_scene(geometry, spec.facts, volume);
@@ -49,7 +49,7 @@ std::map<std::string, Structure> find_structures(Specialisation& spec, bool all)
     }
     codegen::Module module = codegen::generate_structure(geometry, spec.facts, plan);
     Structure& structure = structures[module.source];
-    structure.spent_ns += static_cast<double>(executions) * (all ? 1 : bound_ns(spec, volume));
+    structure.spent_ns += executions * (all ? 1 : bound_ns(spec, volume));
     structure.compile_ms =
         solid_ms * static_cast<double>(codegen::solids_of_structure(geometry, plan));
     structure.scenes.push_back(std::move(module));

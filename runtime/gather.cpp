@@ -1,6 +1,9 @@
 #include "runtime/gather.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <span>
 
 namespace navjit {
 namespace {
@@ -8,33 +11,48 @@ namespace {
 constexpr std::size_t samples_kept = 512;  ///< per volume
 constexpr std::size_t fresh_kept = 64;     ///< per volume and look
 
+/// A mother that its daughters fill has no steps of its own, and is relocated in at the end of
+/// theirs, or of their daughters'.
+void note_relocations(Specialisation& spec, const Sample& sample,
+                      std::map<VolumeId, double>& relocations) {
+  const std::span all(sample.relocations, sample.relocation_count);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    ++relocations[all[i].volume];
+    // Out of one touchable of a volume and into another: one step all the same.
+    const auto same = [&](const Sample::Relocation& r) { return r.volume == all[i].volume; };
+    const bool met = std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i), same);
+    if (sample.ticks == 0 || met) continue;
+    spec.trials.record(all[i].volume, all[i].used, static_cast<double>(sample.ticks));
+  }
+}
+
 }  // namespace
 
 void gather(Specialisation& spec) {
   const detail::Counts counts = spec.shared->counts();
-  spec.active = false;
+  std::uint64_t made = 0;  // since the last look
   for (std::size_t v = 0; v < spec.steps.size(); ++v) {
     const std::uint64_t steps = counts.steps(static_cast<VolumeId>(v));
-    spec.active |= steps != spec.steps[v];
+    made += steps - spec.steps[v];
     spec.steps[v] = steps;
   }
+  spec.active = made > 0;
   const double now = spec.seconds();
   if (spec.active) spec.active_s += now - spec.looked_at;
   spec.looked_at = now;
+  std::map<VolumeId, double> relocations;
+  std::uint64_t sampled = 0;
   for (const auto& profile : counts.profiles) {
     for (Sample sample; profile->take(sample);) {
       if (sample.ticks > 0) {
         record(spec.group, static_cast<double>(sample.ticks));
-        // A mother that its daughters fill has no steps of its own, and is relocated in at each of
-        // theirs.
-        for (const auto& [volume, used] :
-             {Sample::Relocation{sample.volume, sample.used}, sample.left_into, sample.entered}) {
-          if (used == nullptr) continue;
-          spec.trials.record(volume, used, static_cast<double>(sample.ticks));
+        if (sample.used != nullptr) {
+          spec.trials.record(sample.volume, sample.used, static_cast<double>(sample.ticks));
         }
       }
       if (sample.safety) continue;
-      if (sample.mother != Sample::no_volume) spec.steps_below[sample.mother] += Profile::period;
+      ++sampled;
+      note_relocations(spec, sample, relocations);
       auto& fresh = spec.fresh[sample.volume];
       if (fresh.size() < fresh_kept) fresh.push_back(sample);
       auto& kept = spec.samples[sample.volume];
@@ -46,15 +64,17 @@ void gather(Specialisation& spec) {
       }
     }
   }
+  // Where a queue was full samples stand for more steps.
+  for (const auto& [volume, count] : relocations) {
+    spec.relocations[volume] += count * static_cast<double>(made) / static_cast<double>(sampled);
+  }
 }
 
 void update_execution_counts(Specialisation& spec) {
-  // Volumes of equal structure are hot together. Relocation in a mother costs about as much as a
-  // step.
+  // Volumes of equal structure are hot together.
   std::vector<double> executions(spec.steps.size(), 0);
   for (std::size_t v = 0; v < spec.steps.size(); ++v) {
-    executions[spec.facts.first_equal[v]] +=
-        static_cast<double>(spec.steps[v] + spec.steps_below[v]);
+    executions[spec.facts.first_equal[v]] += spec.executions(static_cast<VolumeId>(v));
   }
   const double t = spec.seconds();
   const double fades =

@@ -19,6 +19,9 @@ constexpr std::size_t states_made_up = 400;  ///< per volume, for verification
 /// Timings of a few hundred steps are no better than this; between detectors' rays and the states
 /// that are timed there is more than that.
 constexpr double least_gain = 0.95;
+/// Of a scene with fewer recorded states, which is mostly relocated in at the end of others' steps,
+/// replayed steps say little: the run judges alone.
+constexpr std::size_t few_recorded = 16;
 /// A scene that was measured to be no faster is tried again once it is that many times as hot.
 constexpr double try_again_after = 16;
 
@@ -70,8 +73,9 @@ Expected<SceneReport> install_scene(Specialisation& spec, VolumeId volume,
       spec.facts.forced_candidates.contains(spec.facts.first_equal[volume]) || !only_if_faster;
   // What is bound to data stays unless constants win something over that, too.
   const double bar = std::min(generic_ns, bound_ns(spec, volume));
+  const bool judged_by_run = recorded < few_recorded && spec.shared->options.jit != JitMode::wait;
   const bool pays =
-      forced || faults.skip_replay || specialised_ns <= least_gain * bar || timed.size() < 16;
+      forced || faults.skip_replay || judged_by_run || specialised_ns <= least_gain * bar;
   if (pays) {
     spec.shared->table.install(volume, &record, owner);
     if (only_if_faster) try_out(spec, volume, &record, owner);

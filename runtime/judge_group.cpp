@@ -113,8 +113,7 @@ void judge_group(Specialisation& spec) {
       } else if (whole) {
         std::vector<Member> members;
         for (const VolumeId volume : group.members) {
-          members.push_back(
-              {volume, static_cast<double>(spec.steps[volume] + spec.steps_below[volume])});
+          members.push_back({volume, spec.executions(volume)});
         }
         rare = rarest(std::move(members), hottest_share);
       }

@@ -1,5 +1,6 @@
 #include "navjit/navigator.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -20,20 +21,47 @@ void require_finite(const Vec3& v, const char* what) {
 
 [[noreturn]] void throw_other_world() { throw UsageError("the state is of another world"); }
 
-/// After a step from `depth`: in which volumes the track was relocated.
-void note_relocations(Sample& sample, const NavigationStack& stack, const kernels::Context* context,
-                      const Geometry& geometry, int depth) {
+/// The levels above the one that a step begins in, which the step may overwrite.
+struct Above {
+  static constexpr int most = Sample::most_relocations;
+  int depth;  ///< where the step begins
+  VolumeId volumes[most];
+  TouchableId touchables[most];
+
+  explicit Above(const NavigationStack& stack) : depth(stack.depth) {
+    for (int i = 0; i < std::min(most, depth); ++i) {
+      const StackLevel& level = stack.levels[depth - 1 - i];
+      volumes[i] = level.volume;
+      touchables[i] = level.touchable;
+    }
+  }
+};
+
+/// After a step: in which volumes the track was relocated.
+void note_relocations(Sample& sample, const Above& above, const NavigationStack& stack,
+                      const kernels::Context* context, const Geometry& geometry) {
   if (stack.boundary == 0) return;
-  // What is in the table now is what was used, but for a swap just then: of many samples one.
-  const auto relocated_in = [&](VolumeId volume) {
-    return Sample::Relocation{volume, kernels::dispatch_entry_of(context, volume)};
+  const auto note = [&](VolumeId volume) {
+    if (sample.relocation_count == Sample::most_relocations) return;
+    // What is in the table now is what was used, but for a swap just then: of many samples one.
+    sample.relocations[sample.relocation_count++] = {volume,
+                                                     kernels::dispatch_entry_of(context, volume)};
   };
-  const bool left = stack.depth < depth || stack.levels[depth].touchable != sample.touchable;
-  if (left && sample.mother != Sample::no_volume) sample.left_into = relocated_in(sample.mother);
-  const int entered = left ? depth : depth + 1;
-  if (entered > stack.depth) return;
-  const VolumeId volume = stack.levels[entered].volume;
-  if (!geometry.scene(volume).daughters.empty()) sample.entered = relocated_in(volume);
+  int entered = above.depth + 1;  // the level that is new, if there is one
+  if (stack.depth < above.depth || stack.levels[above.depth].touchable != sample.touchable) {
+    for (int i = 0; i < std::min(Above::most, above.depth); ++i) {
+      note(above.volumes[i]);
+      entered = above.depth - i;
+      if (entered - 1 <= stack.depth &&
+          stack.levels[entered - 1].touchable == above.touchables[i]) {
+        break;
+      }
+    }
+  }
+  for (int i = entered; i <= stack.depth; ++i) {
+    const VolumeId volume = stack.levels[i].volume;
+    if (!geometry.scene(volume).daughters.empty()) note(volume);
+  }
 }
 
 }  // namespace
@@ -208,16 +236,9 @@ Step Navigator::recorded_step(NavigationStack& stack, const Vec3& point, const V
                               double limit) {
   Own& own = *own_;
   const kernels::StackLevel& level = stack.levels[stack.depth];
-  const int depth = stack.depth;
   const VolumeId volume = level.volume;
-  Sample sample{
-      level.touchable, volume,
-      point,           direction,
-      limit,           stack.depth > 0 ? stack.levels[stack.depth - 1].volume : Sample::no_volume};
-  if (shadow_) {
-    if (own.shadowed++ % Profile::period == 0) own.profile.record(sample);
-    own.profile.come_again();
-  }
+  const Above above(stack);
+  Sample sample{level.touchable, volume, point, direction, limit};
   own.read_side->enter();
   const kernels::DispatchEntry& entry = *kernels::dispatch_entry_of(context_, volume);
   double length;
@@ -229,10 +250,12 @@ Step Navigator::recorded_step(NavigationStack& stack, const Vec3& point, const V
     length = entry.step(&stack, context_, entry.data, point.x, point.y, point.z, limit);
     if (length < 0) length = bail_out(stack, point, direction, limit);
     sample.ticks = ticks() - start;
-    note_relocations(sample, stack, context_, shared_->geometry, depth);
   }
+  note_relocations(sample, above, stack, context_, shared_->geometry);
   own.read_side->leave();
-  if (!shadow_) own.profile.record(sample);
+  // With shadow mode on all steps are made here, and few of them are recorded.
+  if (!shadow_ || own.shadowed++ % Profile::period == 0) own.profile.record(sample);
+  if (shadow_) own.profile.come_again();
   return {length, stack.boundary != 0, state_of(stack)};
 }
 

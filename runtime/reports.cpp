@@ -125,18 +125,9 @@ StepProfile step_profile(Specialisation& spec) {
   StepProfile profile;
   profile.geometry = geometry_fingerprint(spec.shared->geometry);
   profile.runs = 1;
-  // Samples are a part of the steps, and dropped where nobody takes them: scaled to all steps.
   const World& world = spec.shared->geometry.world();
-  std::uint64_t steps = 0, sampled = 0;
   for (std::size_t v = 0; v < spec.steps.size(); ++v) {
-    steps += v == world.top ? 0 : spec.steps[v];
-    sampled += spec.steps_below[v];
-  }
-  const double scale =
-      sampled > 0 ? static_cast<double>(steps) / static_cast<double>(sampled) : 0.0;
-  for (std::size_t v = 0; v < spec.steps.size(); ++v) {
-    const auto relocations =
-        static_cast<std::uint64_t>(scale * static_cast<double>(spec.steps_below[v]));
+    const auto relocations = static_cast<std::uint64_t>(spec.relocations[v]);
     if (spec.steps[v] + relocations == 0) continue;
     profile.volumes.push_back(
         {static_cast<VolumeId>(v), world.volumes[v].name, spec.steps[v], relocations});

@@ -11,7 +11,7 @@ Specialisation::Specialisation(std::shared_ptr<detail::Shared> runtime)
       facts(analyse_world(shared->geometry)),
       sampler(shared->geometry),
       steps(shared->geometry.size(), 0),
-      steps_below(shared->geometry.size(), 0),
+      relocations(shared->geometry.size(), 0),
       execution_counts(shared->geometry.size(), 0),
       recent(shared->geometry.size(), 0),
       started_at(steady_seconds()) {}

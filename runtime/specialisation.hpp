@@ -37,6 +37,10 @@ struct Specialisation {
   double seconds() const;
   /// Whether compiling has taken all that it may so far (SpecialiserOptions::compile_share).
   bool allowance_is_used_up() const;
+  /// Steps in a volume, and relocations in it, each of which costs about as much as a step.
+  double executions(VolumeId volume) const {
+    return static_cast<double>(steps[volume]) + relocations[volume];
+  }
 
   std::shared_ptr<detail::Shared> shared;
   WorldFacts facts;
@@ -65,8 +69,8 @@ struct Specialisation {
   bool active = false;               ///< steps were made between the last two looks
   double looked_at = 0;              ///< when, s
   double active_s = 0;               ///< between looks with steps: the clock of trials
-  /// By volume: steps made in its daughters, as sampled. Many of those end with a relocation in it.
-  std::vector<std::uint64_t> steps_below;
+  /// By volume: relocations in it at the end of steps made elsewhere, as far as samples tell.
+  std::vector<double> relocations;
   std::vector<double> execution_counts;  ///< by volume; of all of equal structure in the first
   std::vector<double> recent;            ///< the same, fading
   double counted_at = 0;                 ///< when it was updated, s

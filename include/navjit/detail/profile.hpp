@@ -24,18 +24,21 @@ struct Sample {
   VolumeId volume;
   Vec3 point, direction;
   double limit;
-  VolumeId mother = no_volume;                   ///< of the touchable, where it was recorded
   const kernels::DispatchEntry* used = nullptr;  ///< what made the step, if it was timed
   std::uint64_t ticks = 0;                       ///< that it took
   bool safety = false;                           ///< the safety was asked, and no step made
 
-  /// A volume's part in a step that was timed but not made in it.
+  /// A volume's part in a step that was not made in it.
   struct Relocation {
     VolumeId volume = no_volume;
     const kernels::DispatchEntry* used = nullptr;
   };
-  Relocation left_into{};  ///< the mother, where its daughter was left
-  Relocation entered{};    ///< the daughter of either that was entered
+  /// More volumes seldom take part.
+  static constexpr unsigned most_relocations = 8;
+  /// Those in which the track was relocated at the step's end, from the mother of what was left
+  /// outwards, then inwards; volumes without daughters are none.
+  Relocation relocations[most_relocations]{};
+  unsigned relocation_count = 0;
 };
 
 class Profile {
