@@ -60,6 +60,7 @@ std::vector<VolumeId> choose(Specialisation& spec) {
   if (spec.group_lost || spec.allowance_is_used_up()) return {};
   // Until the first module is there nothing is won: it is to be there soon.
   if (spec.totals.modules == 0) options.module_ms /= 2;
+  options.module_ms /= spec.slower_than_expected();
   update_execution_counts(spec);
   std::vector<Candidate> candidates;
   for (std::size_t v = 0; v < spec.execution_counts.size(); ++v) {
@@ -74,8 +75,12 @@ std::vector<VolumeId> choose(Specialisation& spec) {
         note(spec, volume, SceneStatus::unprofitable, std::string(worth.why));
         continue;
       }
-      candidate = {volume, 0, 0, expected_compile_ms(spec.shared->geometry, plan),
-                   expected_gain_ns(plan)};
+      const double ms = expected_compile_ms(spec.shared->geometry, plan);
+      if (ms > most_scene_ms) {
+        note(spec, volume, SceneStatus::unprofitable, "its solids would take too long to compile");
+        continue;
+      }
+      candidate = {volume, 0, 0, ms, expected_gain_ns(plan)};
     }
     if (const double bound = bound_ns(spec, volume); std::isfinite(bound)) {
       candidate.gain_ns = gain_over_data * bound;

@@ -5,6 +5,8 @@
 #include <map>
 #include <span>
 
+#include "runtime/processor_time.hpp"
+
 namespace navjit {
 namespace {
 
@@ -36,6 +38,8 @@ void gather(Specialisation& spec) {
     made += steps - spec.steps[v];
     spec.steps[v] = steps;
   }
+  spec.steps_made += static_cast<double>(made);
+  spec.navigating_ns = 1e9 * (process_seconds() - thread_seconds());
   spec.active = made > 0;
   const double now = spec.seconds();
   if (spec.active) spec.active_s += now - spec.looked_at;
@@ -44,11 +48,8 @@ void gather(Specialisation& spec) {
   std::uint64_t sampled = 0;
   for (const auto& profile : counts.profiles) {
     for (Sample sample; profile->take(sample);) {
-      if (sample.ticks > 0) {
-        record(spec.group, static_cast<double>(sample.ticks));
-        if (sample.used != nullptr) {
-          spec.trials.record(sample.volume, sample.used, static_cast<double>(sample.ticks));
-        }
+      if (sample.ticks > 0 && sample.used != nullptr) {
+        spec.trials.record(sample.volume, sample.used, static_cast<double>(sample.ticks));
       }
       if (sample.safety) continue;
       ++sampled;

@@ -6,26 +6,28 @@
 namespace navjit {
 namespace {
 
-/// As for trials of single scenes, but of every step: volumes differ among themselves by more than
-/// the sides do, which takes more of them.
-constexpr double least_pairs = 16;
-constexpr double least_samples = 4000, enough_samples = 120000;
+/// Stretches differ among themselves by what the run does in them.
+constexpr double least_pairs = 8;
 /// Standard errors between the sides: who looks after each pair of stretches is deceived by chance
-/// sooner or later, who looks at the end is not.
-constexpr double errors_apart_early = 4, errors_apart_late = 2.5;
+/// sooner or later, who looks at the end is not. Where the truth is near zero either verdict will
+/// do.
+constexpr double errors_apart_early = 4, errors_apart_late = 1.5;
 /// Of a step: what switching so much code costs the side that has it. A guess.
 constexpr double cost_of_switching = 0.02;
-/// Steps of dear volumes take many times the mean; what takes this many was interrupted.
-constexpr double far = 64;
-
 }  // namespace
 
-void record(GroupTrial& group, double ticks) {
-  if (!group.open()) return;
-  if (group.samples >= 64) ticks = std::min(ticks, far * group.usual);
-  group.usual = (group.usual * group.samples + ticks) / (group.samples + 1);
-  ++group.samples;
-  (group.shown ? group.with : group.without).add(ticks, 0);
+void begin_stretch(GroupTrial& group, double steps, double ns) {
+  group.steps_before = steps;
+  group.ns_before = ns;
+}
+
+void record(GroupTrial& group, double steps, double ns) {
+  const TickSum stretch{steps - group.steps_before, ns - group.ns_before};
+  begin_stretch(group, steps, ns);
+  for (TickSum* sum : {&group.all, group.shown ? &group.with : &group.without}) {
+    sum->count += stretch.count;
+    sum->sum += stretch.sum;
+  }
 }
 
 Verdict decide(GroupTrial& group, double now) {
@@ -34,13 +36,12 @@ Verdict decide(GroupTrial& group, double now) {
     group.with = group.without = {};
   }
   const bool late = now - group.began > Trials::most_s;
-  const bool few = group.lost.pairs < least_pairs || group.samples < least_samples;
-  if (few) return late ? Verdict::stays : Verdict::open;
-  const double lost = group.lost.mean() - cost_of_switching * group.usual;
+  if (group.lost.pairs < least_pairs) return late ? Verdict::stays : Verdict::open;
+  const double lost = group.lost.mean() - cost_of_switching * group.all.mean();
   const double error = group.lost.error();
   if (lost < -errors_apart_early * error) return Verdict::stays;
   if (lost > errors_apart_early * error) return Verdict::goes;
-  if (!late && group.samples < enough_samples) return Verdict::open;
+  if (!late) return Verdict::open;
   return lost > errors_apart_late * error ? Verdict::goes : Verdict::stays;
 }
 

@@ -1,6 +1,7 @@
 // What was compiled is tried as one, too. Each scene's code may win its own trial while all of it
 // together wears caches and branch tables that every other step needs: that is seen only where all
-// steps of the run are timed, with all of the code and with none of it.
+// steps of the run are timed, with all of the code and with none of it. So is all that is
+// installed, against the generic navigator alone.
 #pragma once
 
 #include <vector>
@@ -12,19 +13,24 @@ namespace navjit {
 /// Volumes that are switched together. Not for several threads.
 struct GroupTrial {
   std::vector<VolumeId> members{};  ///< none: nothing is tried
+  bool against_generic = false;     ///< else against what is bound to data
   double began = 0;                 ///< s of navigation
-  bool shown = true;                ///< the members' compiled code, in the present stretch
+  bool shown = true;                ///< what the members' trials left, in the present stretch
   unsigned looks = 0;               ///< at the profile, since it began
-  double usual = 0;                 ///< mean of all samples so far, ticks
-  double samples = 0;
-  TickSum with{}, without{};  ///< of the present pair of stretches
-  PairedDifference lost{};    ///< by the code
+  double steps_before = 0, ns_before = 0;  ///< of the run, when the present stretch began
+  TickSum all{};                           ///< steps, and the time that they took, ns
+  TickSum with{}, without{};               ///< of the present pair of stretches
+  PairedDifference lost{};                 ///< by the code, ns a step
 
   bool open() const { return !members.empty(); }
 };
 
-/// A step or safety of any volume took so long.
-void record(GroupTrial& group, double ticks);
+/// A stretch is over: of the run so many steps were made so far, in so many ns of the navigating
+/// threads' processor time. (Single steps that are timed would not do: a processor foresees less of
+/// them than of the others, and the more so the more code there is.)
+void record(GroupTrial& group, double steps, double ns);
+/// A stretch begins.
+void begin_stretch(GroupTrial& group, double steps, double ns);
 
 /// A pair of stretches is over. What is known of the group at time `now`, s of navigation: it goes
 /// only where that is no chance.

@@ -16,9 +16,10 @@ namespace navjit {
 namespace {
 
 constexpr std::size_t states_made_up = 400;  ///< per volume, for verification
-/// Timings of a few hundred steps are no better than this; between detectors' rays and the states
-/// that are timed there is more than that.
-constexpr double least_gain = 0.95;
+/// Replayed alone, a scene's code is not what it is among that of its neighbours, compiled as well:
+/// only what is clearly slower is not tried in the run. Where nothing is tried, what timings of a
+/// few hundred steps can tell decides.
+constexpr double most_of_bar_to_be_tried = 1.05, most_of_bar = 0.95;
 /// Of a scene with fewer recorded states, which is mostly relocated in at the end of others' steps,
 /// replayed steps say little: the run judges alone.
 constexpr std::size_t few_recorded = 16;
@@ -73,9 +74,10 @@ Expected<SceneReport> install_scene(Specialisation& spec, VolumeId volume,
       spec.facts.forced_candidates.contains(spec.facts.first_equal[volume]) || !only_if_faster;
   // What is bound to data stays unless constants win something over that, too.
   const double bar = std::min(generic_ns, bound_ns(spec, volume));
-  const bool judged_by_run = recorded < few_recorded && spec.shared->options.jit != JitMode::wait;
+  const bool tried = spec.shared->options.jit != JitMode::wait;
+  const double most = (tried ? most_of_bar_to_be_tried : most_of_bar) * bar;
   const bool pays =
-      forced || faults.skip_replay || judged_by_run || specialised_ns <= least_gain * bar;
+      forced || faults.skip_replay || (tried && recorded < few_recorded) || specialised_ns <= most;
   if (pays) {
     spec.shared->table.install(volume, &record, owner);
     if (only_if_faster) try_out(spec, volume, &record, owner);

@@ -40,27 +40,41 @@ std::vector<VolumeId> compiled(const Specialisation& spec) {
   }
   return members;
 }
+std::vector<VolumeId> installed(const Specialisation& spec) {
+  std::vector<VolumeId> members;
+  for (const auto& [volume, trial] : spec.trials.all()) {
+    if (winner(trial) != &generic::dispatch_entry) members.push_back(volume);
+  }
+  return members;
+}
+
+/// What members have while the others' turn is.
+const kernels::DispatchEntry* other_side(const Specialisation& spec, VolumeId volume) {
+  return spec.group.against_generic ? &generic::dispatch_entry : without_code(spec, volume);
+}
 
 void show(Specialisation& spec, bool code) {
   spec.group.shown = code;
   for (const VolumeId volume : spec.group.members) {
     const auto trial = spec.trials.all().find(volume);
     if (trial == spec.trials.all().end()) continue;  // deoptimised meanwhile
-    spec.shared->table.show(volume, code ? winner(trial->second) : without_code(spec, volume));
+    spec.shared->table.show(volume, code ? winner(trial->second) : other_side(spec, volume));
   }
 }
 
-void begin(Specialisation& spec, std::vector<VolumeId> members) {
+void begin(Specialisation& spec, std::vector<VolumeId> members, bool against_generic) {
   spec.group = {};
   spec.group.members = std::move(members);
+  spec.group.against_generic = against_generic;
   spec.group.began = spec.active_s;
+  begin_stretch(spec.group, spec.steps_made, spec.navigating_ns);
   spec.stretches = 0;
 }
 
 void take_out(Specialisation& spec) {
   spec.group_lost = true;
   for (const VolumeId volume : spec.group.members) {
-    const kernels::DispatchEntry* record = without_code(spec, volume);
+    const kernels::DispatchEntry* record = other_side(spec, volume);
     const bool generic = record == &generic::dispatch_entry;
     const std::shared_ptr<const void> owner = generic ? nullptr : spec.arena;
     if (!spec.trials.take_out(volume, record, owner)) continue;
@@ -69,7 +83,9 @@ void take_out(Specialisation& spec) {
     SceneReport& scene = spec.scenes[volume];
     scene.binding = generic ? Binding::generic : Binding::data;
     scene.status = SceneStatus::unprofitable;
-    scene.note = "with the other compiled scenes slower in the run than without";
+    scene.note = spec.group.against_generic
+                     ? "with all that was specialised slower in the run than without"
+                     : "with the other compiled scenes slower in the run than without";
   }
 }
 
@@ -80,6 +96,7 @@ void interrupt_group(Specialisation& spec) {
   show(spec, true);
   spec.group.with = spec.group.without = {};
   spec.group.looks = 0;
+  begin_stretch(spec.group, spec.steps_made, spec.navigating_ns);
 }
 
 void give_up_group(Specialisation& spec) {
@@ -91,20 +108,29 @@ void judge_group(Specialisation& spec) {
   GroupTrial& group = spec.group;
   if (!group.open()) {
     std::vector<VolumeId> members = compiled(spec);
-    if (members.size() < least_members || members == spec.group_judged) return;
-    begin(spec, std::move(members));
+    if (members.size() >= least_members && members != spec.group_judged) {
+      begin(spec, std::move(members), false);
+    } else if (members = installed(spec);
+               members.size() >= least_members && members != spec.all_judged) {
+      begin(spec, std::move(members), true);
+    } else {
+      return;
+    }
   }
   if (++group.looks % looks_in_stretch != 0) return;
-  const bool whole = group.members == compiled(spec);
+  record(group, spec.steps_made, spec.navigating_ns);
+  const bool whole = !group.against_generic && group.members == compiled(spec);
   // With, without, without, with, ..., as for single scenes.
   const unsigned over = spec.stretches++ % 4;
   if (over % 2 == 1) {
     if (const Verdict verdict = decide(group, spec.active_s); verdict != Verdict::open) {
       spec.shared->log->debug(
-          "event=judged_together at_s={:.3f} scenes={} all={} verdict={} lost={:.1f} error={:.1f} "
-          "of={:.1f} samples={:.0f}",
-          spec.seconds(), group.members.size(), whole, verdict == Verdict::goes ? "goes" : "stays",
-          group.lost.mean(), group.lost.error(), group.usual, group.samples);
+          "event=judged_together at_s={:.3f} scenes={} all={} generic={} verdict={} lost={:.1f} "
+          "error={:.1f} "
+          "of={:.1f} steps={:.0f}",
+          spec.seconds(), group.members.size(), whole, group.against_generic,
+          verdict == Verdict::goes ? "goes" : "stays", group.lost.mean(), group.lost.error(),
+          group.all.mean(), group.all.count);
       spec.trials.spend(spec.active_s - group.began);
       show(spec, true);
       std::vector<VolumeId> rare;
@@ -117,9 +143,10 @@ void judge_group(Specialisation& spec) {
         }
         rare = rarest(std::move(members), hottest_share);
       }
+      (group.against_generic ? spec.all_judged : spec.group_judged) =
+          group.against_generic ? installed(spec) : compiled(spec);
       group = {};
-      spec.group_judged = compiled(spec);
-      if (rare.size() >= least_members) begin(spec, std::move(rare));
+      if (rare.size() >= least_members) begin(spec, std::move(rare), false);
       return;
     }
     return;

@@ -131,6 +131,10 @@ bool make_module(Specialisation& spec, const std::vector<VolumeId>& batch) {
   }
   const jit::CompileReport& report = made->object.report;
   const double expected = expected_ms(spec, batch), took = (steady_seconds() - start) * 1e3;
+  if (expected > 0) {
+    spec.expected_ms += expected;
+    spec.compiled_ms += took;
+  }
   spec.shared->log->debug(
       "event=compiled at_s={:.3f} scenes={} ms={:.0f} expected_ms={:.0f} source_kb={} "
       "frontend_ms={:.0f} optimise_ms={:.0f} codegen_ms={:.0f} code_kb={}",

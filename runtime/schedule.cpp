@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/solid_key.hpp"
+#include "codegen/typed_solid.hpp"
 
 namespace navjit {
 namespace {
@@ -11,7 +12,8 @@ namespace {
 // compiled by itself: nine in ten within 0.6 to 1.3 times this.
 constexpr double leaf_ms = 10;           // step and relocation, with nothing in them
 constexpr double daughters_ms = 32;      // searching daughters
-constexpr double class_ms = 58;          // each daughters' solid, inlined into all searches
+constexpr double class_ms = 58;          // each daughters' solid, inlined into all searches, and
+                                         // each that a boolean has beside its first
 constexpr double number_ms = 0.6;        // each number that the solids are made of
 constexpr double most_numbers_ms = 120;  // large solids are loops over tables
 
@@ -28,12 +30,15 @@ double urgency(const Candidate& c) { return c.recent * c.gain_ns / c.compile_ms;
 }  // namespace
 
 double expected_compile_ms(const Geometry& geometry, const ScenePlan& plan) {
-  std::size_t numbers = solid_key(geometry.scene(plan.volume).solid).size() / 8;
+  const Scene& scene = geometry.scene(plan.volume);
+  std::size_t numbers = solid_key(scene.solid).size() / 8;
+  std::size_t solids = codegen::solids_in(scene.solid) - 1;
   for (const DaughterClass& c : plan.classes) {
     for (const DaughterClass::Shape& s : c.shapes) numbers += solid_key(s.solid).size() / 8;
+    solids += codegen::solids_in(c.shapes[0].solid);
   }
   return leaf_ms + (plan.classes.empty() ? 0 : daughters_ms) +
-         class_ms * static_cast<double>(plan.classes.size()) +
+         class_ms * static_cast<double>(solids) +
          std::min(most_numbers_ms, number_ms * static_cast<double>(numbers));
 }
 

@@ -17,6 +17,9 @@ double expected_compile_ms(const Geometry& geometry, const ScenePlan& plan);
 /// What any module costs beside its scenes, ms: reading the kernels.
 constexpr double module_base_ms = 30;
 
+/// No scene is compiled that is expected to take longer by itself: all others would wait for it.
+constexpr double most_scene_ms = 1000;
+
 /// Expected gain of a step or relocation, ns.
 double expected_gain_ns(const ScenePlan& plan);
 

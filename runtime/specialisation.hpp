@@ -2,6 +2,7 @@
 // bind to data, choose, make modules, install, watch, report. Private to runtime/.
 #pragma once
 
+#include <algorithm>
 #include <condition_variable>
 #include <map>
 #include <memory>
@@ -42,6 +43,11 @@ struct Specialisation {
     return static_cast<double>(steps[volume]) + relocations[volume];
   }
 
+  /// How many times as long as expected modules took, 1 or more: another machine, or a busy one.
+  double slower_than_expected() const {
+    return expected_ms > 0 ? std::max(1.0, compiled_ms / expected_ms) : 1.0;
+  }
+
   std::shared_ptr<detail::Shared> shared;
   WorldFacts facts;
   StateSampler sampler;
@@ -55,7 +61,8 @@ struct Specialisation {
   std::set<std::shared_ptr<const void>> structures;  ///< code of structures, with its tables
   Trials trials;
   GroupTrial group;                    ///< of what was compiled, once its scenes were tried
-  std::vector<VolumeId> group_judged;  ///< compiled scenes when a group was tried last
+  std::vector<VolumeId> group_judged;  ///< compiled scenes when a group of them was tried last
+  std::vector<VolumeId> all_judged;    ///< what was installed when all of it was
   bool group_lost = false;             ///< all of it: nothing more is compiled in this phase
   std::map<VolumeId, const kernels::DispatchEntry*> without_code;  ///< what was bound to data
   bool candidates_shown = true;          ///< in the dispatch table, of open trials
@@ -66,14 +73,17 @@ struct Specialisation {
   ModuleList module_list;                ///< modules of this run
   std::string module_list_name;
   std::vector<std::uint64_t> steps;  ///< by volume, at the last look
+  double steps_made = 0;             ///< the sum of these
+  double navigating_ns = 0;          ///< processor time of all threads but this one, at that look
   bool active = false;               ///< steps were made between the last two looks
   double looked_at = 0;              ///< when, s
   double active_s = 0;               ///< between looks with steps: the clock of trials
   /// By volume: relocations in it at the end of steps made elsewhere, as far as samples tell.
   std::vector<double> relocations;
-  std::vector<double> execution_counts;  ///< by volume; of all of equal structure in the first
-  std::vector<double> recent;            ///< the same, fading
-  double counted_at = 0;                 ///< when it was updated, s
+  std::vector<double> execution_counts;     ///< by volume; of all of equal structure in the first
+  std::vector<double> recent;               ///< the same, fading
+  double counted_at = 0;                    ///< when it was updated, s
+  double expected_ms = 0, compiled_ms = 0;  ///< for all modules so far
   std::map<VolumeId, Candidate> candidates;
   /// By volume that was measured to be slower: the execution count at which it is tried again.
   std::map<VolumeId, double> try_again_at;

@@ -162,8 +162,10 @@ void Specialiser::specialise_all() {
   double expected = 0;
   const double started = thread_seconds();
   for (const VolumeId volume : volumes) {
-    expected += expected_compile_ms(spec_.shared->geometry,
-                                    plan_scene(spec_.shared->geometry, spec_.facts, volume));
+    const double ms = expected_compile_ms(spec_.shared->geometry,
+                                          plan_scene(spec_.shared->geometry, spec_.facts, volume));
+    if (ms > most_scene_ms) continue;
+    expected += ms;
     const double spent = 1e3 * (thread_seconds() - started);
     if (std::max(expected, spent) > spec_.shared->options.specialiser.wait_ms) break;
     batch.push_back(volume);

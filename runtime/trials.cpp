@@ -22,17 +22,17 @@ bool is_rare(const Trial& t) {
 }
 
 /// What is no further from zero than chance brings it stays: on recorded states it was faster.
-Verdict at_last(const PairedDifference& lost) {
-  return lost.mean() > lost.error() ? Verdict::goes : Verdict::stays;
+Verdict at_last(const PairedDifference& lost, double allowed) {
+  return lost.mean() - allowed > lost.error() ? Verdict::goes : Verdict::stays;
 }
 
 Verdict verdict_on(const Trial& t) {
   if (is_rare(t)) return Verdict::open;
-  const double lost = t.lost.mean(), error = t.lost.error();
+  const double lost = t.lost.mean() - t.allowed, error = t.lost.error();
   if (lost < -errors_apart * error) return Verdict::stays;
   if (lost > errors_apart * error) return Verdict::goes;
   if (std::min(t.with.count, t.without.count) < enough_count) return Verdict::open;
-  return at_last(t.lost);
+  return at_last(t.lost, t.allowed);
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ std::vector<Trials::Of> Trials::decide(double now) {
       if (is_rare(trial)) {
         few.push_back(&trial);
       } else {
-        trial.verdict = at_last(trial.lost);
+        trial.verdict = at_last(trial.lost, trial.allowed);
       }
     }
     decided.push_back({volume, &trial});
@@ -136,7 +136,7 @@ void Trials::judge_as_others(const std::vector<Trial*>& few) {
   if (few.empty()) return;
   std::map<kernels::StepFunction, PairedDifference> lost;
   for (const auto& [volume, trial] : trials_) lost[trial.candidate->step].add(trial.lost);
-  for (Trial* trial : few) trial->verdict = at_last(lost[trial->candidate->step]);
+  for (Trial* trial : few) trial->verdict = at_last(lost[trial->candidate->step], trial->allowed);
 }
 
 std::vector<Trials::Of> Trials::begin_again(double now) {

@@ -55,6 +55,7 @@ struct Trial {
   TickSum with{}, without{};
   TickSum with_now{}, without_now{};  ///< of the present pair of stretches
   PairedDifference lost{};            ///< by the candidate
+  double allowed = 0;                 ///< that it may lose, ticks
 };
 
 /// The trials of a run. Scenes are tried at the same time, as in the end they are used together.

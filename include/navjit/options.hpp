@@ -31,9 +31,9 @@ enum class InstructionSet : std::uint8_t {
 /// When a scene is worth compiling, and how. Reasons in docs/decisions.md.
 struct SpecialiserOptions {
   double poll_ms = 5;  ///< between looks at the profile
-  /// What a ms of the compiler's thread counts beside one of navigation. Little: it runs on idle
-  /// cores, at low priority, and runs mostly go on for long.
-  double compile_weight = 0.3;
+  /// What a ms of the compiler's thread counts beside one of navigation. Little: mostly it runs on
+  /// idle cores, and runs go on for long.
+  double compile_weight = 0.1;
   /// Compile code for the hottest scenes. Without it and `structures` scenes are bound to data
   /// alone.
   bool constants = true;
@@ -41,7 +41,7 @@ struct SpecialiserOptions {
   bool structures = true;
   std::uint64_t min_steps = 2000;  ///< fewer steps in a scene tell nothing
   std::size_t batch = 24;          ///< scenes in one module at the most
-  double module_ms = 900;  ///< expected time for a module at the most: the first scenes need
+  double module_ms = 450;  ///< expected time for a module at the most: the first scenes need
                            ///< not wait for the last
   /// Compiling stops once it has taken `compile_first_ms` and this share of the run's time beside:
   /// the hottest scenes came first, and what is left wins little. Not for JitMode::wait.
@@ -51,7 +51,7 @@ struct SpecialiserOptions {
   /// detector comes first, and the rest is bound to data alone.
   double wait_ms = 6000;
   double half_life_s = 2;  ///< of the execution counts that decide what is compiled first
-  int nice = 5;            ///< priority of the thread that compiles, as of nice(1); 0 to 19
+  int nice = 0;            ///< priority of the thread that compiles, as of nice(1); 0 to 19
   int optimisation = 2;    ///< of the compiler
   InstructionSet instruction_set = InstructionSet::native;
   double recheck_ms = 1000;      ///< between looks at what is installed, on fresh states
