@@ -16,6 +16,8 @@ struct Faults {
   bool skip_verification = false;  ///< what is wrong is installed, and stays
   bool skip_replay = false;        ///< what is slow on recorded states is installed
   bool pass_trials = false;        ///< and stays, whatever its own trial says
+  /// What navigators other than the generic one are taken to last, times their own.
+  double specialised_lasts = 1;
 };
 
 }  // namespace navjit

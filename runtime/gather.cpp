@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 
+#include "geometry/navigation/generic.hpp"
 #include "runtime/processor_time.hpp"
 
 namespace navjit {
@@ -12,6 +13,12 @@ namespace {
 
 constexpr std::size_t samples_kept = 512;  ///< per volume
 constexpr std::size_t fresh_kept = 64;     ///< per volume and look
+
+double ticks_of(const Specialisation& spec, const Sample& sample,
+                const kernels::DispatchEntry* used) {
+  const bool generic = used == &generic::dispatch_entry;
+  return static_cast<double>(sample.ticks) * (generic ? 1 : spec.shared->faults.specialised_lasts);
+}
 
 /// A mother that its daughters fill has no steps of its own, and is relocated in at the end of
 /// theirs, or of their daughters'.
@@ -24,7 +31,7 @@ void note_relocations(Specialisation& spec, const Sample& sample,
     const auto same = [&](const Sample::Relocation& r) { return r.volume == all[i].volume; };
     const bool met = std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i), same);
     if (sample.ticks == 0 || met) continue;
-    spec.trials.record(all[i].volume, all[i].used, static_cast<double>(sample.ticks));
+    spec.trials.record(all[i].volume, all[i].used, ticks_of(spec, sample, all[i].used));
   }
 }
 
@@ -49,7 +56,7 @@ void gather(Specialisation& spec) {
   for (const auto& profile : counts.profiles) {
     for (Sample sample; profile->take(sample);) {
       if (sample.ticks > 0 && sample.used != nullptr) {
-        spec.trials.record(sample.volume, sample.used, static_cast<double>(sample.ticks));
+        spec.trials.record(sample.volume, sample.used, ticks_of(spec, sample, sample.used));
       }
       if (sample.safety) continue;
       ++sampled;

@@ -21,8 +21,8 @@ void begin_stretch(GroupTrial& group, double steps, double ns) {
   group.ns_before = ns;
 }
 
-void record(GroupTrial& group, double steps, double ns) {
-  const TickSum stretch{steps - group.steps_before, ns - group.ns_before};
+void record(GroupTrial& group, double steps, double ns, double lasts) {
+  const TickSum stretch{steps - group.steps_before, lasts * (ns - group.ns_before)};
   begin_stretch(group, steps, ns);
   for (TickSum* sum : {&group.all, group.shown ? &group.with : &group.without}) {
     sum->count += stretch.count;
@@ -43,6 +43,19 @@ Verdict decide(GroupTrial& group, double now) {
   if (lost > errors_apart_early * error) return Verdict::goes;
   if (!late) return Verdict::open;
   return lost > errors_apart_late * error ? Verdict::goes : Verdict::stays;
+}
+
+double saved_share(const std::map<VolumeId, Trial>& trials, const std::vector<double>& executions) {
+  double saved = 0, all = 0;
+  for (const auto& [volume, trial] : trials) {
+    if (trial.with.count == 0 || trial.without.count == 0) continue;
+    const double before = executions[volume] * trial.without.mean();
+    all += before;
+    if (trial.verdict == Verdict::stays) {
+      saved += before - executions[volume] * trial.with.mean();
+    }
+  }
+  return all > 0 ? saved / all : 0;
 }
 
 std::vector<VolumeId> rarest(std::vector<Member> members, double share) {

@@ -28,13 +28,18 @@ struct GroupTrial {
 /// A stretch is over: of the run so many steps were made so far, in so many ns of the navigating
 /// threads' processor time. (Single steps that are timed would not do: a processor foresees less of
 /// them than of the others, and the more so the more code there is.)
-void record(GroupTrial& group, double steps, double ns);
+/// `lasts`: times as long, for tests.
+void record(GroupTrial& group, double steps, double ns, double lasts = 1);
 /// A stretch begins.
 void begin_stretch(GroupTrial& group, double steps, double ns);
 
 /// A pair of stretches is over. What is known of the group at time `now`, s of navigation: it goes
 /// only where that is no chance.
 Verdict decide(GroupTrial& group, double now);
+
+/// What the trials of single scenes found together, as a share of all the time that they saw: what
+/// their winners save of the steps and relocations, `executions`, by volume.
+double saved_share(const std::map<VolumeId, Trial>& trials, const std::vector<double>& executions);
 
 struct Member {
   VolumeId volume;

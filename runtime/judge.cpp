@@ -120,9 +120,14 @@ void show_candidates(Specialisation& spec) {
 void judge(Specialisation& spec) {
   // Who does not navigate, but waits or computes, makes no stretch of a trial.
   if (!spec.active) return;
-  if (!spec.trials.open()) {
+  if (spec.trials.nearly_all_decided()) {
     judge_group(spec);
     if (spec.group.open()) return;
+  } else if (spec.group.open()) {
+    give_up_group(spec);
+    spec.stretches = 0;
+  }
+  if (!spec.trials.open()) {
     for (const auto& [volume, trial] : spec.trials.begin_again(spec.active_s)) {
       // While it may be shown the table owns it.
       if (trial->out) {
@@ -133,10 +138,7 @@ void judge(Specialisation& spec) {
     if (!spec.trials.open()) return;
     spec.group_lost = false;
     spec.group_judged.clear();
-    spec.all_judged.clear();
-  } else if (spec.group.open()) {
-    give_up_group(spec);
-    spec.stretches = 0;
+    spec.all_judged = 0;
   }
   // With, without, without, with, ...: two stretches are a pair, and what changes steadily in a run
   // favours neither side.

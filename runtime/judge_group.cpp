@@ -15,6 +15,13 @@ constexpr double hottest_share = 0.75;
 constexpr unsigned looks_in_stretch = 4;
 /// Fewer are no crowd.
 constexpr std::size_t least_members = 3;
+/// Where the scenes' own trials say that so much of the time is saved, what they cost one another
+/// cannot be as much. A guess.
+constexpr double no_doubt = 0.1;
+/// So many scenes on trial are a crowd. A guess.
+constexpr std::size_t crowd = 200;
+/// For what is not known then, compiling waits no longer, s of navigation.
+constexpr double longest_doubt_s = 6;
 
 bool is_compiled(const Specialisation& spec, const std::shared_ptr<const void>& owner) {
   return owner != nullptr && owner != spec.arena;
@@ -36,13 +43,21 @@ const kernels::DispatchEntry* without_code(const Specialisation& spec, VolumeId 
 std::vector<VolumeId> compiled(const Specialisation& spec) {
   std::vector<VolumeId> members;
   for (const auto& [volume, trial] : spec.trials.all()) {
+    if (trial.verdict == Verdict::open) continue;
     if (is_compiled(spec, owner_of_winner(trial))) members.push_back(volume);
   }
   return members;
 }
-std::vector<VolumeId> installed(const Specialisation& spec) {
+/// All that is not generic, if there is a doubt that it is faster.
+std::vector<VolumeId> doubtful(const Specialisation& spec) {
+  std::vector<double> executions(spec.steps.size());
+  for (std::size_t v = 0; v < executions.size(); ++v) {
+    executions[v] = spec.executions(static_cast<VolumeId>(v));
+  }
+  if (saved_share(spec.trials.all(), executions) > no_doubt) return {};
   std::vector<VolumeId> members;
   for (const auto& [volume, trial] : spec.trials.all()) {
+    if (trial.verdict == Verdict::open) continue;
     if (winner(trial) != &generic::dispatch_entry) members.push_back(volume);
   }
   return members;
@@ -84,12 +99,18 @@ void take_out(Specialisation& spec) {
     scene.binding = generic ? Binding::generic : Binding::data;
     scene.status = SceneStatus::unprofitable;
     scene.note = spec.group.against_generic
-                     ? "with all that was specialised slower in the run than without"
+                     ? "with the other scenes that are not generic slower in the run than without"
                      : "with the other compiled scenes slower in the run than without";
   }
 }
 
 }  // namespace
+
+bool in_doubt(const Specialisation& spec) {
+  if (!spec.shared->options.specialiser.keep_only_faster || spec.all_judged > 0) return false;
+  if (spec.trials.all().size() < crowd || spec.active_s > longest_doubt_s) return false;
+  return !spec.trials.nearly_all_decided() || !doubtful(spec).empty();
+}
 
 void interrupt_group(Specialisation& spec) {
   if (!spec.group.open()) return;
@@ -110,15 +131,17 @@ void judge_group(Specialisation& spec) {
     std::vector<VolumeId> members = compiled(spec);
     if (members.size() >= least_members && members != spec.group_judged) {
       begin(spec, std::move(members), false);
-    } else if (members = installed(spec);
-               members.size() >= least_members && members != spec.all_judged) {
+    } else if (members = doubtful(spec);
+               // A few more make no difference.
+               members.size() >= least_members && members.size() * 10 > spec.all_judged * 11) {
       begin(spec, std::move(members), true);
     } else {
       return;
     }
   }
   if (++group.looks % looks_in_stretch != 0) return;
-  record(group, spec.steps_made, spec.navigating_ns);
+  record(group, spec.steps_made, spec.navigating_ns,
+         group.shown ? spec.shared->faults.specialised_lasts : 1);
   const bool whole = !group.against_generic && group.members == compiled(spec);
   // With, without, without, with, ..., as for single scenes.
   const unsigned over = spec.stretches++ % 4;
@@ -143,9 +166,9 @@ void judge_group(Specialisation& spec) {
         }
         rare = rarest(std::move(members), hottest_share);
       }
-      (group.against_generic ? spec.all_judged : spec.group_judged) =
-          group.against_generic ? installed(spec) : compiled(spec);
+      if (group.against_generic) spec.all_judged = group.members.size();
       group = {};
+      spec.group_judged = compiled(spec);
       if (rare.size() >= least_members) begin(spec, std::move(rare), false);
       return;
     }

@@ -62,7 +62,7 @@ struct Specialisation {
   Trials trials;
   GroupTrial group;                    ///< of what was compiled, once its scenes were tried
   std::vector<VolumeId> group_judged;  ///< compiled scenes when a group of them was tried last
-  std::vector<VolumeId> all_judged;    ///< what was installed when all of it was
+  std::size_t all_judged = 0;          ///< scenes that were not generic when all were tried last
   bool group_lost = false;             ///< all of it: nothing more is compiled in this phase
   std::map<VolumeId, const kernels::DispatchEntry*> without_code;  ///< what was bound to data
   bool candidates_shown = true;          ///< in the dispatch table, of open trials

@@ -70,6 +70,9 @@ class Trials {
   /// A step in the volume, or its safety, took so long with that navigator.
   void record(VolumeId volume, const kernels::DispatchEntry* used, double ticks);
   bool open() const { return open_ > 0; }
+  /// But for one in twenty at the most: where thousands of scenes share a run, new ones come to be
+  /// tried all the time.
+  bool nearly_all_decided() const { return open_ * 20 <= trials_.size(); }
   /// The volume's winner lost together with others, and this is there instead. False if the volume
   /// was not tried.
   bool take_out(VolumeId volume, const kernels::DispatchEntry* instead,

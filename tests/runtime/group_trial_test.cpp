@@ -69,6 +69,23 @@ TEST(GroupTrial, WhatTheRunDidBeforeAStretchDoesNotCount) {
   EXPECT_EQ(one.with.mean(), 50);
 }
 
+TEST(GroupTrial, WhatTrialsSavedIsAShareOfAllThatTheySaw) {
+  const auto trial = [](Verdict verdict, double with, double without) {
+    Trial t;
+    t.verdict = verdict;
+    t.with = {10, 10 * with};
+    t.without = {10, 10 * without};
+    return t;
+  };
+  std::map<VolumeId, Trial> trials{{0, trial(Verdict::stays, 50, 100)},
+                                   {2, trial(Verdict::goes, 300, 100)}};
+  EXPECT_DOUBLE_EQ(saved_share(trials, {1000, 7, 4000}), 0.1);
+  trials[2].verdict = Verdict::stays;
+  EXPECT_LT(saved_share(trials, {1000, 7, 4000}), 0) << "passed though it was slower";
+  trials[0].without = trials[2].without = {};
+  EXPECT_EQ(saved_share(trials, {1000, 7, 4000}), 0) << "nothing was seen";
+}
+
 TEST(GroupTrial, TheRarestAreThoseBesideTheHottest) {
   EXPECT_EQ(rarest({{7, 10}, {8, 80}, {9, 6}, {10, 4}}, 0.75), (std::vector<VolumeId>{7, 9, 10}));
   EXPECT_EQ(rarest({{7, 50}, {8, 50}}, 0.75), std::vector<VolumeId>{});

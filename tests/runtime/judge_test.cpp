@@ -113,6 +113,30 @@ TEST(Judge, WhatEachSceneIsForgivenAllOfThemAreNot) {
   EXPECT_GE(taken_out(runtime, lost_together), 3U);
 }
 
+TEST(Judge, AllThatIsNotGenericIsTriedAgainstTheGenericNavigator) {
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  const std::vector<Ray> rays = rays_through(*world, 47, 200);
+  FaultyOptions options{tests::eager_options(JitMode::on)};
+  options.specialiser.keep_only_faster = true;
+  options.specialiser.constants = options.specialiser.structures = false;
+  auto faults = std::make_shared<Faults>();
+  faults->skip_replay = faults->pass_trials = true;
+  faults->specialised_lasts = 3;
+  options.faults = faults;
+  FaultyRuntime runtime(world, options);
+  Navigator navigator = runtime.navigator();
+  const std::string lost =
+      "with the other scenes that are not generic slower in the run than without";
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (taken_out(runtime, lost) < 3 && std::chrono::steady_clock::now() < give_up) {
+    for (const Ray& ray : rays) transport(navigator, ray, world->tolerance);
+  }
+  EXPECT_GE(taken_out(runtime, lost), 3U);
+  for (const SceneReport& scene : runtime.report().scenes) {
+    EXPECT_TRUE(scene.note != lost || scene.binding == Binding::generic) << scene.volume;
+  }
+}
+
 /// What the log says of a trial: the number after `key`.
 double number_after(const std::string& line, const std::string& key) {
   const std::size_t at = line.find(key);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include "navjit/gdml.hpp"
 #include "runtime/make_plugin.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/folder.hpp"
@@ -121,6 +122,51 @@ TEST(StepProfileTest, MutatedProfilesAreReadOrRefused) {
     }
   }
   EXPECT_GT(refused, 25);
+}
+
+/// A calorimeter that is filled by layers, which are filled by tiles.
+constexpr const char* layers = R"(<gdml><define/>
+<materials><material name="Lead" Z="82"><D value="11.35"/><atom value="207.2"/></material></materials>
+<solids><box name="all" x="1000" y="1000" z="1000"/><box name="calorimeter" x="400" y="400" z="400"/>
+<box name="layer" x="400" y="400" z="100"/><box name="tile" x="200" y="400" z="100"/></solids>
+<structure>
+<volume name="tile"><materialref ref="Lead"/><solidref ref="tile"/></volume>
+<volume name="layer"><materialref ref="Lead"/><solidref ref="layer"/>
+<physvol><volumeref ref="tile"/><position name="a" x="-100"/></physvol>
+<physvol><volumeref ref="tile"/><position name="b" x="100"/></physvol></volume>
+<volume name="calorimeter"><materialref ref="Lead"/><solidref ref="calorimeter"/>
+<replicavol number="4"><volumeref ref="layer"/><replicate_along_axis><direction z="1"/>
+<width value="100" unit="mm"/><offset value="0"/></replicate_along_axis></replicavol></volume>
+<volume name="all"><materialref ref="Lead"/><solidref ref="all"/>
+<physvol><volumeref ref="calorimeter"/></physvol></volume>
+</structure><setup name="Default" version="1.0"><world ref="all"/></setup></gdml>)";
+
+TEST(StepProfileTest, RelocationsAreCountedInAllVolumesThatAStepPasses) {
+  const TemporaryFolder folder;
+  tests::write_file(folder.file("layers.gdml"), layers);
+  Runtime runtime(read_gdml(folder.file("layers.gdml")), tests::eager_options(JitMode::off));
+  Navigator navigator = runtime.navigator();
+  // From tile to tile, each in a layer of its own: out of the layer, through the calorimeter.
+  constexpr int rays = 20000;
+  for (int i = 0; i < rays; ++i) {
+    const Vec3 point{-100 + 1e-3 * i, 10, -300};
+    State state = navigator.locate(point, {0, 0, 1});
+    for (Vec3 p = point; state.inside();) {
+      const Step step = navigator.step(state, p, {0, 0, 1});
+      p.z += step.length;
+      state = step.next;
+    }
+  }
+  // In, three times from layer to layer, and out.
+  const StepProfile profile = runtime.step_profile();
+  std::uint64_t in_layer = 0, in_calorimeter = 0;
+  for (const auto& v : profile.volumes) {
+    if (v.name == "layer") in_layer = v.relocations;
+    if (v.name == "calorimeter") in_calorimeter = v.relocations;
+    EXPECT_TRUE(v.name == "tile" || v.name == "all" || v.steps == 0) << v.name;
+  }
+  EXPECT_NEAR(static_cast<double>(in_calorimeter), 5 * rays, rays);
+  EXPECT_NEAR(static_cast<double>(in_layer), 8 * rays, 1.6 * rays);
 }
 
 TEST(StepProfileTest, HotScenesAreThoseOfTheRun) {
