@@ -13,18 +13,16 @@ endif()
 set(NAVJIT_PYTHON_INSTALL_DIR ${folder} CACHE STRING "Where packages of Python are, below the prefix")
 mark_as_advanced(NAVJIT_PYTHON_INSTALL_DIR)
 
-if(SKBUILD)  # pip: all that it needs goes into the package itself
-  set(destination navjit)
-  install(TARGETS libnavjit LIBRARY DESTINATION navjit COMPONENT python NAMELINK_SKIP)
-  set(library_path "$ORIGIN")
-else()
-  set(destination ${NAVJIT_PYTHON_INSTALL_DIR}/navjit)
-  # Relative to the package: what is installed can be moved as a whole.
-  cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_LIBDIR
-             BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX}/${destination} OUTPUT_VARIABLE to_library)
-  set(library_path "$ORIGIN/${to_library}")
-endif()
-set_target_properties(navjit_python PROPERTIES INSTALL_RPATH "${library_path}")
+set(destination ${NAVJIT_PYTHON_INSTALL_DIR}/navjit)
+# Relative to the package: what is installed can be moved as a whole. In a wheel the library is in the
+# package itself.
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_LIBDIR
+           BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX}/${destination} OUTPUT_VARIABLE to_library)
+set_target_properties(navjit_python PROPERTIES INSTALL_RPATH "$ORIGIN;$ORIGIN/${to_library}")
 install(TARGETS navjit_python LIBRARY DESTINATION ${destination} COMPONENT python)
 install(FILES ${files} DESTINATION ${destination} COMPONENT python)
+# For pip (setup.py), below the folder of a wheel's packages.
+install(TARGETS navjit_python libnavjit LIBRARY DESTINATION navjit COMPONENT wheel EXCLUDE_FROM_ALL
+        NAMELINK_SKIP)
+install(FILES ${files} DESTINATION navjit COMPONENT wheel EXCLUDE_FROM_ALL)
 set(NAVJIT_PYTHON_MINOR ${Python_VERSION_MINOR} PARENT_SCOPE)  # for Debian's packages
