@@ -75,7 +75,7 @@ for _, condition in said["depends_on"]:
 depends = {re.split(r"[@ +]", a[0])[0] for a, _ in said["depends_on"]}
 wanted = {"EXPAT": "expat", "ZLIB": "zlib-api", "spdlog": "spdlog", "nlohmann_json": "nlohmann-json",
           "CLI11": "cli11", "PNG": "libpng", "LLVM": "llvm", "OpenSSL": "openssl", "MPI": "mpi",
-          "VecGeom": "vecgeom", "Python": None, "pybind11": "py-pybind11", "Threads": None, "Geant4": None}
+          "VecGeom": None, "Python": None, "pybind11": "py-pybind11", "Threads": None, "Geant4": None}
 texts = [lists] + [(source / folder / "CMakeLists.txt").read_text()
                    for folder in ("apps", "cache", "jit", "python", "adapters/vecgeom", "adapters/geant4")]
 for found in re.findall(r"find_package\((\w+)", "\n".join(texts)):

@@ -18,7 +18,6 @@ class Navjit(CMakePackage):
     variant("native", default=False, description="Compile for the processor of this machine alone")
     variant("mpi", default=False, description="Let the command run one run in many processes")
     variant("python", default=False, description="Build the Python package")
-    variant("vecgeom", default=False, description="Build the navigator for programs with VecGeom")
 
     depends_on("c", type="build")
     depends_on("cxx", type="build")
@@ -39,7 +38,6 @@ class Navjit(CMakePackage):
     # Clang's and LLVM's shared libraries, the one linked with the other.
     depends_on("llvm@19.1 +clang +llvm_dylib +link_llvm_dylib", when="+jit")
     depends_on("mpi", when="+mpi")
-    depends_on("vecgeom@1.2 +gdml", when="+vecgeom")
 
     with when("+python"):
         extends("python@3.9:")
@@ -59,7 +57,7 @@ class Navjit(CMakePackage):
             self.define_from_variant("NAVJIT_NATIVE", "native"),
             self.define_from_variant("NAVJIT_MPI", "mpi"),
             self.define_from_variant("NAVJIT_PYTHON", "python"),
-            self.define("CMAKE_DISABLE_FIND_PACKAGE_VecGeom", self.spec.satisfies("~vecgeom")),
+            self.define("CMAKE_DISABLE_FIND_PACKAGE_VecGeom", True),
             self.define("CMAKE_DISABLE_FIND_PACKAGE_Geant4", True),
         ]
         if self.spec.satisfies("+python"):
