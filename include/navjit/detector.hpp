@@ -61,7 +61,7 @@ class Detector {
   std::size_t isotopes() const;
   const Isotope& isotope(std::uint32_t isotope) const;
 
-  /// Tags of the whole detector: GDML's <userinfo>. Null if there are none.
+  /// Tags of the whole detector: GDML's `<userinfo>`. Null if there are none.
   const Auxiliaries& auxiliaries() const;
 
   /// Points nearer to a face than this count as on it, mm (docs/tolerance.md).

@@ -32,7 +32,7 @@ struct GdmlLimits {
 
 /// What is read of a file.
 struct GdmlOptions {
-  /// Name of the <setup> to read; empty: the one named "Default", or else the file's first.
+  /// Name of the `<setup>` to read; empty: the one named "Default", or else the file's first.
   std::string setup{};
   GdmlLimits limits{};
 };
@@ -50,7 +50,7 @@ struct GdmlReport {
 
 /// Reads a detector from a GDML file. Volumes keep the file's names and its
 /// order; assemblies are dissolved into the volumes that hold them. Nothing is fetched from a
-/// network; entities are opened relative to the file that declares them, modules (<file>) relative
+/// network; entities are opened relative to the file that declares them, modules (`<file>`) relative
 /// to the working folder or else to the file that names them.
 /// Throws GdmlError, and nothing else but std::bad_alloc. Thread-safe.
 Detector read_gdml(const std::filesystem::path& path, const GdmlOptions& options = {},

@@ -15,7 +15,7 @@
 namespace NAVJIT_API navjit {
 
 /// A tag for the simulation; navigation does not read it. GDML's
-/// <auxiliary auxtype='...' auxvalue='...' auxunit='...'>; the texts are the file's.
+/// `<auxiliary auxtype='...' auxvalue='...' auxunit='...'>`; the texts are the file's.
 struct Auxiliary {
   std::string type, value, unit{};
   std::vector<Auxiliary> children{};
