@@ -1,7 +1,9 @@
-"""Makes the site of docs/*.md and include/navjit, and checks it: make.py SOURCE FOLDER VERSION DOXYGEN
+"""Makes the site of docs/*.md and include/navjit, and checks it.
 
-It fails where Doxygen warns, Markdown is not understood, a link or an anchor leads nowhere, or a document is not in the
-README's table, which is the site's table of contents."""
+Usage: make.py SOURCE FOLDER VERSION DOXYGEN
+
+It fails where Doxygen warns, Markdown is not understood, a link or an anchor leads nowhere, or a
+document is not in the README's table, which is the site's table of contents."""
 
 import re
 import shutil

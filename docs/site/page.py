@@ -38,7 +38,7 @@ def code(match):
 def prose(text):
     text = re.sub(r"(?<!!)\[([^\]]*)\]\(([^)\s]+)\)", link, text)
     text = re.sub(r"(?<!`)`[^`]+`(?!`)", code, text)
-    text = re.sub(r"\*\*(`[^`]*`)\*\*", r"<b>\1</b>", text)
+    text = re.sub(r"\*\*(\S[^*]*)\*\*", r"<b>\1</b>", text)
     # A word such as BM@N is no command.
     return "".join(part if i % 2 else re.sub(r"(\w)@(\w)", r"\1\\@\2", part)
                    for i, part in enumerate(re.split(r"(`[^`]*`)", text)))

@@ -73,11 +73,12 @@ for _, condition in said["depends_on"]:
 
 # Every package that CMake has to find is there.
 depends = {re.split(r"[@ +]", a[0])[0] for a, _ in said["depends_on"]}
-wanted = {"EXPAT": "expat", "ZLIB": "zlib-api", "spdlog": "spdlog", "nlohmann_json": "nlohmann-json",
+wanted = {"EXPAT": "expat", "ZLIB": "zlib-api", "LibLZMA": "xz", "spdlog": "spdlog", "nlohmann_json": "nlohmann-json",
           "CLI11": "cli11", "PNG": "libpng", "LLVM": "llvm", "OpenSSL": "openssl", "MPI": "mpi",
           "VecGeom": None, "Python": None, "pybind11": "py-pybind11", "Threads": None, "Geant4": None}
-texts = [lists] + [(source / folder / "CMakeLists.txt").read_text()
-                   for folder in ("apps", "cache", "jit", "python", "adapters/vecgeom", "adapters/geant4")]
+rooms = [path for path in source.glob("*/CMakeLists.txt")
+         if path.parent.name not in ("bench", "build", "examples", "tests")]
+texts = [lists] + [path.read_text() for path in [*rooms, *source.glob("adapters/*/CMakeLists.txt")]]
 for found in re.findall(r"find_package\((\w+)", "\n".join(texts)):
     assert found in wanted, f"the recipe knows no {found}"
     assert wanted[found] is None or wanted[found] in depends, f"{wanted[found]} is no dependency"
