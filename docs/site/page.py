@@ -17,6 +17,16 @@ def name_of(path):
     return path.stem.lower()
 
 
+def section_of(page, anchor):
+    """The name of a section, by the anchor that links to it."""
+    return f"{page}-{anchor}"
+
+
+def anchor_of(heading):
+    """As those who show Markdown make it of a heading."""
+    return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
+
+
 def link(match):
     text, target = match[1], match[2]
     if re.match(r"[a-z]+:", target) or target.endswith((".png", ".svg")):
@@ -24,9 +34,7 @@ def link(match):
     path, _, anchor = target.partition("#")
     if not path.endswith(".md"):
         return text
-    if anchor:
-        sys.exit(f"page.py: links to sections are not known to the site: {target}")
-    return f"[{text}](@ref {name_of(path)})"
+    return f"[{text}](@ref {section_of(name_of(path), anchor) if anchor else name_of(path)})"
 
 
 def code(match):
@@ -46,7 +54,12 @@ def prose(text):
 
 def for_doxygen(path):
     parts = re.split(r"(^ *```.*?^ *```$)", Path(path).read_text(), flags=re.M | re.S)
-    text = "".join(part if i % 2 else prose(part) for i, part in enumerate(parts))
+    def heading(match):
+        return f"{match[1]} {match[2]} {{#{section_of(name_of(path), anchor_of(match[2]))}}}"
+
+    text = "".join(part if i % 2 else
+                   prose(re.sub(r"^(##+) (.*)$", heading, part, flags=re.M))
+                   for i, part in enumerate(parts))
     if name_of(path) != "index":
         text = re.sub(r"\A# (.*)$", lambda m: f"# {m[1]} {{#{name_of(path)}}}", text, flags=re.M)
     return text
