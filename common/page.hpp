@@ -2,6 +2,7 @@
 // readable by light and in the dark, on paper, and without scripts.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -39,14 +40,17 @@ struct ChartMark {
   double weight;     ///< 0 to 1: how high its line is
   std::string what;  ///< shown under the pointer
 };
+/// Linear axes begin at 0; on logarithmic ones, of whole decades, what is 0 or less is left out.
+enum class Scale : std::uint8_t { linear, logarithmic };
 struct Chart {
   std::string x_label, y_label;  ///< with units
   std::vector<ChartLine> lines;
   std::vector<ChartMark> marks{};
   std::string mark_name{};  ///< for the legend
+  Scale x_scale = Scale::linear, y_scale = Scale::linear;
+  bool dots = false;  ///< at each point of the lines
 };
-/// An <svg> element with its legend above it; both axes begin at 0. A sentence where there is
-/// nothing to draw.
+/// An <svg> element with its legend above it. A sentence where there is nothing to draw.
 std::string chart_html(const Chart& chart);
 
 /// Shares of a whole as one bar with a legend; they should add up to 1.

@@ -21,7 +21,7 @@ table { border-collapse: collapse; font-size: .87rem; }
 .sorts { width: 100%; }
 th, td { text-align: left; vertical-align: top; padding: .2rem .5rem; border-bottom: 1px solid var(--line); }
 .sorts td:first-child { min-width: 12rem; }
-.sorts td:last-child { min-width: 10rem; }
+.sorts td:last-child:not(.n) { min-width: 10rem; }
 .sorts td:first-child, .sorts td:last-child, .facts td { overflow-wrap: anywhere; }
 .facts th { font-weight: 500; color: var(--soft); white-space: nowrap; }
 td.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
@@ -46,10 +46,14 @@ i.k5, .bar .k5 { background: var(--k5); } i.k6, .bar .k6 { background: var(--k6)
 i.mark { background: var(--soft); }
 svg .k1 { stroke: var(--k1); } svg .k2 { stroke: var(--k2); } svg .k3 { stroke: var(--k3); }
 svg .k4 { stroke: var(--k4); } svg .k5 { stroke: var(--k5); } svg .k6 { stroke: var(--k6); }
+svg circle { fill: var(--paper); stroke-width: 2; }
+svg polyline.k2 { stroke-dasharray: 9 4; } svg polyline.k3 { stroke-dasharray: 3 3; }
+svg polyline.k4 { stroke-dasharray: 12 3 3 3; } svg polyline.k6 { stroke-dasharray: 6 6; }
 @media print { :root { color-scheme: light; --ink: #000000; --soft: #444444; --paper: #ffffff;
     --line: #bbbbbb; --shade: #ffffff; --k1: #0b6bb0; --k2: #c6561a; --k3: #2a8a57; --k4: #9448a0;
     --k5: #a07d00; --k6: #6b7480; }
   body { font-size: 9pt; max-width: none; padding: 0; } table { font-size: 7.5pt; }
+  .sorts td:first-child, .sorts td:last-child:not(.n) { min-width: 0; } th, td { padding: .1rem .3rem; }
   .wide { overflow: visible; } tr, figure, svg { break-inside: avoid; } h2 { break-after: avoid; }
   .bar span, i { print-color-adjust: exact; } th[aria-sort] button::after { content: ""; } }
 )";

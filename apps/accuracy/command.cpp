@@ -7,6 +7,7 @@
 
 #include "apps/accuracy/experiment.hpp"
 #include "apps/accuracy/observed.hpp"
+#include "apps/accuracy/page.hpp"
 #include "apps/accuracy/picture.hpp"
 #include "apps/accuracy/report.hpp"
 #include "apps/commands.hpp"
@@ -15,6 +16,7 @@
 #include "apps/options/numbers.hpp"
 #include "apps/options/outputs.hpp"
 #include "apps/options/source.hpp"
+#include "apps/run/machine.hpp"
 #include "common/gnuplot.hpp"
 #include "common/interruption.hpp"
 #include "navjit/errors.hpp"
@@ -33,6 +35,7 @@ struct Options {
   GeometryOptions geometry;
   std::vector<std::string> observations;  ///< what is compared with `all`; empty: levels are judged
   std::string report;                     ///< JSON file; empty: none
+  std::string html;                       ///< page; empty: none
   std::string picture;                    ///< SVG or PNG file; empty: none
   std::string vecgeom;                    ///< vecgeom_trace; empty: beside navjit; "off": without
   std::string vecgeom_detector;           ///< the detector as VecGeom can read it; empty: the same
@@ -40,13 +43,17 @@ struct Options {
   double vecgeom_seconds = 300;  ///< for each of its runs
 };
 
+std::string title_of(const Options& options) {
+  return std::filesystem::path(options.detector.file).filename();
+}
+
 /// Exit status 1 if a ray changes by more than is promised.
 int compare_observed(const Options& options) {
   std::vector<Observation> observations;
   for (const std::string& text : options.observations) {
     observations.push_back(parse_observation(text));
   }
-  Output json(options.report);
+  Output json(options.report), page(options.html);
   const common::Interruptible interruptible;
   const auto world = read(options.detector);
   common::check_origin(options.rays.source, world);
@@ -55,19 +62,25 @@ int compare_observed(const Options& options) {
   const auto figures =
       accuracy::compare_observations(world, observations, rays, options.repetitions);
   accuracy::print(figures);
-  json.write([&] {
-    const nlohmann::ordered_json report{{"detector", options.detector.file},
-                                        {"rays", rays.size()},
-                                        {"observations", accuracy::to_json(figures)}};
-    return report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-  });
+  attempt_all(
+      {[&] {
+         json.write([&] {
+           const nlohmann::ordered_json report{{"detector", options.detector.file},
+                                               {"rays", rays.size()},
+                                               {"observations", accuracy::to_json(figures)}};
+           return report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+         });
+       },
+       [&] {
+         page.write([&] { return accuracy::page(figures, title_of(options), circumstances()); });
+       }});
   return accuracy::any_beyond(figures) ? 1 : 0;
 }
 
 /// Exit status 1 if one of navjit's own levels is wrong anywhere.
 int accuracy(const Options& options) {
   if (!options.picture.empty()) common::check_picture(options.picture);
-  Output json(options.report), picture(options.picture);
+  Output json(options.report), picture(options.picture), page(options.html);
   const common::Interruptible interruptible;
   const auto world = read(options.detector);
   common::check_origin(options.rays.source, world);
@@ -93,20 +106,21 @@ int accuracy(const Options& options) {
   }
   const accuracy::ExperimentReport report = accuracy::run_experiment(world, experiment);
   accuracy::print_tables(*world, report, options.scenes);
-  attempt_all({[&] {
-                 json.write([&] {
-                   return accuracy::to_json(*world, options.detector.file, report).dump(2) + '\n';
-                 });
-               },
-               [&] {
-                 // A signal may have come before there was anything to draw.
-                 if (report.interrupted && !accuracy::can_be_drawn(report)) return;
-                 picture.write([&] {
-                   return accuracy::draw(report,
-                                         std::filesystem::path(options.detector.file).filename(),
-                                         options.picture);
-                 });
-               }});
+  attempt_all(
+      {[&] {
+         json.write([&] {
+           return accuracy::to_json(*world, options.detector.file, report).dump(2) + '\n';
+         });
+       },
+       [&] {
+         page.write(
+             [&] { return accuracy::page(*world, report, title_of(options), circumstances()); });
+       },
+       [&] {
+         // A signal may have come before there was anything to draw.
+         if (report.interrupted && !accuracy::can_be_drawn(report)) return;
+         picture.write([&] { return accuracy::draw(report, title_of(options), options.picture); });
+       }});
   // The levels of navjit have to be right; how VecGeom fares is a result.
   for (const accuracy::EngineReport& engine : report.engines) {
     if (engine.name == "VecGeom") continue;
@@ -131,6 +145,7 @@ void add_accuracy(CLI::App& app, Action& action) {
       ->transform(count(0));
   command.add_option("--scenes", options->scenes, "in the table")->transform(count(0));
   command.add_option("--report", options->report, "write a JSON report")->option_text("FILE");
+  command.add_option("--html", options->html, "write a page for people")->option_text("FILE");
   command.add_option("--picture", options->picture, "speed against error; by gnuplot")
       ->option_text("FILE.svg|.png");
   command
