@@ -151,13 +151,18 @@ void Processes::together(const std::function<void()>& work) {
 }
 
 std::vector<std::string> Processes::gather(const std::string& mine) {
-  if (!first()) {
-    deliver(0, given, mine);
-    return {};
+  try {
+    if (!first()) {
+      deliver(0, given, mine);
+      return {};
+    }
+    std::vector<std::string> all{mine};
+    for (unsigned from = 1; from < count(); ++from) all.push_back(await(from, given));
+    return all;
+  } catch (...) {  // memory: the others would wait for ever
+    world_->abandon();
+    throw;
   }
-  std::vector<std::string> all{mine};
-  for (unsigned from = 1; from < count(); ++from) all.push_back(await(from, given));
-  return all;
 }
 
 }  // namespace navjit::apps

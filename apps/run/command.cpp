@@ -136,9 +136,12 @@ int run(const Options& asked) {
     report = made_by(*all, options, processes.in_vain());
     profile = all->runtime.step_profile();
   });
-  if (processes.several()) merge(processes, report, profile);
+  Made made;
+  if (processes.several()) made = gather(processes, report, profile);
   processes.together([&] {
-    if (processes.first()) tell(*all, options, report, profile);
+    if (!processes.first()) return;
+    if (processes.several()) merge(made, report, profile);
+    tell(*all, options, report, profile);
   });
   return 0;
 }

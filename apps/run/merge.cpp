@@ -137,23 +137,24 @@ Series sum_of(const std::vector<Series>& all) {
 
 }  // namespace
 
-void merge(Processes& processes, RunReport& report, StepProfile& profile) {
+Made gather(Processes& processes, const RunReport& report, const StepProfile& profile) {
   Series own = report.transport.series;
   own.emplace_back(report.transport.seconds, report.transport.steps);
-  const std::vector<std::string> reports = processes.gather(json_text(report));
-  const std::vector<std::string> profiles = processes.gather(profile_text(profile));
-  const std::vector<std::string> series = processes.gather(text_of(own));
-  if (!processes.first()) return;
+  return {processes.gather(json_text(report)), processes.gather(profile_text(profile)),
+          processes.gather(text_of(own))};
+}
+
+void merge(const Made& made, RunReport& report, StepProfile& profile) {
   ReportMerger merger;
-  for (const std::string& text : reports) merger.add(nlohmann::json::parse(text));
+  for (const std::string& text : made.reports) merger.add(nlohmann::json::parse(text));
   take(merger.merged(), report);
-  report.processes = processes.count();
+  report.processes = static_cast<unsigned>(made.reports.size());
   report.part = {};
-  for (std::size_t i = 1; i < profiles.size(); ++i) {
-    profile = merge(profile, parse_profile(profiles[i]));
+  for (std::size_t i = 1; i < made.profiles.size(); ++i) {
+    profile = merge(profile, parse_profile(made.profiles[i]));
   }
   std::vector<Series> each;
-  for (const std::string& text : series) each.push_back(series_of(text));
+  for (const std::string& text : made.series) each.push_back(series_of(text));
   report.transport.series = sum_of(each);
 }
 
