@@ -147,9 +147,10 @@ std::string Container::object(const Key& key) {
                       " bytes; raise RootLimits::max_bytes if this is meant");
   }
   if (key.bytes < key.key_bytes) throw FormatError("a record is shorter than its head");
-  const std::string packed = read(key.seek + key.key_bytes, key.bytes - key.key_bytes);
   // As ROOT has it: what did not become shorter is not packed.
-  if (packed.size() >= key.object_bytes) return packed.substr(0, key.object_bytes);
+  const std::size_t bytes = std::min(key.bytes - key.key_bytes, key.object_bytes);
+  std::string packed = read(key.seek + key.key_bytes, bytes);
+  if (bytes == key.object_bytes) return packed;
   return unpack(packed, key.object_bytes);
 }
 

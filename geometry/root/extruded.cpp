@@ -3,13 +3,15 @@
 
 namespace navjit::root {
 
-Solid read_extruded(const Object& s) {
-  constexpr std::size_t most = 100'000;
+Solid read_extruded(Reading& reading, const Object& s) {
+  constexpr std::size_t most = 1000, most_pairs = 200'000'000;
   const std::size_t corners = s.count("fNvert", most), sections = s.count("fNz", most);
   const std::span<const double> x = s.numbers("fX", corners), y = s.numbers("fY", corners);
   const std::span<const double> z = s.numbers("fZ", sections), x0 = s.numbers("fX0", sections),
                                 y0 = s.numbers("fY0", sections),
                                 scale = s.numbers("fScale", sections);
+  reading.corner_pairs += corners * corners;
+  if (reading.corner_pairs > most_pairs) s.fail("the polygons have too many corners in all");
   std::vector<PlanarPoint> polygon;
   for (std::size_t i = 0; i < corners; ++i) polygon.push_back({cm * x[i], cm * y[i]});
   // Two sections at one z are a step: one body ends there, another begins.

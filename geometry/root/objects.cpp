@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "geometry/root/lists.hpp"
+#include "geometry/root/names.hpp"
 
 namespace navjit::root {
 namespace {
@@ -135,11 +136,13 @@ Object Objects::read(Reference reference) {
   Object object{.type = std::string(found.type)};
   spend(found.type.size());
   Bytes at(record_.bytes.substr(0, found.end), found.begin);
-  read_class(at, found.type, object, 0);
+  Counters counters;
+  read_class(at, found.type, object, counters, 0);
   return object;
 }
 
-void Objects::read_class(Bytes& at, std::string_view type, Object& into, int depth) {
+void Objects::read_class(Bytes& at, std::string_view type, Object& into, Counters& counters,
+                         int depth) {
   constexpr int most_bases = 32;
   if (depth > most_bases) throw FormatError("class " + into.type + " has too many bases");
   const VersionHeader header = version_header(at);
@@ -150,11 +153,10 @@ void Objects::read_class(Bytes& at, std::string_view type, Object& into, int dep
     if (depth == 0) into.fail("the file does not describe its class");
     return finish();
   }
-  std::vector<std::pair<std::string_view, std::uint32_t>> counters;
   for (const Member& member : *layout) {
     spend(1);
     if (member.type == base) {
-      read_class(in, member.name, into, depth + 1);
+      read_class(in, member.name, into, counters, depth + 1);
     } else if (member.type == 6) {
       Bytes ahead = in;
       counters.emplace_back(member.name, ahead.u32());
@@ -166,9 +168,7 @@ void Objects::read_class(Bytes& at, std::string_view type, Object& into, int dep
   finish();
 }
 
-bool Objects::read_member(Bytes& at, const Member& member,
-                          const std::vector<std::pair<std::string_view, std::uint32_t>>& counters,
-                          Object& into) {
+bool Objects::read_member(Bytes& at, const Member& member, const Counters& counters, Object& into) {
   const std::optional<std::string_view> keep = wanted(member.name);
   const std::uint32_t type = member.type;
   if (type == root_object) {
@@ -184,7 +184,7 @@ bool Objects::read_member(Bytes& at, const Member& member,
     if (member.name == "TNamed") {
       spend(name.size());
       into.bits = bits;
-      into.name = name;
+      into.name = readable(name);
     }
     if (header.end != 0) at = Bytes(at.all(), header.end);
     return true;
@@ -194,7 +194,7 @@ bool Objects::read_member(Bytes& at, const Member& member,
     // TNamed's own layout has it, where it is no base.
     if (member.name == "fName") {
       spend(value.size());
-      into.name = value;
+      into.name = readable(value);
     }
     return true;
   }

@@ -57,10 +57,10 @@ class Objects {
   std::vector<Reference> list(Reference reference);
 
  private:
-  void read_class(Bytes& at, std::string_view type, Object& into, int depth);
-  bool read_member(Bytes& at, const Member& member,
-                   const std::vector<std::pair<std::string_view, std::uint32_t>>& counters,
-                   Object& into);
+  /// Lengths of arrays, which stand before them, by the members that have them.
+  using Counters = std::vector<std::pair<std::string_view, std::uint32_t>>;
+  void read_class(Bytes& at, std::string_view type, Object& into, Counters& counters, int depth);
+  bool read_member(Bytes& at, const Member& member, const Counters& counters, Object& into);
   void spend(std::size_t amount);
 
   std::string bytes_;

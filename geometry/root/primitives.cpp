@@ -57,7 +57,7 @@ Solid read_cone_of(const Object& s, const Azimuth& phi) {
 Solid read_cone(const Object& s) { return read_cone_of(s, {0, 2 * std::numbers::pi}); }
 Solid read_cone_segment(const Object& s) { return read_cone_of(s, azimuth(s)); }
 
-constexpr std::size_t most_planes = 10'000;
+constexpr std::size_t most_planes = 1000;  // as in GDML
 
 std::vector<ZPlane> planes_of(const Object& s) {
   const std::size_t count = s.count("fNz", most_planes);
@@ -162,7 +162,6 @@ constexpr struct {
     {"TGeoEltu", read_elliptical_tube},
     {"TGeoHype", read_hyperboloid},
     {"TGeoParaboloid", read_paraboloid},
-    {"TGeoXtru", read_extruded},
 };
 
 }  // namespace

@@ -37,6 +37,7 @@ struct Reading {
 
   std::unordered_map<Reference, MadeSolid> solids{};
   std::size_t boolean_parts = 0;  ///< of all booleans
+  std::size_t corner_pairs = 0;   ///< of all polygons: the time to look at them goes with it
   std::unordered_map<Reference, MadeVolume> volumes{};
   std::unordered_map<Reference, bool> open_volumes{};
   std::size_t placements = 0, name_bytes = 0;
@@ -64,7 +65,7 @@ MadeSolid read_boolean(Reading& reading, const Object& composite, std::size_t de
 /// One that is made of numbers alone. Fails for one of another class.
 Solid read_primitive(const Object& shape);
 /// A TGeoXtru.
-Solid read_extruded(const Object& shape);
+Solid read_extruded(Reading& reading, const Object& shape);
 
 /// The number of a TGeoMedium's material in the world; for 0, of one that has no name.
 std::uint32_t read_material(Reading& reading, Reference medium);

@@ -63,6 +63,7 @@ MadeSolid make(Reading& reading, const Object& shape, std::size_t depth) {
   }
   try {
     if (shape.is("TGeoCompositeShape")) return read_boolean(reading, shape, depth);
+    if (shape.is("TGeoXtru")) return {read_extruded(reading, shape)};
     if (shape.is("TGeoScaledShape")) return read_scaled(reading, shape, depth);
     return {read_primitive(shape)};
   } catch (const GeometryError& e) {
@@ -94,7 +95,7 @@ MadeSolid read_boolean(Reading& reading, const Object& composite, std::size_t de
     b = placed(second.solid, frame);
   }
   // Each boolean looks at the parts of those within it again.
-  constexpr std::size_t most_in_all = 50'000'000;
+  constexpr std::size_t most_in_all = 5'000'000;
   reading.boolean_parts += parts;
   if (parts > reading.limits.max_solid_parts || reading.boolean_parts > most_in_all) {
     composite.fail("the boolean has more than " + std::to_string(reading.limits.max_solid_parts) +

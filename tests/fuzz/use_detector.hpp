@@ -26,9 +26,10 @@ inline GdmlOptions tight_options() {
   return options;
 }
 
-/// Reads the file and makes some hundred steps. False if the file is refused. Aborts on answers
+/// Has the world read and makes some hundred steps. False if the file is refused. Aborts on answers
 /// that no detector can have: a step that is negative or no number, a refusal of several lines.
-inline bool use_detector(const std::filesystem::path& path) {
+template <class Read>
+bool use_world(Read&& read) {
   const auto check = [](bool condition, const char* what) {
     if (condition) return;
     std::fprintf(stderr, "use_detector: %s\n", what);
@@ -36,8 +37,8 @@ inline bool use_detector(const std::filesystem::path& path) {
   };
   std::shared_ptr<const World> world;
   try {
-    world = std::make_shared<const World>(read_world(path, tight_options()));
-  } catch (const GdmlError& error) {
+    world = read();
+  } catch (const Error& error) {
     const std::string message = error.what();
     check(!message.empty() && message.find('\n') == std::string::npos, "not one line");
     return false;
@@ -64,6 +65,12 @@ inline bool use_detector(const std::filesystem::path& path) {
     }
   }
   return true;
+}
+
+/// The same with a GDML file.
+inline bool use_detector(const std::filesystem::path& path) {
+  return use_world(
+      [&] { return std::make_shared<const World>(read_world(path, tight_options())); });
 }
 
 }  // namespace navjit::fuzz

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/fuzz/root_seeds.hpp"
 #include "tests/fuzz/seeds.hpp"
 
 int main(int argc, char** argv) {
@@ -21,5 +22,6 @@ int main(int argc, char** argv) {
     gzwrite(packed, seed.text.data(), static_cast<unsigned>(seed.text.size()));
     gzclose(packed);
   }
+  navjit::fuzz::write_root_seeds(folder.string() + "_root");
   return 0;
 }

@@ -194,7 +194,8 @@ class RootRecord : public RootBytes {
 inline void root_element(RootRecord& record, const std::string& type, const std::string& name,
                          unsigned number, std::size_t length, const std::string& counter = {}) {
   record.pointer_to(type, [&] {
-    record.versioned(2, [&] {
+    const bool is_base = type == "TStreamerBase";
+    record.versioned(is_base ? 3 : 2, [&] {
       record.versioned(4, [&] {
         record.named(name, 0x03000000);
         record.u32(number);
@@ -202,9 +203,9 @@ inline void root_element(RootRecord& record, const std::string& type, const std:
         record.u32(length);
         record.u32(length > 0 ? 1 : 0);
         for (int i = 0; i < 5; ++i) record.u32(0);
-        record.text("");
+        record.text(is_base ? "BASE" : "");
       });
-      if (type == "TStreamerBase") record.u32(1);
+      if (is_base) record.u32(1);
       if (type == "TStreamerBasicPointer") {
         record.u32(1);
         record.text(counter);
@@ -295,7 +296,9 @@ inline std::string root_packed(const std::string& bytes, RootPacking packing) {
     for (int i = 0; i < 3; ++i) text += static_cast<char>(value >> (8 * i) & 0xff);
     return text;
   };
-  return method + '\1' + three(size) + three(bytes.size()) + out.substr(0, size);
+  const bool deflated = packing == RootPacking::zlib || packing == RootPacking::deflate;
+  return method + (deflated ? '\x8' : '\1') + three(size) + three(bytes.size()) +
+         out.substr(0, size);
 }
 
 /// An object of a file: under which name, with which cycle.

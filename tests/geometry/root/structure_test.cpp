@@ -269,6 +269,24 @@ TEST_F(RootStructure, MaterialsHaveElements) {
   EXPECT_NE(report.skipped[0].find("no medium"), std::string::npos);
 }
 
+TEST_F(RootStructure, NamesCanBeWrittenAnywhere) {
+  const RootPointer box = root_box("box", 1, 1, 1);
+  const auto name = [&](const std::string& given) {
+    const Detector detector = read(root_volume(given, box));
+    return detector.volume(detector.world_volume()).name;
+  };
+  EXPECT_EQ(name("a\nb\x01"), "a?b?");
+  EXPECT_EQ(name("\xc3\xa9\xf0\x9f\x98\x80"), "\xc3\xa9\xf0\x9f\x98\x80");
+  EXPECT_EQ(name("\xe9t\xe9"), "\xc3\xa9t\xc3\xa9");            // Latin-1
+  EXPECT_EQ(name("\xed\xa0\x80"), "\xc3\xad\xc2\xa0\xc2\x80");  // half a pair
+  EXPECT_EQ(name("\xef\xbf\xbf"), "\xc3\xaf\xc2\xbf\xc2\xbf");  // no character
+  EXPECT_EQ(name("\xc0\xaf"), "\xc3\x80\xc2\xaf");              // too long
+  EXPECT_EQ(name("\xc3"), "\xc3\x83");                          // cut off
+  EXPECT_EQ(name(std::string(60'000, 'x')).size(), 60'000U);
+  EXPECT_NE(refusal(root_volume(std::string(70'000, 'x'), box)).find("a name has"),
+            std::string::npos);
+}
+
 TEST_F(RootStructure, CyclesAndDepthsAreRefused) {
   const RootPointer loop = root_volume("loop", root_box("box", 1, 1, 1));
   const RootPointer node = root_node("again", loop, 1, {});
