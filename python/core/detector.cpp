@@ -4,6 +4,7 @@
 #include <navjit/detector.hpp>
 #include <navjit/gdml.hpp>
 #include <navjit/material.hpp>
+#include <navjit/root.hpp>
 
 #include <string>
 #include <vector>
@@ -251,6 +252,15 @@ State state_at_names(const PythonDetector& d,
   return d.detector.state_at(std::span<const NamedPlacement>(path));
 }
 
+/// Other threads of Python may go on meanwhile.
+template <class Read>
+PythonDetector read_unlocked(Read&& read) {
+  const py::gil_scoped_release unlocked;
+  GdmlReport report;
+  Detector detector = read(&report);
+  return PythonDetector{std::move(detector), std::move(report)};
+}
+
 }  // namespace
 
 const Detector& detector_of(const py::object& given) {
@@ -366,15 +376,25 @@ void bind_detector(py::module_& module) {
   module.def(
       "read_gdml",
       [](const std::filesystem::path& path, const std::string& setup) {
-        const py::gil_scoped_release unlocked;
-        GdmlReport report;
-        Detector detector = read_gdml(path, {.setup = setup, .limits = {}}, &report);
-        return PythonDetector{std::move(detector), std::move(report)};
+        return read_unlocked([&](GdmlReport* report) {
+          return read_gdml(path, {.setup = setup, .limits = {}}, report);
+        });
       },
       py::arg("path"), py::arg("setup") = "",
       "Reads a detector from a GDML file.\n\n"
       "setup: the name of the <setup> to read; '': the one named 'Default', or the file's first.\n"
       "Raises ParseError, which names file, line and element.");
+  module.def(
+      "read_root",
+      [](const std::filesystem::path& path, const std::string& key) {
+        return read_unlocked([&](GdmlReport* report) {
+          return read_root(path, {.key = key, .limits = {}}, report);
+        });
+      },
+      py::arg("path"), py::arg("key") = "",
+      "Reads a detector from a ROOT file with a TGeoManager.\n\n"
+      "key: the name of the TGeoManager to read; '': the first.\n"
+      "Raises ParseError, which names file and object.");
 }
 
 }  // namespace navjit::python

@@ -1,5 +1,6 @@
 // Exceptions, with the names that they have in C++.
 #include <navjit/errors.hpp>
+#include <navjit/root.hpp>
 
 #include "python/core/bind.hpp"
 
@@ -28,7 +29,16 @@ void bind_errors(py::module_& module) {
                          "A call against the rules of its function. Nothing was changed.");
   bind_error<GeometryError>(module, "GeometryError", both, "A detector that cannot be.");
   bind_error<GdmlError>(module, "ParseError", both,
-                        "A GDML file that cannot be read: FILE:LINE: what is wrong.");
+                        "A GDML or ROOT file that cannot be read: FILE:LINE: what is wrong.");
+  // One name for both: a program has no other use for either.
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const RootError& e) {
+      const py::object parse_error = py::module_::import("navjit").attr("ParseError");
+      PyErr_SetString(parse_error.ptr(), e.what());
+    }
+  });
 }
 
 }  // namespace navjit::python

@@ -1,6 +1,6 @@
 """Particle transport through detectors, with navigators written while it runs.
 
-Reads a detector (GDML), answers where points are, how far it is to the next boundary and what comes
+Reads a detector (GDML, ROOT), answers where points are, how far it is to the next boundary and what comes
 next, for arrays of numpy, and makes navigators for the detector's hot volumes meanwhile. Lengths are
 mm, directions of unit length, densities g/cm3. The guide is docs/python.md.
 
@@ -26,6 +26,7 @@ from ._core import (
     Volume,
     __version__,
     read_gdml,
+    read_root,
     state_dtype,
 )
 from .results import Scan, Step, Steps, Trace, inside
@@ -49,5 +50,6 @@ __all__ = [
     "__version__",
     "inside",
     "read_gdml",
+    "read_root",
     "state_dtype",
 ]

@@ -90,6 +90,16 @@ def test_written_and_read_again(detector, tmp_path):
     }
 
 
+def test_root_files():
+    detector = navjit.read_root("tests/python/two_boxes.root")
+    assert [d.name for d in detector.world.daughters] == ["leaf_1", "leaf_2"]
+    assert detector.world.material.name == "Lead"
+    with pytest.raises(navjit.ParseError, match="no geometry 'other'; choose one of 'boxes'"):
+        navjit.read_root("tests/python/two_boxes.root", key="other")
+    with pytest.raises(navjit.ParseError, match="no ROOT file"):
+        navjit.read_root("detectors/absorber.gdml")
+
+
 def test_paths_of_files_may_be_of_either_kind():
     for path in ("detectors/absorber.gdml", pathlib.Path("detectors/absorber.gdml")):
         assert navjit.read_gdml(path).touchables > 1
