@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "geometry/gdml/context.hpp"
+#include "geometry/gdml/structure.hpp"
 
 namespace navjit {
 namespace gdml {
@@ -121,10 +121,9 @@ World read_unchecked(const std::filesystem::path& path, const GdmlOptions& optio
   const gdml::Setup& setup = gdml::choose_setup(file, options.setup);
   const gdml::XmlElement& world_element = *setup.world_element;
   World& world = session.world;
-  if (file.assemblies.contains(setup.world)) {
-    gdml::fail(world_element, "the world is an assembly; place it in a volume");
-  }
-  world.top = file.look_up(&gdml::FileContext::volumes, world_element, "volume", setup.world);
+  world.top = file.assemblies.contains(setup.world)
+                  ? gdml::box_around(file, world_element, setup.world)
+                  : file.look_up(&gdml::FileContext::volumes, world_element, "volume", setup.world);
   gdml::at_element(world_element, [&] { finish(world); });
   if (world.volumes[world.top].touchables > options.limits.max_touchables) {
     gdml::fail(world_element, "the world has " +

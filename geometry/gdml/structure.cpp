@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "geometry/gdml/solids.hpp"
+#include "geometry/navigation/geometry.hpp"
+#include "navjit/solids.hpp"
 
 namespace navjit::gdml {
 namespace {
@@ -49,12 +51,11 @@ std::uint32_t find_material(FileContext& file, const XmlElement& element) {
   return file.look_up(&FileContext::materials, element, "material", name);
 }
 
-std::uint32_t nameless_material(FileContext& file, const XmlElement& element) {
+std::uint32_t nameless_material(FileContext& file) {
   auto& materials = file.session.world.materials;
   const auto [position, added] =
       file.materials.try_emplace("", static_cast<std::uint32_t>(materials.size()));
   if (added) materials.push_back({});
-  file.note(element, "it has no <materialref>: its material is unknown");
   return position->second;
 }
 
@@ -72,7 +73,8 @@ void read_volume(FileContext& file, const XmlElement& element) {
   volume.name = name;
   volume.solid = *solid->solid;
   volume.auxiliaries = read_auxiliaries(file, element);
-  volume.material = material ? *material : nameless_material(file, element);
+  if (!material) file.note(element, "it has no <materialref>: its material is unknown");
+  volume.material = material ? *material : nameless_material(file);
   file.open_name = name;
   Mother mother{volume.daughters, 1, solid};
   read_daughters(file, element, mother);
@@ -96,6 +98,29 @@ VolumeId add_volume(Session& session, LogicalVolume volume, const NamedSolid* so
   session.world.volumes.push_back(std::move(volume));
   session.volume_solids.push_back(solid);
   return static_cast<VolumeId>(session.world.volumes.size() - 1);
+}
+
+VolumeId box_around(FileContext& file, const XmlElement& element, const std::string& name) {
+  const Assembly& assembly = file.assemblies.at(name);
+  if (assembly.placements.empty()) fail(element, "the world is an assembly that holds nothing");
+  LogicalVolume box;
+  box.name = name;
+  Mother mother{box.daughters};
+  double half[3] = {0, 0, 0};
+  for (const Placement& placement : assembly.placements) {
+    const Solid& solid = file.session.world.volumes[placement.volume].solid;
+    const Extent extent = placed_extent(solid, placement.transformation);
+    half[0] = std::max({half[0], -extent.min.x, extent.max.x});
+    half[1] = std::max({half[1], -extent.min.y, extent.max.y});
+    half[2] = std::max({half[2], -extent.min.z, extent.max.z});
+    add_placement(file, element, mother, placement);
+  }
+  // Room around, so that no face is on the world's.
+  for (double& h : half) h = 1.01 * h + 1;
+  box.solid = make_box(name, half[0], half[1], half[2]);
+  box.material = nameless_material(file);
+  file.note(element, "the world is an assembly, which Geant4 refuses: put it in a box");
+  return add_volume(file.session, std::move(box), nullptr);
 }
 
 VolumeId with_solid(FileContext& file, const XmlElement& element, VolumeId id, Solid solid,

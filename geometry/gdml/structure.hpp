@@ -19,6 +19,9 @@ using DaughterReader = void (*)(FileContext&, const XmlElement&, Mother&);
 
 /// Adds a volume that has this solid.
 VolumeId add_volume(Session& session, LogicalVolume volume, const NamedSolid* solid);
+/// A volume for the assembly of this name: a box about its origin, with room around all that it
+/// holds. For worlds that are assemblies, which is how parts of detectors are often written.
+VolumeId box_around(FileContext& file, const XmlElement& element, const std::string& name);
 /// Fails if so many more placements are beyond the limit.
 void check_placements(FileContext& file, const XmlElement& element, std::size_t count);
 /// Adds a daughter; fails beyond the limit on placements.

@@ -224,7 +224,8 @@ TEST_F(GdmlErrors, WholeFiles) {
               "unknown kind");
   expect(Gdml{.structure = volume("W"), .world = "X"}, "7: <world ref='X'>",
          "volume 'X' is not defined");
-  expect(Gdml{.structure = "<assembly name='W'/>"}, "7: <world ref='W'>", "is an assembly");
+  expect(Gdml{.structure = "<assembly name='W'/>"}, "7: <world ref='W'>",
+         "is an assembly that holds nothing");
 }
 
 TEST_F(GdmlErrors, TreesTooDeepOrTooLarge) {

@@ -339,6 +339,24 @@ TEST_F(GdmlTolerant, AnglesThatASolidDoesNotHave) {
   EXPECT_EQ(top(world).solid.extent.max.y, 2);
 }
 
+TEST_F(GdmlTolerant, AWorldThatIsAnAssemblyIsPutInABox) {
+  const World world = noted(
+      Gdml{.structure = "<assembly name='half'>" + physvol("D", "<position y='30'/>") +
+                        "</assembly><assembly name='W'>" + physvol("half", "<position x='-100'/>") +
+                        physvol("D", "<position z='500'/>") + "</assembly>"},
+      "7: <world ref='W'>: the world is an assembly, which Geant4 refuses: put it in a box");
+  EXPECT_EQ(top(world).name, "W");
+  EXPECT_EQ(top(world).touchables, 3u);
+  EXPECT_EQ(top(world).daughters[0].transformation.translation[0], -100);
+  EXPECT_EQ(top(world).daughters[0].transformation.translation[1], 30);
+  const Extent& box = top(world).solid.extent;
+  EXPECT_GT(box.max.x, 110);
+  EXPECT_GT(box.max.y, 40);
+  EXPECT_GT(box.max.z, 510);
+  EXPECT_LT(box.max.z, 530);
+  EXPECT_EQ(box.min.x, -box.max.x);
+}
+
 TEST_F(GdmlTolerant, WhatStandsBehindTheEnd) {
   const std::string whole = Gdml{.structure = volume("W", physvol("D"))};
   for (const std::string junk : {"LA", "<gdml/>", "</gdml>", "&nothing;"}) {
