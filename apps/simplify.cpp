@@ -27,7 +27,7 @@ void print_entries(const std::vector<ObservationReport::Entry>& entries, const c
   for (const ObservationReport::Entry& e : entries) {
     char bound[64] = "";
     if (e.bound > 0) {
-      std::snprintf(bound, sizeof bound, "; at most %.2g radiation lengths of any ray", e.bound);
+      std::snprintf(bound, sizeof bound, "; at most %.2g of any ray", e.bound);
     }
     std::printf("%s %s in %s: %llu placement%s%s%s%s\n", what, common::printable(e.volume).c_str(),
                 common::printable(e.mother).c_str(), static_cast<unsigned long long>(e.placements),
@@ -35,10 +35,22 @@ void print_entries(const std::vector<ObservationReport::Entry>& entries, const c
   }
 }
 
+void print_mixtures(const ObservationReport& report) {
+  for (const ObservationReport::Mixture& m : report.mixtures) {
+    std::string names;
+    for (const std::string& name : m.of) names += (names.empty() ? "" : ", ") + name;
+    std::printf("homogenised %s: %llu placement%s of %s; %.6g g/cm3, %.6g mm a radiation length\n",
+                common::printable(m.volume).c_str(), static_cast<unsigned long long>(m.placements),
+                m.placements == 1 ? "" : "s", common::printable(names).c_str(), m.density,
+                m.radiation_length);
+  }
+}
+
 int simplify(const Options& options) {
   Output out(options.out), report(options.report);
   const ObservedDetector seen(read(options.detector), options.observation);
   const ObservationReport& r = seen.report();
+  print_mixtures(r);
   print_entries(r.gone, "dissolved");
   print_entries(r.left, "left");
   std::printf("%llu placements, %llu before; %llu touchables, %llu before\n",

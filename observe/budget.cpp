@@ -9,37 +9,9 @@
 namespace navjit {
 namespace {
 
-/// 1/mm; negative where it is not known.
-double inverse_length(const World& world, std::uint32_t material) {
-  if (material >= world.materials.size()) return -1;
-  const double length = world.materials[material].radiation_length;
-  return length > 0 ? 1 / length : -1;
-}
-
-/// No line through the solid has more in it, mm.
-double longest_chord(const Solid& solid) {
-  if (solid.kind == SolidKind::orb) return solid.extent.max.x - solid.extent.min.x;
-  if (solid.kind == SolidKind::tube) {
-    const auto& tube = *static_cast<const kernels::Tube<double>*>(solid.shape.get());
-    return 2 * std::hypot(tube.rmax, tube.hz);
-  }
-  return norm(solid.extent.max - solid.extent.min);
-}
-
 double surface(const Extent& e) {
   const Vec3 d = e.max - e.min;
   return 2 * (d.x * d.y + d.y * d.z + d.z * d.x);
-}
-
-/// How many touchables of each volume there are.
-std::vector<double> touchables_of(const World& world) {
-  std::vector<double> counts(world.volumes.size());
-  counts[world.top] = 1;
-  std::vector<VolumeId> order = daughters_first(world);
-  for (auto v = order.rbegin(); v != order.rend(); ++v) {
-    for (const Placement& p : world.volumes[*v].daughters) counts[p.volume] += counts[*v];
-  }
-  return counts;
 }
 
 struct Candidate {
@@ -54,8 +26,43 @@ double longest_path(const World& world) {
   return norm(e.max - e.min);
 }
 
-MaterialGroups group_materials(const World& world, double budget) {
-  const double path = longest_path(world), most = budget / path;
+double longest_chord(const Solid& solid) {
+  if (solid.kind == SolidKind::orb) return solid.extent.max.x - solid.extent.min.x;
+  if (solid.kind == SolidKind::tube) {
+    const auto& tube = *static_cast<const kernels::Tube<double>*>(solid.shape.get());
+    return 2 * std::hypot(tube.rmax, tube.hz);
+  }
+  return norm(solid.extent.max - solid.extent.min);
+}
+
+std::vector<double> touchables_of(const World& world) {
+  std::vector<double> counts(world.volumes.size());
+  counts[world.top] = 1;
+  std::vector<VolumeId> order = daughters_first(world);
+  for (auto v = order.rbegin(); v != order.rend(); ++v) {
+    for (const Placement& p : world.volumes[*v].daughters) counts[p.volume] += counts[*v];
+  }
+  return counts;
+}
+
+std::vector<double> material_rates(const World& world, Observation::Unit unit) {
+  std::vector<double> rates;
+  for (const Material& m : world.materials) {
+    // A material without elements may be one of which the file says nothing.
+    const double nothing = m.density == 0 && !m.elements.empty() ? 0 : -1;
+    if (unit == Observation::Unit::grams_per_cm2) {
+      rates.push_back(m.density > 0 ? m.density / 10 : nothing);
+    } else {
+      rates.push_back(m.radiation_length > 0 ? 1 / m.radiation_length : nothing);
+    }
+  }
+  return rates;
+}
+
+MaterialGroups group_materials(const World& world, double budget, Observation::Unit unit) {
+  const std::vector<double> rates = material_rates(world, unit);
+  const bool relative = unit == Observation::Unit::relative;
+  const double path = longest_path(world);
   MaterialGroups groups;
   groups.group_of.resize(world.materials.size());
   std::vector<std::uint32_t> order;
@@ -65,30 +72,37 @@ MaterialGroups group_materials(const World& world, double budget) {
     if (volume.touchables > 0 && volume.material < used.size()) used[volume.material] = true;
   }
   for (std::uint32_t m = 0; m < world.materials.size(); ++m) {
-    if (used[m] && inverse_length(world, m) >= 0) {
+    if (used[m] && rates[m] >= 0) {
       order.push_back(m);
     } else {
       groups.group_of[m] = next++;
     }
   }
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return inverse_length(world, a) < inverse_length(world, b);
-  });
-  double first = 0, largest = 0;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return rates[a] < rates[b]; });
+  double first = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const double own = inverse_length(world, order[i]);
-    if (i == 0 || own - first > most) {
+    const double own = rates[order[i]];
+    if (i == 0 || own - first > (relative ? budget * first : budget / path)) {
       first = own;
       ++next;
     }
-    largest = std::max(largest, own - first);
+    if (own > first) {
+      groups.bound = std::max(groups.bound, relative ? own / first - 1 : (own - first) * path);
+    }
     groups.group_of[order[i]] = next - 1;
   }
-  groups.bound = largest * path;
   return groups;
 }
 
-SmallVolumes choose_small(const World& world, const Marks& marks, double budget) {
+SmallVolumes choose_small(const World& world, const Marks& marks, double budget,
+                          Observation::Unit unit) {
+  if (unit == Observation::Unit::relative) return {};
+  const std::vector<double> rates = material_rates(world, unit);
+  const auto rate_of = [&](VolumeId v) {
+    const std::uint32_t material = world.volumes[v].material;
+    return material < rates.size() ? rates[material] : -1;
+  };
   const double path = longest_path(world);
   const std::vector<double> counts = touchables_of(world);
   std::map<std::pair<VolumeId, VolumeId>, double> placed;
@@ -99,8 +113,7 @@ SmallVolumes choose_small(const World& world, const Marks& marks, double budget)
   std::vector<Candidate> candidates;
   for (const auto& [pair, count] : placed) {
     const auto [d, m] = pair;
-    const double inner = inverse_length(world, world.volumes[d].material);
-    const double outer = inverse_length(world, world.volumes[m].material);
+    const double inner = rate_of(d), outer = rate_of(m);
     if (inner < 0 || outer < 0 || invisible(marks, d, m) || !of_one_kind(marks, d, m)) continue;
     // What is of its own material in it would come to light.
     const auto& below = world.volumes[d].daughters;

@@ -1,4 +1,4 @@
-// What a budget of radiation lengths lets disappear: materials that are nearly the same, and small
+// What a budget lets disappear: materials that are nearly the same, and small
 // volumes.
 #pragma once
 
@@ -11,28 +11,42 @@
 
 namespace navjit {
 
+/// For each mm of a ray: of each material, in the unit of a budget; radiation lengths for a
+/// relative one. Negative where it is not known.
+std::vector<double> material_rates(const World& world, Observation::Unit unit);
+
 /// How long a straight line in the world can be, mm.
 double longest_path(const World& world);
+
+/// No line through the solid has more in it, mm.
+double longest_chord(const Solid& solid);
+
+/// How many touchables of each volume there are.
+std::vector<double> touchables_of(const World& world);
 
 /// Materials that may stand for one another.
 struct MaterialGroups {
   std::vector<std::uint32_t> group_of;  ///< by material
-  double bound = 0;  ///< radiation lengths: the most by which any ray's budget changes by it
+  double bound = 0;                     ///< in the unit: the most by which any ray changes by it
 };
 
-/// Groups within which inverse radiation lengths differ by no more than `budget` over the longest
-/// path. A point of a ray is in one group, whatever material of it is taken there: so the changes
-/// of all groups together are bounded by the largest difference times the path. A material of which
-/// the radiation length is not known is alone, and one that is not used.
-MaterialGroups group_materials(const World& world, double budget);
+/// Groups within which rates differ by no more than `budget` over the longest path. A point of a
+/// ray is in one group, whatever material of it is taken there: so the changes of all groups
+/// together are bounded by the largest difference times the path. A relative budget is held point
+/// by point: no rate of a group is larger than the least by more than that part of it. A material
+/// of which the rate is not known is alone, and one that is not used.
+MaterialGroups group_materials(const World& world, double budget,
+                               Observation::Unit unit = Observation::Unit::radiation_lengths);
 
-/// By daughter and mother: how much a ray's budget changes at the most, radiation lengths, if all
+/// By daughter and mother: how much a ray changes at the most, in the unit of a budget, if all
 /// these daughters are filled with their mothers' material.
 using SmallVolumes = std::map<std::pair<VolumeId, VolumeId>, double>;
 
 /// Volumes whose chords, all touchables in the world together, change no ray's budget by more than
 /// the budget. Those with the most boundary for their change come first. Volumes that are observed,
-/// regions and volumes whose tags are not their mothers' are none.
-SmallVolumes choose_small(const World& world, const Marks& marks, double budget);
+/// regions and volumes whose tags are not their mothers' are none. None are within a relative
+/// budget: a ray may go through little else.
+SmallVolumes choose_small(const World& world, const Marks& marks, double budget,
+                          Observation::Unit unit = Observation::Unit::radiation_lengths);
 
 }  // namespace navjit

@@ -25,10 +25,11 @@ constexpr const char* frame = "its rotation is not orthonormal enough to be comb
 class Rewriting {
  public:
   Rewriting(const World& world, const Marks& marks, const SmallVolumes& small,
-            const DissolveOptions& options)
+            const ChosenMixtures& mixed, const DissolveOptions& options)
       : original_(world),
         marks_(marks),
         small_(small),
+        mixed_(mixed),
         options_(options),
         tolerance_(std::max(options.overlap, 8 * world.tolerance)),
         separation_(tolerance_, world.tolerance),
@@ -68,7 +69,11 @@ class Rewriting {
     const auto nobody_sees = [&](const Placement& p) {
       return invisible(marks_, p.volume, mother) || small_.contains({p.volume, mother});
     };
-    if (std::none_of(was.daughters.begin(), was.daughters.end(), nobody_sees)) return;
+    const auto part = mixed_.find(mother);
+    if (part == mixed_.end() &&
+        std::none_of(was.daughters.begin(), was.daughters.end(), nobody_sees)) {
+      return;
+    }
     std::vector<Extent> boxes;
     for (const Placement& p : was.daughters) {
       boxes.push_back(placed_extent(original_.volumes[p.volume].solid, p.transformation));
@@ -78,6 +83,11 @@ class Rewriting {
     std::map<std::pair<VolumeId, const char*>, std::size_t> entries;
     for (std::size_t k = 0; k < was.daughters.size(); ++k) {
       const Placement& placement = was.daughters[k];
+      if (part != mixed_.end() && part->second.contains(placement.volume)) {
+        result_.gone[mother][k] = true;
+        --uses_[placement.volume];
+        continue;
+      }
       const std::size_t before = daughters.size();
       Outcome outcome{"", Verdict::no};
       const bool unseen = nobody_sees(placement);
@@ -199,6 +209,7 @@ class Rewriting {
   const World& original_;
   const Marks& marks_;
   const SmallVolumes& small_;
+  const ChosenMixtures& mixed_;
   DissolveOptions options_;
   double tolerance_;
   Separation separation_;
@@ -210,9 +221,9 @@ class Rewriting {
 }  // namespace
 
 Dissolved dissolve(const World& world, const Marks& marks, const SmallVolumes& small,
-                   const DissolveOptions& options) {
+                   const ChosenMixtures& mixed, const DissolveOptions& options) {
   require_finished(&world);
-  return Rewriting(world, marks, small, options).run();
+  return Rewriting(world, marks, small, mixed, options).run();
 }
 
 }  // namespace navjit

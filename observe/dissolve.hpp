@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "observe/budget.hpp"
+#include "observe/choose_mixtures.hpp"
 #include "observe/marks.hpp"
 
 namespace navjit {
@@ -29,9 +30,10 @@ struct Dissolved {
   ObservationReport report;
 };
 
-/// `small`: volumes that are dissolved though their material is not their mothers'. The world has
-/// to be finished.
+/// `small`: volumes that are dissolved though their material is not their mothers'. `mixed`: the
+/// daughters' volumes that are part of their mother's mixture, which is its material by now: they
+/// disappear with all that is in them. The world has to be finished.
 Dissolved dissolve(const World& world, const Marks& marks, const SmallVolumes& small = {},
-                   const DissolveOptions& options = {});
+                   const ChosenMixtures& mixed = {}, const DissolveOptions& options = {});
 
 }  // namespace navjit

@@ -35,11 +35,12 @@ void append_text(std::string& text, const Auxiliary& tag) {
 }
 
 /// Cuts, fields, step limits and what else a file says of a volume beside its detector and region.
-std::string tags_of(const LogicalVolume& volume) {
+std::string tags_of(const LogicalVolume& volume, bool with_thresholds) {
   std::string text;
   if (!volume.auxiliaries) return text;
   for (const Auxiliary& tag : *volume.auxiliaries) {
     if (tag.type == sensitive || tag.type == region || only_drawn(tag)) continue;
+    if (!with_thresholds && is_threshold(tag)) continue;
     append_text(text, tag);
   }
   return text;
@@ -78,6 +79,13 @@ std::vector<int> region_roots(const World& world) {
 
 }  // namespace
 
+bool is_threshold(const Auxiliary& tag) {
+  for (const std::string_view type : {"gammaECut", "electronECut", "positronECut", "protonECut"}) {
+    if (tag.type == type) return true;
+  }
+  return false;
+}
+
 Marks find_marks(const World& world, const Observation& observation,
                  const std::vector<std::uint32_t>& group_of) {
   const std::size_t count = world.volumes.size();
@@ -97,13 +105,18 @@ Marks find_marks(const World& world, const Observation& observation,
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> kinds;
   marks.own.resize(count);
   marks.tags.resize(count);
+  marks.settings.resize(count);
   for (std::size_t v = 0; v < count; ++v) {
     const LogicalVolume& volume = world.volumes[v];
     if (find_auxiliary(volume.auxiliaries, sensitive) != nullptr) marks.observed[v] = true;
     const std::uint32_t material =
         volume.material < group_of.size() ? group_of[volume.material] : volume.material;
-    marks.tags[v] =
-        tags.try_emplace(tags_of(volume), static_cast<std::uint32_t>(tags.size())).first->second;
+    const auto number_of = [&tags](std::string text) {
+      return tags.try_emplace(std::move(text), static_cast<std::uint32_t>(tags.size()))
+          .first->second;
+    };
+    marks.tags[v] = number_of(tags_of(volume, true));
+    marks.settings[v] = number_of(tags_of(volume, false));
     marks.own[v] =
         kinds.try_emplace({material, marks.tags[v]}, static_cast<std::uint32_t>(kinds.size()))
             .first->second;

@@ -16,10 +16,16 @@ struct Marks {
   std::vector<std::uint32_t> classes;
   /// Material and tags alone, without the region that a volume inherits; and tags alone.
   std::vector<std::uint32_t> own, tags;
+  /// Tags without production thresholds, which follow from region and material.
+  std::vector<std::uint32_t> settings;
   std::vector<bool> observed;   ///< by name, or by SensDet
   std::vector<bool> heads;      ///< root volumes of regions
   std::vector<bool> ambiguous;  ///< in several regions, depending on the mother
 };
+
+/// What Geant4 writes of each volume beside its material: thresholds in energy that it has derived
+/// from the material and the region's cuts.
+bool is_threshold(const Auxiliary& tag);
 
 /// `group_of`: of each material; those of one group count as one. Empty: each is its own. Throws
 /// GeometryError if the observation names a volume that is not there.

@@ -5,52 +5,91 @@
 #include "navjit/errors.hpp"
 #include "navjit/observation.hpp"
 #include "observe/dissolve.hpp"
+#include "observe/homogenise.hpp"
 
 namespace navjit {
 
 struct ObservedDetector::Data {
+  static constexpr std::uint32_t always = ObservedDetector::always;
+
   Observation observation;
   Detector original, simplified;
   std::vector<std::uint32_t> classes;
   std::vector<std::vector<TouchableId>> offsets;  ///< as in Dissolved
   std::vector<std::vector<bool>> gone;
+  ChosenMixtures mixed;
   ObservationReport report;
+
+  bool is_mixed(VolumeId mother, VolumeId daughter) const {
+    const auto found = mixed.find(mother);
+    return found != mixed.end() && found->second.contains(daughter);
+  }
 };
 
-ObservedDetector::ObservedDetector(const Detector& original, const Observation& observation) {
-  const World& world = *original.model();
-  MaterialGroups groups;
-  if (observation.kind == Observation::Kind::budget) {
-    if (!(observation.budget > 0)) {
-      throw GeometryError("a budget of radiation lengths has to be positive");
-    }
-    // Materials that are nearly the same may take half of it, small volumes what is left.
-    groups = group_materials(world, observation.budget / 2);
+namespace {
+
+void see_all(ObservedDetector::Data& data) {
+  ObservationReport& report = data.report;
+  for (const LogicalVolume& volume : data.original.model()->volumes) {
+    if (volume.touchables > 0) report.placements_before += volume.daughters.size();
   }
-  const Marks marks = find_marks(world, observation, groups.group_of);
-  auto data = std::make_shared<Data>(Data{observation, original, original, {}, {}, {}, {}});
-  if (observation.kind == Observation::Kind::all) {
-    data->report.placements_before = 0;
-    for (const LogicalVolume& volume : world.volumes) {
-      if (volume.touchables > 0) data->report.placements_before += volume.daughters.size();
+  report.placements_after = report.placements_before;
+  report.touchables_before = report.touchables_after = data.original.touchables();
+}
+
+/// `world` has the original's tree, and its materials up to mixtures.
+void simplify(ObservedDetector::Data& data, const World& world, double budget,
+              const ChosenMixtures& mixed) {
+  MaterialGroups groups;
+  const bool merges = data.observation.kind == Observation::Kind::budget;
+  // Materials that are nearly the same may take half of it, small volumes what is left.
+  const Observation::Unit unit = data.observation.unit;
+  if (merges) {
+    const bool all_of_it = unit == Observation::Unit::relative;
+    groups = group_materials(world, all_of_it ? budget : budget / 2, unit);
+  }
+  const Marks marks = find_marks(world, data.observation, groups.group_of);
+  SmallVolumes small;
+  if (merges) small = choose_small(world, marks, budget - groups.bound, unit);
+  Dissolved dissolved = dissolve(world, marks, small, mixed);
+  dissolved.report.bound += groups.bound;
+  data.simplified = Detector(std::move(dissolved.world));
+  data.offsets = std::move(dissolved.offsets);
+  data.gone = std::move(dissolved.gone);
+  data.report = std::move(dissolved.report);
+  data.classes = marks.classes;
+  for (std::size_t v = 0; v < data.classes.size(); ++v) {
+    if (marks.observed[v] || marks.ambiguous[v]) {
+      data.classes[v] |= ObservedDetector::Data::always;
     }
-    data->report.placements_after = data->report.placements_before;
-    data->report.touchables_before = data->report.touchables_after = original.touchables();
-  } else {
-    SmallVolumes small;
-    if (observation.kind == Observation::Kind::budget) {
-      small = choose_small(world, marks, observation.budget - groups.bound);
+  }
+}
+
+}  // namespace
+
+ObservedDetector::ObservedDetector(const Detector& original, const Observation& observation) {
+  if (observation.kind == Observation::Kind::budget ||
+      observation.kind == Observation::Kind::mixtures) {
+    if (!(observation.budget > 0)) throw GeometryError("a budget has to be positive");
+  }
+  auto data = std::make_shared<Data>(Data{observation, original, original, {}, {}, {}, {}, {}});
+  switch (observation.kind) {
+    case Observation::Kind::all:
+      see_all(*data);
+      break;
+    case Observation::Kind::mixtures: {
+      Homogenised made = homogenise(original.model(), observation);
+      simplify(*data, made.world, 0, made.chosen);
+      data->mixed = std::move(made.chosen);
+      data->report.bound += made.bound;
+      data->report.mixtures = std::move(made.mixtures);
+      data->report.measured = made.measured;
+      break;
     }
-    Dissolved dissolved = dissolve(world, marks, small);
-    dissolved.report.bound += groups.bound;
-    data->simplified = Detector(std::move(dissolved.world));
-    data->offsets = std::move(dissolved.offsets);
-    data->gone = std::move(dissolved.gone);
-    data->report = std::move(dissolved.report);
-    data->classes = marks.classes;
-    for (std::size_t v = 0; v < data->classes.size(); ++v) {
-      if (marks.observed[v] || marks.ambiguous[v]) data->classes[v] |= always;
-    }
+    case Observation::Kind::materials:
+    case Observation::Kind::budget:
+      simplify(*data, *original.model(), observation.budget, {});
+      break;
   }
   data_ = std::move(data);
   classes_ = data_->classes.data();
@@ -86,12 +125,13 @@ State ObservedDetector::original(const State& state, const Vec3& point,
   const World& world = *data_->original.model();
   const Transformation frame = data_->original.frame(at);
   Vec3 p = to_local(frame, point), v = direction_to_local(frame, direction);
+  bool in_mixture = false;  // then nothing below is left, whatever is left of it elsewhere
   for (bool deeper = true; deeper;) {
     deeper = false;
     const auto& daughters = world.volumes[at.volume()].daughters;
     // Where daughters overlap the last counts, as in navigation.
     for (std::size_t k = daughters.size(); k-- > 0 && !deeper;) {
-      if (!data_->gone[at.volume()][k]) continue;
+      if (!in_mixture && !data_->gone[at.volume()][k]) continue;
       const Placement& daughter = daughters[k];
       const Vec3 q = to_local(daughter.transformation, p);
       const Vec3 w = direction_to_local(daughter.transformation, v);
@@ -101,6 +141,7 @@ State ObservedDetector::original(const State& state, const Vec3& point,
       }
       p = q;
       v = w;
+      in_mixture = in_mixture || data_->is_mixed(at.volume(), daughter.volume);
       at = {at.touchable() + daughter.offset, daughter.volume};
       deeper = true;
     }

@@ -3,14 +3,10 @@
 
 #include <cstdint>
 
+#include "geometry/rays/ray.hpp"
 #include "navjit/navigator.hpp"
 
 namespace navjit {
-
-struct Ray {
-  Vec3 position;   ///< mm
-  Vec3 direction;  ///< unit
-};
 
 struct RayTotals {
   std::uint64_t steps = 0;

@@ -173,7 +173,7 @@ void add_accuracy(CLI::App& app, Action& action) {
           return std::string(error.what());
         }
       })
-      ->option_text("materials|budget:E[,VOLUME...] ...");
+      ->option_text("materials|budget:E|mixtures:E[,VOLUME...] ...");
   add_threads(command, options->threads);
   add_boxes(command, options->geometry);
   command.callback([options, &action] {

@@ -44,7 +44,7 @@ struct Way {
         with_data(data.navigator()) {}
 
   Through through(const Ray& ray) {
-    const Detector& world = seen.original();
+    const Detector& world = seen.detector();  // mixtures are materials of its own
     Through sum{0, std::vector<double>(world.materials())};
     ObservedNavigator navigator(seen, with_generic);
     transport(navigator, ray, world.tolerance(), [&](const State& at, double length) {
@@ -102,7 +102,7 @@ std::vector<ObservedFigures> compare_observations(const Detector& detector,
     for (std::size_t w = 1; w < ways.size(); ++w) {
       const Through after = ways[w]->through(ray);
       changes[w].push_back(std::abs(after.radiation_lengths - before.radiation_lengths));
-      for (std::size_t m = 0; m < after.paths.size(); ++m) {
+      for (std::size_t m = 0; m < before.paths.size(); ++m) {
         all[w].largest_path =
             std::max(all[w].largest_path, std::abs(after.paths[m] - before.paths[m]));
       }

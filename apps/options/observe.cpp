@@ -20,8 +20,9 @@ CLI::Option* add_observe(CLI::App& command, Observation& observation) {
             }
           },
           "where steps end: all boundaries, or those of materials,\nregions and volumes that "
-          "count, or those beyond E\nradiation lengths of any ray")
-      ->option_text("all|materials|budget:E[,VOLUME...]");
+          "count, or those that change any ray by more than E, or\nthose left by mixtures that "
+          "change a mean ray by E; E\nin radiation lengths, g/cm2 or %")
+      ->option_text("all|materials|budget:E|mixtures:E[,VOLUME...]");
 }
 
 void log_observation(const ObservedDetector& seen) {

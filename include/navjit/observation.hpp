@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "navjit/detail/api.hpp"
@@ -22,13 +24,34 @@ struct Observation {
     all,        ///< every boundary
     materials,  ///< where the material or the region changes, and those of volumes that count
     budget,     ///< those that change what rays go through by more than `budget`, and as above
+    mixtures,   ///< as materials, where volumes are homogenised as long as a mean ray changes by
+                ///< no more than `budget`
+  };
+  /// What a budget is counted in.
+  enum class Unit : std::uint8_t {
+    radiation_lengths,
+    grams_per_cm2,
+    relative,  ///< to what a ray goes through, in radiation lengths; for mixtures: a mean ray
   };
   Kind kind = Kind::all;
   /// Logical volumes that count by name, beside those that GDML marks (SensDet). All that have the
   /// name do.
   std::vector<std::string> volumes{};
-  /// For Kind::budget: no ray through the world may change by more than so many radiation lengths.
+  /// For Kind::budget: no ray through the world may change by more than this. For Kind::mixtures:
+  /// the mean over rays of how much each changes, measured, is no more than this.
   double budget = 0;
+  Unit unit = Unit::radiation_lengths;
+  /// For Kind::mixtures: the rays that the mean is over.
+  struct Rays {
+    /// Where all start, mm; nothing: isotropic ones through points of the box in the world that
+    /// holds most touchables.
+    std::optional<Vec3> origin{};
+    /// Pseudorapidity about +z of those from an origin, evenly; nothing: isotropic.
+    std::optional<std::pair<double, double>> eta{};
+
+    friend bool operator==(const Rays&, const Rays&) = default;
+  };
+  Rays rays{};
 
   friend bool operator==(const Observation&, const Observation&) = default;
 };
@@ -54,8 +77,30 @@ struct ObservationReport {
   std::uint64_t sampled = 0;    ///< those of them whose surroundings were sampled, and not proved
   std::uint64_t placements_before = 0, placements_after = 0;  ///< of all volumes
   TouchableId touchables_before = 0, touchables_after = 0;
-  /// Radiation lengths: how much what is left may differ from the original along any ray.
+  /// In the unit of the budget (radiation lengths, where it is relative): how much what is left may
+  /// differ from the original along any ray. Proved.
   double bound = 0;
+  /// A volume that is homogenised, with what it is made of now.
+  struct Mixture {
+    std::string volume, material;
+    double density = 0;             ///< g/cm3
+    double radiation_length = 0;    ///< mm
+    std::vector<std::string> of{};  ///< the daughters' volumes that are part of it with all in them
+    std::uint64_t placements = 0;   ///< of these daughters
+    double bound = 0;               ///< how much all touchables of it may change any ray
+  };
+  std::vector<Mixture> mixtures{};
+  /// By how much rays change that had no say in what is mixed: measured, in the same unit.
+  struct Measured {
+    std::uint64_t rays = 0;
+    double whole = 0;       ///< mean of what a ray goes through in the original
+    double mean = 0;        ///< mean over rays of the absolute value of the change
+    double mean_error = 0;  ///< one standard deviation of it
+    double signed_mean = 0, signed_error = 0;  ///< mean of the change itself
+    /// 99%, 99.9% and all of the rays change by no more.
+    double of_99_percent = 0, of_999_permille = 0, largest = 0;
+  };
+  Measured measured{};
   std::vector<Entry> gone{};  ///< in file order of the mothers
   std::vector<Entry> left{};  ///< likewise; steps do not end on them, but cost as they did
 };

@@ -109,7 +109,8 @@ void bind_runtime(py::module_& module) {
 
 jit: 'on' (specialise in the background), 'off', 'wait' (everything first) or 'shadow' (compare).
 cache: where compiled code is kept: a folder, True for the user's, None for none.
-observe: 'all', or 'materials[,VOLUME...]' or 'budget:E[,VOLUME...]' (docs/observation.md).
+observe: 'all', 'materials[,VOLUME...]', 'budget:E[,VOLUME...]' or 'mixtures:E[,VOLUME...]'
+(docs/observation.md).
 plugin: a file that `navjit specialise` made.
 threads: how many navigate an array together.
 budget: hold every scene to this error, mm; report(final=True) says which keep it.

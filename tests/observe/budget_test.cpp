@@ -18,17 +18,6 @@ namespace fs = std::filesystem;
 
 Observation within(double budget) { return {.kind = Observation::Kind::budget, .budget = budget}; }
 
-/// Radiation lengths along a ray.
-template <class AnyNavigator>
-double budget_of(AnyNavigator& navigator, const Detector& detector, const Ray& ray) {
-  double sum = 0;
-  transport(navigator, ray, detector.tolerance(), [&](const State& at, double length) {
-    const double x0 = detector.material(detector.volume(at.volume())).radiation_length;
-    if (x0 > 0) sum += length / x0;
-  });
-  return sum;
-}
-
 /// The largest change of any of the rays, which has to be within what the report promises.
 double largest_change(const ObservedDetector& seen, const std::vector<Ray>& rays) {
   Runtime whole(seen.original(), {.jit = JitMode::off}),
@@ -37,8 +26,8 @@ double largest_change(const ObservedDetector& seen, const std::vector<Ray>& rays
   ObservedNavigator observed(seen, left);
   double largest = 0;
   for (const Ray& ray : rays) {
-    const double before = budget_of(every, seen.original(), ray);
-    const double after = budget_of(observed, seen.original(), ray);
+    const double before = tests::radiation_lengths(every, seen.original(), ray);
+    const double after = tests::radiation_lengths(observed, seen.original(), ray);
     // Sums of many steps are rounded, and changes of material move a little (docs/observation.md).
     largest = std::max(largest, std::abs(after - before) - 1e-9 * (1 + before));
   }
@@ -105,6 +94,43 @@ TEST(Budget, SmallVolumesGoFirst) {
   Observation marked = within(10);
   marked.volumes = {"wire"};
   EXPECT_EQ(ObservedDetector(detector, marked).report().dissolved, 1U);
+}
+
+TEST(Budget, OfMassTakesDensities) {
+  Mixed world;
+  const VolumeId ball = world.builder.volume("ball", make_orb("ball", 5), world.tungsten);
+  const VolumeId brick = world.box("brick", 5, world.lead);
+  world.builder.place(ball, world.hall, placed_at({0, 50, 0}));
+  world.builder.place(brick, world.hall, placed_at({0, -50, 0}));
+  const Detector detector = world.builder.build(world.hall);
+  // All materials of Mixed have one density: they are one to a budget of mass.
+  const ObservedDetector seen(detector, parse_observation("budget:0.001g/cm2"));
+  EXPECT_EQ(seen.report().dissolved, 1U);
+  EXPECT_EQ(seen.report().bound, 0);
+  const ObservedDetector more(detector, parse_observation("budget:20g/cm2"));
+  EXPECT_EQ(more.report().dissolved, 2U);
+  EXPECT_NEAR(more.report().bound, std::sqrt(300.0) * 1.035, 1e-9);
+}
+
+TEST(Budget, ThatIsRelativeIsHeldPointByPoint) {
+  Mixed world;
+  const VolumeId slab = world.box("slab", 50, world.plate);
+  const VolumeId sheet = world.box("sheet", 20, world.foil);
+  world.builder.place(sheet, slab);
+  world.builder.place(slab, world.hall);
+  const Detector detector = world.builder.build(world.hall);
+  EXPECT_EQ(ObservedDetector(detector, parse_observation("budget:3%")).report().dissolved, 0U);
+  const ObservedDetector seen(detector, parse_observation("budget:4%"));
+  EXPECT_EQ(seen.report().dissolved, 1U);
+  EXPECT_NEAR(seen.report().bound, 300.0 / 290 - 1, 1e-12);
+  Runtime whole(detector, {.jit = JitMode::off}), less(seen.detector(), {.jit = JitMode::off});
+  Navigator every = whole.navigator(), left = less.navigator();
+  ObservedNavigator observed(seen, left);
+  for (const Ray& ray : tests::aimed_rays(detector, 500)) {
+    const double before = tests::radiation_lengths(every, detector, ray);
+    EXPECT_LE(std::abs(tests::radiation_lengths(observed, seen.detector(), ray) - before),
+              seen.report().bound * before * (1 + 1e-9));
+  }
 }
 
 TEST(Budget, IsKeptInNestedVolumes) {

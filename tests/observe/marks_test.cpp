@@ -69,14 +69,38 @@ TEST(Marks, AVolumeOfTwoRegionsHasBoundariesEverywhere) {
 }
 
 TEST(Observation, IsReadAndWritten) {
-  for (const char* text : {"all", "materials", "materials,cell", "materials,cell,a b",
-                           "budget:0.01", "budget:1e-06,cell"}) {
+  for (const char* text :
+       {"all", "materials", "materials,cell", "materials,cell,a b", "budget:0.01",
+        "budget:1e-06,cell", "budget:1%", "budget:0.5g/cm2", "mixtures:1%", "mixtures:0.01,cell",
+        "mixtures:1%:from=0/0/-12.5", "mixtures:3g/cm2:from=0/0/0:eta=2/4.5,cell"}) {
     EXPECT_EQ(observation_text(parse_observation(text)), text);
   }
   EXPECT_EQ(parse_observation("materials,cell,a b").volumes.size(), 2U);
-  for (const char* text :
-       {"", "al", "all,cell", "materials,", "materials,,a", "material", "budget",
-        "budget:", "budget:0", "budget:-1", "budget:nan", "budget:inf", "budget:1x"}) {
+  EXPECT_EQ(observation_text(parse_observation("mixtures:1%:eta=2/5")),
+            "mixtures:1%:from=0/0/0:eta=2/5");
+  for (const char* text : {"",
+                           "al",
+                           "all,cell",
+                           "materials,",
+                           "materials,,a",
+                           "material",
+                           "budget",
+                           "budget:",
+                           "budget:0",
+                           "budget:-1",
+                           "budget:nan",
+                           "budget:inf",
+                           "budget:1x",
+                           "budget:%",
+                           "budget:1%%",
+                           "mixtures",
+                           "mixtures:",
+                           "mixtures:0%",
+                           "mixtures:1%:",
+                           "mixtures:1%:from=1/2",
+                           "mixtures:1%:from=1/2/3/4",
+                           "mixtures:1%:eta=a/b",
+                           "mixtures:1%:rays=aimed"}) {
     EXPECT_THROW(parse_observation(text), UsageError) << text;
   }
 }

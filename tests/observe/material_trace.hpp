@@ -71,6 +71,17 @@ inline Compared compare(const ObservedDetector& seen, const std::vector<Ray>& ra
   return result;
 }
 
+/// Radiation lengths along a ray.
+template <class AnyNavigator>
+double radiation_lengths(AnyNavigator& navigator, const Detector& detector, const Ray& ray) {
+  double sum = 0;
+  transport(navigator, ray, detector.tolerance(), [&](const State& at, double length) {
+    const double x0 = detector.material(detector.volume(at.volume())).radiation_length;
+    if (x0 > 0) sum += length / x0;
+  });
+  return sum;
+}
+
 inline std::vector<Ray> aimed_rays(const Detector& detector, std::uint64_t count,
                                    std::uint64_t seed = 1) {
   const common::RayMaker maker(*detector.model(), {.seed = seed, .aim = "auto"});

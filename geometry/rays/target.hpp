@@ -7,7 +7,7 @@
 
 #include "geometry/model/world.hpp"
 
-namespace navjit::common {
+namespace navjit {
 
 /// Boxes in the world, equally likely each: of a logical volume the boxes around all its
 /// touchables. With "auto" it is a single box, the one where most touchables are: from the world on
@@ -41,4 +41,4 @@ class Target {
   Extent box_{};
 };
 
-}  // namespace navjit::common
+}  // namespace navjit

@@ -1,11 +1,11 @@
-#include "common/target.hpp"
+#include "geometry/rays/target.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include "navjit/errors.hpp"
 
-namespace navjit::common {
+namespace navjit {
 namespace {
 
 Vec3 point_of(const Extent& box, double u, double v, double w) {
@@ -94,4 +94,4 @@ Vec3 Target::point(std::uint64_t box, double u, double v, double w) const {
   return to_outer(frame, point_of(world_.volumes[volume].solid.extent, u, v, w));
 }
 
-}  // namespace navjit::common
+}  // namespace navjit

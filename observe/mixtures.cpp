@@ -1,0 +1,169 @@
+#include "observe/mixtures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/model/order.hpp"
+#include "geometry/navigation/geometry.hpp"
+#include "observe/separation.hpp"
+
+namespace navjit {
+namespace {
+
+constexpr double overlap = 1e-9;  // mm, as DissolveOptions::overlap
+
+bool share(const Extent& a, const Extent& b, double tolerance) {
+  const auto along = [tolerance](double low_a, double high_a, double low_b, double high_b) {
+    return std::min(high_a, high_b) - std::max(low_a, low_b) > tolerance;
+  };
+  return along(a.min.x, a.max.x, b.min.x, b.max.x) && along(a.min.y, a.max.y, b.min.y, b.max.y) &&
+         along(a.min.z, a.max.z, b.min.z, b.max.z);
+}
+
+/// Whether all daughters are within the volume and apart from one another: then volumes add up.
+bool adds_up(const World& world, const LogicalVolume& volume, Separation& separation,
+             double tolerance) {
+  std::vector<Extent> boxes;
+  for (const Placement& p : volume.daughters) {
+    const Solid& solid = world.volumes[p.volume].solid;
+    if (separation.within({solid, p.transformation}, volume.solid) == Verdict::no) return false;
+    boxes.push_back(placed_extent(solid, p.transformation));
+  }
+  std::vector<std::size_t> order(boxes.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return boxes[a].min.z < boxes[b].min.z; });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      const std::size_t a = order[i], b = order[j];
+      if (boxes[b].min.z >= boxes[a].max.z) break;
+      if (!share(boxes[a], boxes[b], tolerance)) continue;
+      const Placement &p = volume.daughters[a], &q = volume.daughters[b];
+      if (separation.apart({world.volumes[p.volume].solid, p.transformation},
+                           {world.volumes[q.volume].solid, q.transformation}) == Verdict::no) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Mixtures::Mixtures(const World& world, const Marks& marks, const std::vector<double>& rates)
+    : world_(world),
+      marks_(marks),
+      rates_(rates),
+      own_volume_(world.volumes.size(), -1),
+      whole_(world.volumes.size()),
+      possible_(world.volumes.size()),
+      why_(world.volumes.size()) {
+  const double tolerance = std::max(overlap, 8 * world.tolerance);
+  Separation separation(tolerance, world.tolerance);
+  // Whether all that is in a volume may become one with what is around it, tags aside.
+  std::vector<bool> dissolves(world.volumes.size());
+  for (const VolumeId v : daughters_first(world)) {
+    const LogicalVolume& volume = world.volumes[v];
+    if (volume.material >= rates.size() || rates[volume.material] < 0 ||
+        world.materials[volume.material].elements.empty()) {
+      why_[v] = "its material is not known";
+      continue;
+    }
+    double own = capacity(volume.solid);
+    const double whole = own;
+    bool known = own > 0;
+    for (const Placement& p : volume.daughters) {
+      const double inner = capacity(world.volumes[p.volume].solid);
+      known = known && inner >= 0;
+      own -= inner;
+    }
+    // Rounding may leave a little less than nothing where daughters fill the volume.
+    if (!known || !(own > -1e-9 * whole)) {
+      why_[v] = "its volume, or that of a daughter, is not known in closed form";
+      continue;
+    }
+    if (!adds_up(world, volume, separation, tolerance)) {
+      why_[v] = "daughters overlap, or reach out of it, or might";
+      continue;
+    }
+    own_volume_[v] = std::max(own, 0.0);
+    dissolves[v] = true;
+    for (const Placement& p : volume.daughters) {
+      const VolumeId d = p.volume;
+      if (dissolves[d] && may_disappear(d, v)) {
+        possible_[v].insert(d);
+      } else {
+        dissolves[v] = false;
+      }
+    }
+    // Only what is within something else as a whole is asked for its parts.
+    if (dissolves[v]) whole_[v] = parts(v, possible_[v]);
+    if (!volume.daughters.empty() && possible_[v].empty()) {
+      why_[v] = "what is in it is observed, of another region or other tags, or cannot be mixed";
+    }
+  }
+}
+
+bool Mixtures::may_disappear(VolumeId volume, VolumeId mother) const {
+  return marks_.settings[volume] == marks_.settings[mother] && !marks_.observed[volume] &&
+         !marks_.heads[volume];
+}
+
+Mixtures::Parts Mixtures::parts(VolumeId mother, const std::set<VolumeId>& daughters) const {
+  Parts parts{{world_.volumes[mother].material, own_volume_[mother]}};
+  std::map<VolumeId, double> counts;
+  for (const Placement& p : world_.volumes[mother].daughters) {
+    if (daughters.contains(p.volume)) ++counts[p.volume];
+  }
+  for (const auto& [daughter, count] : counts) {
+    for (const auto& [material, part] : whole_[daughter]) parts[material] += count * part;
+  }
+  return parts;
+}
+
+double Mixtures::rate(VolumeId mother, const std::set<VolumeId>& daughters) const {
+  double volume = 0, integral = 0;
+  for (const auto& [material, part] : parts(mother, daughters)) {
+    volume += part;
+    integral += part * rates_[material];
+  }
+  return integral / volume;
+}
+
+Material Mixtures::material(VolumeId mother, const std::set<VolumeId>& daughters) const {
+  double volume = 0, mass = 0, most = 0;
+  std::map<std::uint32_t, double> elements;  // mass of each
+  Material mixture;
+  for (const auto& [number, part] : parts(mother, daughters)) {
+    const Material& m = world_.materials[number];
+    volume += part;
+    mass += part * m.density;
+    for (const ElementShare& share : m.elements) {
+      elements[share.element] += part * m.density * share.fraction;
+    }
+    // State, temperature and pressure are those of what most of its mass is.
+    if (part * m.density > most) {
+      most = part * m.density;
+      mixture.state = m.state;
+      mixture.temperature = m.temperature;
+      mixture.pressure = m.pressure;
+    }
+  }
+  mixture.name = world_.volumes[mother].name + "_mixture";
+  if (mass > 0) {
+    mixture.density = mass / volume;
+    for (const auto& [element, part] : elements) {
+      if (part > 0) mixture.elements.push_back({element, part / mass});
+    }
+  } else {  // vacuum in vacuum
+    mixture = world_.materials[world_.volumes[mother].material];
+    mixture.name = world_.volumes[mother].name + "_mixture";
+  }
+  const double per_area = radiation_length(world_, mixture.elements);
+  if (per_area > 0 && mixture.density > 0) {
+    mixture.radiation_length = per_area / mixture.density * 10;
+  }
+  return mixture;
+}
+
+}  // namespace navjit
