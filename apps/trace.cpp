@@ -125,12 +125,14 @@ Rows trace_one_by_one(ObservedNavigator navigator, double tolerance,
   return rows;
 }
 template <class GoOn>
-Rows trace_in_basket(Basket& basket, double tolerance, const std::vector<std::string>& fields,
-                     const Work& work, GoOn&& go_on) {
+Rows trace_in_basket(Basket& basket, const ObservedDetector& seen, double tolerance,
+                     const std::vector<std::string>& fields, const Work& work, GoOn&& go_on) {
   std::vector<RayRows> rays;
   for (std::size_t i = 0; i < work.rays.size(); ++i) rays.emplace_back(fields, work.first + i);
   const auto sink = [&](std::size_t ray, const State& state, double l) { rays[ray].add(state, l); };
-  const auto totals = transport_in_basket(basket, work.rays, tolerance, sink, go_on);
+  const auto totals = transport_in_basket(
+      basket, work.rays, tolerance, sink, go_on,
+      [&](const State& from, const State& to) { return seen.counts(from.volume(), to.volume()); });
   Rows rows;
   for (std::size_t i = 0; i < totals.size(); ++i) rays[i].end(totals[i], rows);
   return rows;
@@ -178,7 +180,7 @@ int trace(const Options& options) {
     while (auto piece = chunks.take()) {
       const Work& work = piece->work;
       Rows rows = basket
-                      ? trace_in_basket(*basket, world.tolerance, fields, work, go_on)
+                      ? trace_in_basket(*basket, seen, world.tolerance, fields, work, go_on)
                       : trace_one_by_one({seen, navigator}, world.tolerance, fields, work, go_on);
       const bool complete = rows.rays == work.rays.size();
       chunks.give(piece->number, std::move(rows), complete);

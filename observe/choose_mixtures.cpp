@@ -163,7 +163,9 @@ struct Move {
   double score = 0;
   VolumeId mother = 0;
   std::set<VolumeId> daughters{};
-  std::size_t since = 0;  ///< how many moves were taken when it was judged
+  std::size_t since = never;  ///< how many moves were taken when it was judged
+
+  static constexpr std::size_t never = static_cast<std::size_t>(-1);
 
   bool operator<(const Move& other) const { return score < other.score; }
 };
@@ -246,7 +248,7 @@ ChosenMixtures choose_mixtures(const World& world, const Mixtures& mixtures,
   while (!queue.empty()) {
     Move move = queue.top();
     queue.pop();
-    const bool judged = move.since == taken && move.score < INFINITY;
+    const bool judged = move.since == taken;
     const Choice::Trial trial = choice.try_out(move.mother, move.daughters);
     // What changes too much by now changes too much later on, too, but for what cancels out.
     if (trial.mean > mean || trial.gain == 0) continue;

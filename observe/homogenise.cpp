@@ -85,8 +85,13 @@ void put_in(Homogenised& made, const Mixtures& mixtures, const std::vector<doubl
     LogicalVolume& volume = world.volumes[mother];
     ObservationReport::Mixture entry{.volume = volume.name,
                                      .material = material.name,
+                                     .number = static_cast<std::uint32_t>(world.materials.size()),
                                      .density = material.density,
                                      .radiation_length = material.radiation_length};
+    double whole = 0;
+    const auto parts = mixtures.parts(mother, daughters);
+    for (const auto& [number, part] : parts) whole += part;
+    for (const auto& [number, part] : parts) entry.parts.push_back({number, part / whole});
     for (const VolumeId d : daughters) entry.of.push_back(world.volumes[d].name);
     for (const Placement& p : volume.daughters) entry.placements += daughters.contains(p.volume);
     const double most =

@@ -27,10 +27,12 @@ class Mixtures {
   /// The mixture itself: mass and elements are those of what it takes the place of.
   Material material(VolumeId mother, const std::set<VolumeId>& daughters) const;
 
- private:
   /// By material, mm3.
   using Parts = std::map<std::uint32_t, double>;
+  /// What it is made of.
   Parts parts(VolumeId mother, const std::set<VolumeId>& daughters) const;
+
+ private:
   bool may_disappear(VolumeId volume, VolumeId mother) const;
 
   const World& world_;

@@ -7,21 +7,36 @@
 #include <vector>
 
 #include "navjit/basket.hpp"
+#include "navjit/observation.hpp"
 #include "runtime/transport.hpp"
 
 namespace navjit {
 
+/// Every boundary ends a step.
+struct AllCount {
+  bool operator()(const State&, const State&) const { return true; }
+};
+
 /// What each of some rays came to, in their order. Whenever a ray has left the world the next one
-/// takes its place. `sink(ray, state, length)` is called for each step with the ray's number among
-/// these and the state that the step was made in; steps of a ray come in order. Between steps
-/// `go_on()` is asked: once it says no, all ends where it is, and there are totals only of the
-/// first rays that are complete, up to one that is not.
-template <class Sink, class GoOn>
+/// takes its place. `counts(from, to)`: whether a step ends on a boundary between these; where it
+/// does not, the step goes on, with the bits of ObservedDetector::step(). `sink(ray, state,
+/// length)` is called for each step with the ray's number among these and the state that the step
+/// was made in; steps of a ray come in order. Between steps `go_on()` is asked: once it says no,
+/// all ends where it is, and there are totals only of the first rays that are complete, up to one
+/// that is not.
+template <class Sink, class GoOn, class Counts = AllCount>
 std::vector<RayTotals> transport_in_basket(Basket& basket, std::span<const Ray> rays,
-                                           double tolerance, Sink&& sink, GoOn&& go_on) {
+                                           double tolerance, Sink&& sink, GoOn&& go_on,
+                                           const Counts& counts = {}) {
+  /// A ray, and the step that it makes: of several of the basket's where boundaries do not count.
   struct Place {
-    std::size_t ray;
-    int standing;
+    std::size_t ray = 0;
+    int standing = 0;
+    Vec3 begin{};
+    State state{};
+    double length = 0;
+    bool goes_on = false;
+    int standing_within = 0;
   };
   const std::size_t places = std::min(basket.places(), rays.size());
   std::vector<Place> place(places);
@@ -36,11 +51,12 @@ std::vector<RayTotals> transport_in_basket(Basket& basket, std::span<const Ray> 
   const auto begin = [&](std::size_t i) {
     while (next < rays.size()) {
       const Ray& ray = rays[next];
-      place[i] = {next++, 0};
+      place[i] = {.ray = next++, .begin = ray.position};
       x[i] = ray.position.x, y[i] = ray.position.y, z[i] = ray.position.z;
       u[i] = ray.direction.x, v[i] = ray.direction.y, w[i] = ray.direction.z;
       state[i] = basket.locate(i, ray.position, ray.direction);
       if (state[i].inside()) {
+        place[i].state = state[i];
         ++under_way;
         return;
       }
@@ -57,20 +73,31 @@ std::vector<RayTotals> transport_in_basket(Basket& basket, std::span<const Ray> 
       if (!state[i].inside()) continue;
       Place& at = place[i];
       RayTotals& total = totals[at.ray];
-      at.standing = length[i] > tolerance ? 0 : at.standing + 1;
+      at.standing_within = at.goes_on && !(length[i] > 0) ? at.standing_within + 1 : 0;
+      at.length += length[i];
+      at.goes_on = boundary[i] != 0 && after[i].inside() &&
+                   at.standing_within < ObservedDetector::most_standing &&
+                   !counts(state[i], after[i]);
+      x[i] = at.begin.x + at.length * u[i];
+      y[i] = at.begin.y + at.length * v[i];
+      z[i] = at.begin.z + at.length * w[i];
+      state[i] = after[i];
+      if (at.goes_on) continue;
+      at.standing = at.length > tolerance ? 0 : at.standing + 1;
       bool ends = at.standing == stuck_after;
       if (ends) {
         total.stuck = true;
       } else {
-        sink(at.ray, state[i], length[i]);
+        sink(at.ray, at.state, at.length);
         ++total.steps;
-        total.length += length[i];
-        x[i] += length[i] * u[i];
-        y[i] += length[i] * v[i];
-        z[i] += length[i] * w[i];
+        total.length += at.length;
         ends = !after[i].inside();
       }
-      state[i] = ends ? State{} : after[i];
+      if (ends) state[i] = State{};
+      at.begin = {x[i], y[i], z[i]};
+      at.state = state[i];
+      at.length = 0;
+      at.standing_within = 0;
       if (!ends) continue;
       complete[at.ray] = 1;
       --under_way;

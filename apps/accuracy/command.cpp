@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/accuracy/experiment.hpp"
-#include "apps/accuracy/observed.hpp"
+#include "apps/accuracy/observed_report.hpp"
 #include "apps/accuracy/page.hpp"
 #include "apps/accuracy/picture.hpp"
 #include "apps/accuracy/report.hpp"
@@ -47,20 +47,37 @@ std::string title_of(const Options& options) {
   return std::filesystem::path(options.detector.file).filename();
 }
 
+/// How VecGeom is called; nothing where it is not asked, or not there, which is said.
+std::optional<accuracy::VecGeom::Options> vecgeom_of(const Options& options) {
+  if (options.vecgeom == "off") return std::nullopt;
+  const std::optional<std::string> program = options.vecgeom.empty()
+                                                 ? accuracy::VecGeom::beside_this_program()
+                                                 : std::optional(options.vecgeom);
+  if (!program) {
+    std::fprintf(stderr, "navjit: without VecGeom: there is no vecgeom_trace beside navjit\n");
+    return std::nullopt;
+  }
+  const std::string& detector =
+      options.vecgeom_detector.empty() ? options.detector.file : options.vecgeom_detector;
+  return accuracy::VecGeom::Options{*program, detector, options.vecgeom_navigator,
+                                    options.vecgeom_seconds};
+}
+
 /// Exit status 1 if a ray changes by more than is promised.
 int compare_observed(const Options& options) {
+  if (!options.picture.empty()) common::check_picture(options.picture);
   std::vector<Observation> observations;
   for (const std::string& text : options.observations) {
     observations.push_back(parse_observation(text));
   }
-  Output json(options.report), page(options.html);
+  Output json(options.report), picture(options.picture), page(options.html);
   const common::Interruptible interruptible;
   const auto world = read(options.detector);
   common::check_origin(options.rays.source, world);
   const auto rays = common::rays_of(options.rays.rays, options.rays.source, *world);
   if (rays.empty()) throw Error("no rays are asked for; at least one is needed");
-  const auto figures =
-      accuracy::compare_observations(world, observations, rays, options.repetitions);
+  const auto figures = accuracy::compare_observations(world, observations, rays,
+                                                      options.repetitions, vecgeom_of(options));
   accuracy::print(figures);
   attempt_all(
       {[&] {
@@ -72,6 +89,12 @@ int compare_observed(const Options& options) {
          });
        },
        [&] {
+         picture.write([&] {
+           return accuracy::draw(figures, std::filesystem::path(options.detector.file).filename(),
+                                 options.picture);
+         });
+       },
+       [&] {
          page.write([&] { return accuracy::page(figures, title_of(options), circumstances()); });
        }});
   return accuracy::any_beyond(figures) ? 1 : 0;
@@ -79,6 +102,7 @@ int compare_observed(const Options& options) {
 
 /// Exit status 1 if one of navjit's own levels is wrong anywhere.
 int accuracy(const Options& options) {
+  if (options.repetitions == 0) throw UsageError("levels are timed: give --repetitions 1 or more");
   if (!options.picture.empty()) common::check_picture(options.picture);
   Output json(options.report), picture(options.picture), page(options.html);
   const common::Interruptible interruptible;
@@ -92,18 +116,7 @@ int accuracy(const Options& options) {
   experiment.repetitions = options.repetitions;
   experiment.boundaries = options.boundaries;
   experiment.geometry = options.geometry;
-  if (options.vecgeom != "off") {
-    std::optional<std::string> program = options.vecgeom.empty()
-                                             ? accuracy::VecGeom::beside_this_program()
-                                             : std::optional(options.vecgeom);
-    if (program) {
-      const std::string& detector =
-          options.vecgeom_detector.empty() ? options.detector.file : options.vecgeom_detector;
-      experiment.vecgeom = {*program, detector, options.vecgeom_navigator, options.vecgeom_seconds};
-    } else {
-      std::fprintf(stderr, "navjit: without VecGeom: there is no vecgeom_trace beside navjit\n");
-    }
-  }
+  experiment.vecgeom = vecgeom_of(options);
   const accuracy::ExperimentReport report = accuracy::run_experiment(world, experiment);
   accuracy::print_tables(*world, report, options.scenes);
   attempt_all(
@@ -139,8 +152,10 @@ void add_accuracy(CLI::App& app, Action& action) {
       *app.add_subcommand("accuracy", "Hold every step against 113 bits: error and speed by level");
   add_detector(command, options->detector);
   add_rays(command, options->rays);
-  command.add_option("--repetitions", options->repetitions, "of the timing")
-      ->transform(count(1, 1000));
+  command
+      .add_option("--repetitions", options->repetitions,
+                  "of the timing; 0, with --observe alone: none")
+      ->transform(count(0, 1000));
   command.add_option("--boundaries", options->boundaries, "on the long track; 0: none")
       ->transform(count(0));
   command.add_option("--scenes", options->scenes, "in the table")->transform(count(0));

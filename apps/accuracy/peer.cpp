@@ -97,7 +97,7 @@ std::string VecGeom::trace(std::span<const Ray> rays,
   return "";
 }
 
-std::string VecGeom::time(std::span<const Ray> rays, int repetitions, double& ns_per_step) const {
+std::string VecGeom::times(std::span<const Ray> rays, int repetitions, Times& times) const {
   const PrivateFolder folder;
   write_rays(folder.file("rays.csv"), rays);
   const common::ChildResult result =
@@ -113,11 +113,28 @@ std::string VecGeom::time(std::span<const Ray> rays, int repetitions, double& ns
     if (std::sscanf(line.c_str(), "%31s %lf ns %lf ns %llu %llu", name, &median, &least, &steps,
                     &zero) == 5 &&
         options_.navigator == name && steps > zero) {
-      ns_per_step = median * static_cast<double>(steps) / static_cast<double>(steps - zero);
+      times = {median, static_cast<double>(steps), static_cast<double>(zero)};
       return "";
     }
   }
   return "gives no times";
+}
+
+std::string VecGeom::time(std::span<const Ray> rays, int repetitions, double& ns_per_step) const {
+  Times all;
+  std::string failure = times(rays, repetitions, all);
+  if (failure.empty()) ns_per_step = all.ns_per_step * all.steps / (all.steps - all.zero);
+  return failure;
+}
+
+std::string VecGeom::time_of_rays(std::span<const Ray> rays, int repetitions,
+                                  double& ns_per_ray) const {
+  Times all;
+  std::string failure = times(rays, repetitions, all);
+  if (failure.empty()) {
+    ns_per_ray = all.ns_per_step * all.steps / static_cast<double>(rays.size());
+  }
+  return failure;
 }
 
 std::string VecGeom::follow(const Track& track, std::vector<LegEnd>& ends) const {

@@ -35,10 +35,18 @@ class VecGeom {
   std::string trace(std::span<const Ray> rays, const std::function<void(MadeRay&)>& sink) const;
   /// ns for a step that gets on, median over repetitions. Returns why it failed, or nothing.
   std::string time(std::span<const Ray> rays, int repetitions, double& ns_per_step) const;
+  /// ns for a ray, likewise.
+  std::string time_of_rays(std::span<const Ray> rays, int repetitions, double& ns_per_ray) const;
   /// Ends of legs, as far as it came.
   std::string follow(const Track& track, std::vector<LegEnd>& ends) const;
 
  private:
+  struct Times {
+    double ns_per_step = 0;  ///< median, zero steps included
+    double steps = 0, zero = 0;
+  };
+  std::string times(std::span<const Ray> rays, int repetitions, Times& times) const;
+
   Options options_;
 };
 

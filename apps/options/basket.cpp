@@ -16,7 +16,6 @@ void add_basket(CLI::App& command, std::size_t& basket) {
   command
       .add_option("--basket", basket, "so many rays at once in each thread (default: one by one)")
       ->transform(count(1, most))
-      ->excludes("--observe")
       ->option_text("K");
 }
 

@@ -9,7 +9,7 @@ class App;
 
 namespace navjit::apps {
 
-/// After --observe, which excludes it: 0 stays where it is not given.
+/// 0 stays where it is not given.
 void add_basket(CLI::App& command, std::size_t& basket);
 
 }  // namespace navjit::apps

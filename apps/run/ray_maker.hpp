@@ -14,7 +14,7 @@ namespace navjit::apps {
 /// For one thread. The detector's boundaries that are not seen are no end of a step.
 class RayMaker {
  public:
-  /// `basket`: how many at once; 0: one by one. Then alone may some boundaries not be seen.
+  /// `basket`: how many at once; 0: one by one.
   RayMaker(Runtime& runtime, const ObservedDetector& seen, std::size_t basket) : seen_(&seen) {
     if (basket > 0) {
       basket_.emplace(runtime.basket(basket));
@@ -28,7 +28,10 @@ class RayMaker {
   std::vector<RayTotals> make(std::span<const Ray> rays, double tolerance, GoOn&& go_on) {
     if (basket_) {
       return transport_in_basket(
-          *basket_, rays, tolerance, [](std::size_t, const State&, double) {}, go_on);
+          *basket_, rays, tolerance, [](std::size_t, const State&, double) {}, go_on,
+          [this](const State& from, const State& to) {
+            return seen_->counts(from.volume(), to.volume());
+          });
     }
     ObservedNavigator navigator(*seen_, *navigator_);
     std::vector<RayTotals> made;

@@ -83,11 +83,18 @@ struct ObservationReport {
   /// A volume that is homogenised, with what it is made of now.
   struct Mixture {
     std::string volume, material;
+    std::uint32_t number = 0;       ///< of the material, in ObservedDetector::detector()
     double density = 0;             ///< g/cm3
     double radiation_length = 0;    ///< mm
     std::vector<std::string> of{};  ///< the daughters' volumes that are part of it with all in them
     std::uint64_t placements = 0;   ///< of these daughters
-    double bound = 0;               ///< how much all touchables of it may change any ray
+    /// So much of it was one of the original's materials.
+    struct Part {
+      std::uint32_t material;  ///< its number in the original
+      double share;            ///< of the volume
+    };
+    std::vector<Part> parts{};  ///< what it was
+    double bound = 0;           ///< how much all touchables of it may change any ray
   };
   std::vector<Mixture> mixtures{};
   /// By how much rays change that had no say in what is mixed: measured, in the same unit.
@@ -132,6 +139,10 @@ class ObservedDetector {
     return from >= classes_size_ || to >= classes_size_ || classes_[from] != classes_[to] ||
            (classes_[from] & always) != 0;
   }
+  /// Whether all boundaries of the volume count: it is observed itself, or in several regions.
+  bool observed(VolumeId volume) const {
+    return volume < classes_size_ && (classes_[volume] & always) != 0;
+  }
   /// A step of a navigator of detector() that ends on boundaries that count only: as
   /// Navigator::step() as often as it takes. Throws as that.
   Step step(Navigator& navigator, const State& state, const Vec3& point, const Vec3& direction,
@@ -151,13 +162,13 @@ class ObservedDetector {
   /// included; on a face the direction decides. Throws likewise, and if a number is not finite.
   State original(const State& state, const Vec3& point, const Vec3& direction) const;
 
+  /// Zero steps in a row after which walking on would not come to an end: where volumes overlap.
+  static constexpr int most_standing = 100;
+
   struct Data;  ///< the library's own
 
  private:
   static constexpr std::uint32_t always = std::uint32_t{1} << 31;
-
-  /// Zero steps in a row after which walking on would not come to an end: where volumes overlap.
-  static constexpr int most_standing = 100;
 
   Step walk_on(Navigator& navigator, Step made, const Vec3& point, const Vec3& direction,
                double limit) const;

@@ -28,6 +28,11 @@ TEST(BasketOption, TracesAreThoseOfOneByOne) {
   EXPECT_EQ(trace(" --basket 1"), right);
   EXPECT_EQ(trace(" --basket 37 --threads 2"), right);
   EXPECT_EQ(trace(" --basket 1e3 --jit shadow"), right);
+  const std::string seen = trace(" --observe materials --jit off");
+  EXPECT_LT(seen.size(), right.size());
+  EXPECT_EQ(trace(" --observe materials --basket 1"), seen);
+  EXPECT_EQ(trace(" --observe materials --basket 37 --threads 2"), seen);
+  EXPECT_EQ(trace(" --observe mixtures:1% --basket 64"), trace(" --observe mixtures:1%"));
 }
 
 TEST(BasketOption, RunsComeToTheSameSums) {
@@ -52,7 +57,6 @@ TEST(BasketOption, WrongOnesAreRefused) {
     EXPECT_EQ(output.status, 2) << output.text;
     EXPECT_NE(output.text.find("--basket"), std::string::npos) << output.text;
   }
-  EXPECT_EQ(run_navjit("run " + detector + " --rays 1 --basket 4 --observe materials").status, 2);
 }
 
 }  // namespace

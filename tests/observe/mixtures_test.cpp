@@ -177,6 +177,67 @@ TEST(Mixtures, AreNotMadeOfWhatDoesNotAddUp) {
   EXPECT_EQ(possible.possible()[c.hole].size(), 1U);
 }
 
+/// Boxes in boxes, of densities in turn: nested three deep, eight of each in each.
+Detector nested(const std::vector<double>& densities) {
+  DetectorBuilder builder;
+  const auto carbon = builder.element({.name = "C", .z = 6, .a = 12.011});
+  std::vector<DetectorBuilder::MaterialId> materials;
+  for (std::size_t i = 0; i < densities.size(); ++i) {
+    materials.push_back(builder.material(
+        {.name = "m" + std::to_string(i), .density = densities[i], .elements = {{carbon, 1}}}));
+  }
+  double half = 1;
+  VolumeId inner = builder.volume("v0", make_box("v0", half, half, half), materials[0]);
+  for (std::size_t level = 1; level < 4; ++level) {
+    const double at = 1.2 * half;
+    half *= 3;
+    const std::string name = "v" + std::to_string(level);
+    const VolumeId outer =
+        builder.volume(name, make_box(name, half, half, half), materials[level % materials.size()]);
+    for (int i = 0; i < 8; ++i) {
+      builder.place(
+          inner, outer,
+          placed_at({(i & 1) != 0 ? at : -at, (i & 2) != 0 ? at : -at, (i & 4) != 0 ? at : -at}));
+    }
+    inner = outer;
+  }
+  return builder.build(inner);
+}
+
+TEST(Mixtures, OfVacuumAndLeadKeepTheBudget) {
+  for (const std::vector<double>& densities :
+       {std::vector<double>{1e-25, 20}, {20, 1e-25}, {1e-25, 1e-25}, {0, 20}, {0, 1e-25}, {5}}) {
+    for (const double budget : {1e-6, 1e-2, 0.3}) {
+      SCOPED_TRACE(testing::PrintToString(densities) + " " + std::to_string(budget));
+      const Detector detector = nested(densities);
+      const ObservedDetector seen(detector, mixtures(budget));
+      const ObservationReport::Measured& m = seen.report().measured;
+      EXPECT_LE(m.mean + 3 * m.mean_error, budget * m.whole);
+      EXPECT_LE(m.largest, seen.report().bound * (1 + 1e-9));
+      const auto before = masses(detector), after = masses(seen.detector());
+      EXPECT_NEAR(after[0], before[0], 1e-9 * before[0]);
+      // What is the same everywhere is one at any budget.
+      if (densities.size() == 1) {
+        EXPECT_EQ(seen.report().touchables_after, 1U);
+      }
+    }
+  }
+}
+
+TEST(Mixtures, OfNothingAtAllAreNothing) {
+  const ObservedDetector seen(nested({0}), mixtures(0.01));
+  EXPECT_EQ(seen.report().measured.whole, 0);
+  EXPECT_EQ(seen.report().measured.largest, 0);
+  EXPECT_EQ(seen.report().touchables_after, 1U);
+}
+
+TEST(Mixtures, NeedRaysThatMeetTheDetector) {
+  Observation from_outside = mixtures(0.01);
+  from_outside.rays.origin = Vec3{1e6, 0, 0};
+  EXPECT_THROW(ObservedDetector(nested({1, 2}), from_outside), GeometryError);
+  EXPECT_THROW(ObservedDetector(nested({1, 2}), mixtures(0)), GeometryError);
+}
+
 TEST(Mixtures, KnowTheOriginal) {
   Calorimeter c;
   const Detector detector = c.builder.build(c.hall);

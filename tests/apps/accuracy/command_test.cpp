@@ -63,6 +63,20 @@ TEST_F(AccuracyCommand, HoldsEveryStepAgainstTheReference) {
   }
 }
 
+TEST_F(AccuracyCommand, DrawsWhatObservingLessBrings) {
+  const Output output =
+      run_navjit("accuracy " + detector +
+                 " --rays 50 --aim auto --repetitions 1 --vecgeom off --observe materials "
+                 "--observe mixtures:5% --observe mixtures:20% --report " +
+                 file("observed.json") + " --picture " + file("observed.svg"));
+  if (output.text.find("gnuplot, which is not installed") != npos) GTEST_SKIP() << "no gnuplot";
+  EXPECT_EQ(output.status, 0) << output.text;
+  EXPECT_NE(output.text.find("mixtures:5%"), npos) << output.text;
+  EXPECT_NE(read_file(file("observed.svg")).find("mixtures:20%"), npos);
+  const auto report = nlohmann::json::parse(read_file(file("observed.json")));
+  EXPECT_EQ(report["observations"].size(), 4U);
+}
+
 TEST_F(AccuracyCommand, DrawsAPictureWhereGnuplotIs) {
   for (const char* name : {"picture.svg", "picture.png"}) {
     const Output output = run_navjit(
