@@ -126,8 +126,8 @@ std::string chart_html(const Chart& chart) {
            "\"/>" + dots + "\n";
   }
   svg += text_at((left + width - right) / 2, height - 6, "middle", chart.x_label) +
-         text_at(10, (top + height - bottom) / 2, "middle", chart.y_label,
-                 " transform=\"rotate(-90 10 " + number((top + height - bottom) / 2) + ")\"");
+         text_at(14, (top + height - bottom) / 2, "middle", chart.y_label,
+                 " transform=\"rotate(-90 14 " + number((top + height - bottom) / 2) + ")\"");
   return svg + "\n</svg>\n";
 }
 

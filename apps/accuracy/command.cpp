@@ -102,7 +102,6 @@ int compare_observed(const Options& options) {
 
 /// Exit status 1 if one of navjit's own levels is wrong anywhere.
 int accuracy(const Options& options) {
-  if (options.repetitions == 0) throw UsageError("levels are timed: give --repetitions 1 or more");
   if (!options.picture.empty()) common::check_picture(options.picture);
   Output json(options.report), picture(options.picture), page(options.html);
   const common::Interruptible interruptible;
@@ -192,6 +191,9 @@ void add_accuracy(CLI::App& app, Action& action) {
   add_threads(command, options->threads);
   add_boxes(command, options->geometry);
   command.callback([options, &action] {
+    if (options->repetitions == 0 && options->observations.empty()) {
+      throw CLI::ValidationError("--repetitions", "'0' is less than 1, and here steps are timed");
+    }
     action = [options] {
       return options->observations.empty() ? accuracy(*options) : compare_observed(*options);
     };

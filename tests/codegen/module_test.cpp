@@ -99,7 +99,8 @@ TEST(KernelTexts, HoldEveryKernelOfEveryKind) {
     for (const char* name : kernels_of(kind.kind)) {
       EXPECT_FALSE(kernel_text(name).empty()) << name;
     }
-    EXPECT_FALSE(kernels_of(kind.kind).empty()) << kind.name;
+    // Foreign solids answer by functions of the program; nothing is compiled for them.
+    EXPECT_EQ(kernels_of(kind.kind).empty(), kind.kind == SolidKind::foreign) << kind.name;
   }
 }
 
