@@ -109,7 +109,7 @@ void take_out(Specialisation& spec) {
 bool in_doubt(const Specialisation& spec) {
   if (!spec.shared->options.specialiser.keep_only_faster || spec.all_judged > 0) return false;
   if (spec.trials.all().size() < crowd || spec.active_s > longest_doubt_s) return false;
-  return !spec.trials.nearly_all_decided() || !doubtful(spec).empty();
+  return !doubtful(spec).empty();
 }
 
 void interrupt_group(Specialisation& spec) {

@@ -33,7 +33,7 @@ struct SpecialiserOptions {
   double poll_ms = 5;  ///< between looks at the profile
   /// What a ms of the compiler's thread counts beside one of navigation. Little: mostly it runs on
   /// idle cores, and runs go on for long.
-  double compile_weight = 0.1;
+  double compile_weight = 0.3;
   /// Compile code for the hottest scenes. Without it and `structures` scenes are bound to data
   /// alone.
   bool constants = true;
@@ -41,7 +41,7 @@ struct SpecialiserOptions {
   bool structures = true;
   std::uint64_t min_steps = 2000;  ///< fewer steps in a scene tell nothing
   std::size_t batch = 24;          ///< scenes in one module at the most
-  double module_ms = 450;  ///< expected time for a module at the most: the first scenes need
+  double module_ms = 900;  ///< expected time for a module at the most: the first scenes need
                            ///< not wait for the last
   /// Compiling stops once it has taken `compile_first_ms` and this share of the run's time beside:
   /// the hottest scenes came first, and what is left wins little. Not for JitMode::wait.
