@@ -13,7 +13,6 @@
 #include "runtime/gather.hpp"
 #include "runtime/install.hpp"
 #include "runtime/judge.hpp"
-#include "runtime/judge_group.hpp"
 #include "runtime/log_text.hpp"
 #include "runtime/make_module.hpp"
 
@@ -91,7 +90,7 @@ std::uint64_t all_steps(const Specialisation& spec) {
 bool bind_to_structure(Specialisation& spec, bool all) {
   const SpecialiserOptions& options = spec.shared->options.specialiser;
   if (!options.structures || !spec.maker || spec.hopeless || spec.stopping()) return false;
-  if (!all && (spec.group_lost || spec.allowance_is_used_up() || in_doubt(spec))) return false;
+  if (!all && (spec.group_lost || spec.allowance_is_used_up())) return false;
   // Plans take their time: where none paid, it looks again after a few more steps.
   if (!all && all_steps(spec) < spec.structures_again_at) return false;
   std::map<std::string, Structure> structures = find_structures(spec, all);

@@ -9,7 +9,6 @@
 #include "analysis/plan.hpp"
 #include "runtime/bind_to_data.hpp"
 #include "runtime/gather.hpp"
-#include "runtime/judge_group.hpp"
 #include "runtime/log_text.hpp"
 #include "runtime/overrides.hpp"
 
@@ -58,7 +57,7 @@ bool may_be_tried(Specialisation& spec, VolumeId volume) {
 std::vector<VolumeId> choose(Specialisation& spec) {
   if (spec.hopeless || !spec.shared->options.specialiser.constants) return {};
   SpecialiserOptions options = spec.shared->options.specialiser;
-  if (spec.group_lost || spec.allowance_is_used_up() || in_doubt(spec)) return {};
+  if (spec.group_lost || spec.allowance_is_used_up()) return {};
   // Until the first module is there nothing is won: it is to be there soon.
   if (spec.totals.modules == 0) options.module_ms /= 2;
   options.module_ms /= spec.slower_than_expected();

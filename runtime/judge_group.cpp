@@ -18,11 +18,6 @@ constexpr std::size_t least_members = 3;
 /// Where the scenes' own trials say that so much of the time is saved, what they cost one another
 /// cannot be as much. A guess.
 constexpr double no_doubt = 0.1;
-/// So many scenes on trial are a crowd. A guess.
-constexpr std::size_t crowd = 200;
-/// For what is not known then, compiling waits no longer, s of navigation.
-constexpr double longest_doubt_s = 6;
-
 bool is_compiled(const Specialisation& spec, const std::shared_ptr<const void>& owner) {
   return owner != nullptr && owner != spec.arena;
 }
@@ -105,12 +100,6 @@ void take_out(Specialisation& spec) {
 }
 
 }  // namespace
-
-bool in_doubt(const Specialisation& spec) {
-  if (!spec.shared->options.specialiser.keep_only_faster || spec.all_judged > 0) return false;
-  if (spec.trials.all().size() < crowd || spec.active_s > longest_doubt_s) return false;
-  return !doubtful(spec).empty();
-}
 
 void interrupt_group(Specialisation& spec) {
   if (!spec.group.open()) return;

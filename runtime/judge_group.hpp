@@ -10,10 +10,6 @@ namespace navjit {
 /// out what loses. Then nothing more is compiled until the run is judged again.
 void judge_group(Specialisation& spec);
 
-/// Whether compiling has to wait: hundreds of scenes share the run, of which none is hot, and it is
-/// not known yet whether even binding them to data pays.
-bool in_doubt(const Specialisation& spec);
-
 /// Compiled code is shown everywhere while the specialiser does other things. The present pair of
 /// stretches does not count.
 void interrupt_group(Specialisation& spec);
