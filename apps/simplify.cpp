@@ -23,15 +23,15 @@ struct Options {
   std::string report;  ///< JSON file; empty: none
 };
 
-void print_entries(const std::vector<ObservationReport::Entry>& entries, const char* what) {
+void print_entries(const Observation& observation,
+                   const std::vector<ObservationReport::Entry>& entries, const char* what) {
   for (const ObservationReport::Entry& e : entries) {
-    char bound[64] = "";
-    if (e.bound > 0) {
-      std::snprintf(bound, sizeof bound, "; at most %.2g of any ray", e.bound);
-    }
+    std::string bound;
+    if (e.bound > 0) bound = "; at most " + bound_text(observation, e.bound) + " of any ray";
     std::printf("%s %s in %s: %llu placement%s%s%s%s\n", what, common::printable(e.volume).c_str(),
                 common::printable(e.mother).c_str(), static_cast<unsigned long long>(e.placements),
-                e.placements == 1 ? "" : "s", bound, e.why.empty() ? "" : "; ", e.why.c_str());
+                e.placements == 1 ? "" : "s", bound.c_str(), e.why.empty() ? "" : "; ",
+                e.why.c_str());
   }
 }
 
@@ -51,8 +51,8 @@ int simplify(const Options& options) {
   const ObservedDetector seen(read(options.detector), options.observation);
   const ObservationReport& r = seen.report();
   print_mixtures(r);
-  print_entries(r.gone, "dissolved");
-  print_entries(r.left, "left");
+  print_entries(options.observation, r.gone, "dissolved");
+  print_entries(options.observation, r.left, "left");
   std::printf("%llu placements, %llu before; %llu touchables, %llu before\n",
               static_cast<unsigned long long>(r.placements_after),
               static_cast<unsigned long long>(r.placements_before),

@@ -74,7 +74,7 @@ void bind_to_data(Specialisation& spec, VolumeId volume) {
   const bool forced = spec.facts.forced_candidates.contains(spec.facts.first_equal[volume]);
   const bool only_if_faster = spec.shared->options.specialiser.keep_only_faster && !forced;
   std::vector<Sample> samples = spec.samples[volume];
-  if (samples.size() < 16) samples.clear();
+  if (samples.size() < few_recorded) samples.clear();
   const bool recorded = !samples.empty();
   const std::vector<Sample> made_up = spec.sampler.states(volume, states_made_up, volume + 1);
   if (!recorded) samples = made_up;

@@ -14,6 +14,7 @@ constexpr double least_pairs = 8;
 constexpr double errors_apart_early = 4, errors_apart_late = 1.5;
 /// Of a step: what switching so much code costs the side that has it. A guess.
 constexpr double cost_of_switching = 0.02;
+
 }  // namespace
 
 void begin_stretch(GroupTrial& group, double steps, double ns) {

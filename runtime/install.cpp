@@ -20,9 +20,6 @@ constexpr std::size_t states_made_up = 400;  ///< per volume, for verification
 /// only what is clearly slower is not tried in the run. Where nothing is tried, what timings of a
 /// few hundred steps can tell decides.
 constexpr double most_of_bar_to_be_tried = 1.05, most_of_bar = 0.95;
-/// Of a scene with fewer recorded states, which is mostly relocated in at the end of others' steps,
-/// replayed steps say little: the run judges alone.
-constexpr std::size_t few_recorded = 16;
 /// A scene that was measured to be no faster is tried again once it is that many times as hot.
 constexpr double try_again_after = 16;
 

@@ -18,6 +18,7 @@ constexpr std::size_t least_members = 3;
 /// Where the scenes' own trials say that so much of the time is saved, what they cost one another
 /// cannot be as much. A guess.
 constexpr double no_doubt = 0.1;
+
 bool is_compiled(const Specialisation& spec, const std::shared_ptr<const void>& owner) {
   return owner != nullptr && owner != spec.arena;
 }
@@ -43,6 +44,7 @@ std::vector<VolumeId> compiled(const Specialisation& spec) {
   }
   return members;
 }
+
 /// All that is not generic, if there is a doubt that it is faster.
 std::vector<VolumeId> doubtful(const Specialisation& spec) {
   std::vector<double> executions(spec.steps.size());
@@ -138,8 +140,7 @@ void judge_group(Specialisation& spec) {
     if (const Verdict verdict = decide(group, spec.active_s); verdict != Verdict::open) {
       spec.shared->log->debug(
           "event=judged_together at_s={:.3f} scenes={} all={} generic={} verdict={} lost={:.1f} "
-          "error={:.1f} "
-          "of={:.1f} steps={:.0f}",
+          "error={:.1f} of={:.1f} steps={:.0f}",
           spec.seconds(), group.members.size(), whole, group.against_generic,
           verdict == Verdict::goes ? "goes" : "stays", group.lost.mean(), group.lost.error(),
           group.all.mean(), group.all.count);

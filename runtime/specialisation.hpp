@@ -29,6 +29,10 @@ namespace navjit {
 /// time; the share itself is a guess.
 constexpr std::uint64_t bail_out_share = 8;
 
+/// Of a scene with fewer recorded states, which is mostly relocated in at the end of others' steps,
+/// replayed steps say little: the run judges alone.
+constexpr std::size_t few_recorded = 16;
+
 /// Used by the specialiser's thread alone, but for what the mutex guards.
 struct Specialisation {
   explicit Specialisation(std::shared_ptr<detail::Shared> runtime);

@@ -11,11 +11,10 @@
 #include <typeinfo>
 
 #include "adapters/geant4/solids.hpp"
+#include "adapters/geant4/vector.hpp"
 
 namespace navjit::geant4 {
 namespace {
-
-Vec3 vector(const G4ThreeVector& v) { return {v.x(), v.y(), v.z()}; }
 
 template <typename S>
 std::vector<ContourPoint> corners(const S& solid) {

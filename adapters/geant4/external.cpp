@@ -7,6 +7,7 @@
 #include "adapters/geant4/materials.hpp"
 #include "adapters/geant4/solids.hpp"
 #include "adapters/geant4/transformation.hpp"
+#include "adapters/geant4/vector.hpp"
 #include "navjit/geant4/geometry.hpp"
 #include "navjit/runtime.hpp"
 
@@ -24,9 +25,6 @@ struct ExternalVolume {
 };
 
 namespace {
-
-Vec3 vector(const G4ThreeVector& v) { return {v.x(), v.y(), v.z()}; }
-G4ThreeVector vector(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 std::shared_ptr<ExternalVolume> make(const G4LogicalVolume& logical,
                                      const RuntimeOptions& options) {

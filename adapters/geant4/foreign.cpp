@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "adapters/geant4/solids.hpp"
+#include "adapters/geant4/vector.hpp"
 #include "navjit/foreign_solid.hpp"
 #include "navjit/geant4/geometry.hpp"
 
 namespace navjit::geant4 {
 namespace {
-
-G4ThreeVector vector(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 /// Geant4's infinity, and what is near it, as navjit's.
 double distance(G4double given) {

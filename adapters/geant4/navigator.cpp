@@ -9,12 +9,10 @@
 #include <string>
 
 #include "adapters/geant4/guarded.hpp"
+#include "adapters/geant4/vector.hpp"
 
 namespace navjit::geant4 {
 namespace {
-
-Vec3 vector(const G4ThreeVector& v) { return {v.x(), v.y(), v.z()}; }
-G4ThreeVector vector(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 /// Counts a call, and times one of many.
 class Counted {

@@ -23,12 +23,11 @@
 #include <typeindex>
 #include <unordered_map>
 
+#include "adapters/geant4/vector.hpp"
 #include "navjit/geant4/geometry.hpp"
 
 namespace navjit::geant4 {
 namespace {
-
-Vec3 vector(const G4ThreeVector& v) { return {v.x(), v.y(), v.z()}; }
 
 Solid box(const G4Box& s) {
   return make_box(s.GetName(), s.GetXHalfLength(), s.GetYHalfLength(), s.GetZHalfLength());

@@ -89,10 +89,7 @@ int compare_observed(const Options& options) {
          });
        },
        [&] {
-         picture.write([&] {
-           return accuracy::draw(figures, std::filesystem::path(options.detector.file).filename(),
-                                 options.picture);
-         });
+         picture.write([&] { return accuracy::draw(figures, title_of(options), options.picture); });
        },
        [&] {
          page.write([&] { return accuracy::page(figures, title_of(options), circumstances()); });

@@ -13,8 +13,6 @@ namespace {
 /// Changes are drawn on a logarithmic scale, which knows no zero: this stands for it.
 constexpr double least = 1e-6;
 
-double faster(double whole, double part) { return part > 0 ? whole / part : 0; }
-
 void print_directions(const ObservedFigures& f) {
   if (f.mean <= 1e-9) return;
   std::printf("\n%s, radiation lengths by direction\n%14s %6s %10s %10s %10s %10s\n",
@@ -42,6 +40,8 @@ void print_materials(const ObservedFigures& f) {
 }
 
 }  // namespace
+
+double faster(double whole, double part) { return part > 0 ? whole / part : 0; }
 
 void print(const std::vector<ObservedFigures>& figures) {
   std::printf("%-28s %10s %10s %6s %10s %6s  %s\n", "observe", "steps/ray", "ns/ray", "",

@@ -9,6 +9,9 @@
 
 namespace navjit::accuracy {
 
+/// How often `part` goes into `whole`; 0 where nothing was timed.
+double faster(double whole, double part);
+
 void print(const std::vector<ObservedFigures>& figures);
 nlohmann::ordered_json to_json(const std::vector<ObservedFigures>& figures);
 

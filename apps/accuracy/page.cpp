@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <set>
 
+#include "apps/accuracy/observed_report.hpp"
 #include "common/page.hpp"
 
 namespace navjit::accuracy {
@@ -263,9 +264,9 @@ std::string page(const std::vector<ObservedFigures>& figures, const std::string&
     rows.push_back({{f.observe},
                     common::measured(f.steps_per_ray, "%.2f"),
                     common::measured(f.ns_per_ray, "%.0f"),
-                    common::measured(figures[0].ns_per_ray / f.ns_per_ray, "%.2f"),
+                    common::measured(faster(figures[0].ns_per_ray, f.ns_per_ray), "%.2f"),
                     common::measured(f.data_ns_per_ray, "%.0f"),
-                    common::measured(figures[0].data_ns_per_ray / f.data_ns_per_ray, "%.2f"),
+                    common::measured(faster(figures[0].data_ns_per_ray, f.data_ns_per_ray), "%.2f"),
                     error_of(f.mean),
                     error_of(f.most_of_1000),
                     error_of(f.largest),

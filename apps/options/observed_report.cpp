@@ -34,6 +34,16 @@ nlohmann::ordered_json mixtures_json(const ObservationReport& r, const char* bou
 
 }  // namespace
 
+std::string bound_text(const Observation& o, double bound) {
+  char text[64];
+  if (o.kind == Observation::Kind::budget && o.unit == Observation::Unit::relative) {
+    std::snprintf(text, sizeof text, "%.3g%%", 100 * bound);
+  } else {
+    std::snprintf(text, sizeof text, "%.3g %s", bound, per_ray(o.unit));
+  }
+  return text;
+}
+
 void print_observation(const ObservedDetector& seen) {
   if (seen.observation().kind == Observation::Kind::all) return;
   const ObservationReport& r = seen.report();
@@ -56,11 +66,7 @@ void print_observation(const ObservedDetector& seen) {
         static_cast<unsigned long long>(m.rays), o.rays.origin ? "other" : "other isotropic",
         m.whole, per_ray(o.unit), m.mean, m.of_99_percent, m.of_999_permille, m.largest);
   }
-  if (r.bound > 0 && o.kind == Observation::Kind::budget && o.unit == Observation::Unit::relative) {
-    std::printf("no ray changes by more than %.3g%%\n", 100 * r.bound);
-  } else if (r.bound > 0) {
-    std::printf("no ray changes by more than %.3g %s\n", r.bound, per_ray(o.unit));
-  }
+  if (r.bound > 0) std::printf("no ray changes by more than %s\n", bound_text(o, r.bound).c_str());
 }
 
 nlohmann::ordered_json to_json(const ObservedDetector& seen) {

@@ -141,8 +141,7 @@ void print_table(const RunReport& report) {
     if (const auto& c = report.compared) {
       std::printf(
           "one thread%s, first %llu rays again, in turn, in processor time: %.3f M steps/s with "
-          "the "
-          "JIT, %.3f M steps/s without: %.2f times\n",
+          "the JIT, %.3f M steps/s without: %.2f times\n",
           report.processes > 1 ? " for each process" : "", static_cast<unsigned long long>(c->rays),
           c->with / 1e6, c->without / 1e6, *report.speedup());
     }

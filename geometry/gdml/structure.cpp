@@ -106,18 +106,12 @@ VolumeId box_around(FileContext& file, const XmlElement& element, const std::str
   LogicalVolume box;
   box.name = name;
   Mother mother{box.daughters};
-  double half[3] = {0, 0, 0};
   for (const Placement& placement : assembly.placements) {
-    const Solid& solid = file.session.world.volumes[placement.volume].solid;
-    const Extent extent = placed_extent(solid, placement.transformation);
-    half[0] = std::max({half[0], -extent.min.x, extent.max.x});
-    half[1] = std::max({half[1], -extent.min.y, extent.max.y});
-    half[2] = std::max({half[2], -extent.min.z, extent.max.z});
     add_placement(file, element, mother, placement);
   }
+  const Vec3 half = half_lengths_around(file.session.world, assembly.placements);
   // Room around, so that no face is on the world's.
-  for (double& h : half) h = 1.01 * h + 1;
-  box.solid = make_box(name, half[0], half[1], half[2]);
+  box.solid = make_box(name, 1.01 * half.x + 1, 1.01 * half.y + 1, 1.01 * half.z + 1);
   box.material = nameless_material(file);
   file.note(element, "the world is an assembly, which Geant4 refuses: put it in a box");
   return add_volume(file.session, std::move(box), nullptr);

@@ -31,6 +31,16 @@ Extent placed_extent(const Solid& solid, const Transformation& t) {
   return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 
+Vec3 half_lengths_around(const World& world, std::span<const Placement> placements) {
+  Vec3 half{0, 0, 0};
+  for (const Placement& placement : placements) {
+    const Extent e = placed_extent(world.volumes[placement.volume].solid, placement.transformation);
+    half = {std::max({half.x, -e.min.x, e.max.x}), std::max({half.y, -e.min.y, e.max.y}),
+            std::max({half.z, -e.min.z, e.max.z})};
+  }
+  return half;
+}
+
 namespace {
 
 /// Below this number of daughters each is tested without a box: a guess, not yet measured.

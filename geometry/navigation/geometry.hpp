@@ -72,4 +72,7 @@ class Geometry {
 /// The box around a placed solid in its mother's frame, mm.
 Extent placed_extent(const Solid& solid, const Transformation& transformation);
 
+/// Half lengths of the least box about the origin that holds all of these, mm.
+Vec3 half_lengths_around(const World& world, std::span<const Placement> placements);
+
 }  // namespace navjit

@@ -71,8 +71,8 @@ Frame read_frame(Reading& reading, Reference reference) {
   Frame frame;
   if (reference == 0) return frame;
   const Object& matrix = reading.objects.at(reference);
-  if (matrix.is("TGeoIdentity")) {
-  } else if (matrix.is("TGeoTranslation")) {
+  if (matrix.is("TGeoIdentity")) return frame;
+  if (matrix.is("TGeoTranslation")) {
     move(frame, matrix);
   } else if (matrix.is("TGeoRotation")) {
     turn(frame, matrix);

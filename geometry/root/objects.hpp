@@ -19,7 +19,7 @@ namespace navjit::root {
 /// An object, with those of its members that geometries are made of. Throws RootError where a
 /// member is asked for that it does not have.
 struct Object {
-  using Value = std::variant<double, std::string, std::vector<double>, Reference>;
+  using Value = std::variant<double, std::vector<double>, Reference>;
 
   std::string type;  ///< its class
   std::string name{};

@@ -1,8 +1,8 @@
 // A detector from a file: which object of it, and the world about it.
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/gdml/xml.hpp"
+#include "geometry/navigation/geometry.hpp"
 #include "geometry/root/container.hpp"
 #include "geometry/root/layouts.hpp"
 #include "geometry/root/reading.hpp"
@@ -44,17 +44,7 @@ VolumeId world_about(Reading& reading, const Object& volume, const MadeVolume& m
   if (!made.assembly) return made.id;
   if (made.placements.empty()) volume.fail("it is empty");
   LogicalVolume box;
-  Vec3 half{0, 0, 0};
-  for (const Placement& placement : made.placements) {
-    const Extent& e = reading.world.volumes[placement.volume].solid.extent;
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vec3 p = to_outer(placement.transformation, {(corner & 1) != 0 ? e.max.x : e.min.x,
-                                                         (corner & 2) != 0 ? e.max.y : e.min.y,
-                                                         (corner & 4) != 0 ? e.max.z : e.min.z});
-      half = {std::max(half.x, std::abs(p.x)), std::max(half.y, std::abs(p.y)),
-              std::max(half.z, std::abs(p.z))};
-    }
-  }
+  const Vec3 half = half_lengths_around(reading.world, made.placements);
   box.name = volume.name;
   box.solid = make_box(volume.name, 1.1 * half.x, 1.1 * half.y, 1.1 * half.z);
   box.material = read_material(reading, 0);

@@ -1,24 +1,18 @@
 # Installs the build in BINARY with the adapter NAME, moves it, and lets the program in outside_NAME
 # use it by find_package. FOLDER is for all of that; ENGINE is the folder of the engine's package.
-function(run)
-  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE text ERROR_VARIABLE text RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    string(REPLACE ";" " " command "${ARGN}")
-    message(FATAL_ERROR "${command}: ${result}\n${text}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${FOLDER})
 foreach(component runtime development ${NAME})
-  run(${CMAKE_COMMAND} --install ${BINARY} --prefix ${FOLDER}/first --component ${component})
+  run(unused ${CMAKE_COMMAND} --install ${BINARY} --prefix ${FOLDER}/first --component ${component})
 endforeach()
 file(RENAME ${FOLDER}/first ${FOLDER}/prefix)
 set(configure ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/outside_${NAME}
     -D CMAKE_PREFIX_PATH=${FOLDER}/prefix -D CMAKE_BUILD_TYPE=Release
     -D CMAKE_CXX_COMPILER=${COMPILER})
-run(${configure} -B ${FOLDER}/outside -D ${ENGINE_NAME}_DIR=${ENGINE})
-run(${CMAKE_COMMAND} --build ${FOLDER}/outside)
-run(${FOLDER}/outside/program)
+run(unused ${configure} -B ${FOLDER}/outside -D ${ENGINE_NAME}_DIR=${ENGINE})
+run(unused ${CMAKE_COMMAND} --build ${FOLDER}/outside)
+run(unused ${FOLDER}/outside/program)
 
 # Without the engine, and for a component that there is not, find_package says why.
 function(expect_failure pattern)

@@ -1,13 +1,6 @@
 # Installs the build in BINARY, moves it, and lets a program outside use it by find_package and by
 # pkg-config. FOLDER is for all of that.
-function(run output)
-  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE text ERROR_VARIABLE text RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    string(REPLACE ";" " " command "${ARGN}")
-    message(FATAL_ERROR "${command}: ${result}\n${text}")
-  endif()
-  set(${output} "${text}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 function(expect text pattern)
   if(NOT text MATCHES "${pattern}")

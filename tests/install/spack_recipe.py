@@ -76,9 +76,14 @@ depends = {re.split(r"[@ +]", a[0])[0] for a, _ in said["depends_on"]}
 wanted = {"EXPAT": "expat", "ZLIB": "zlib-api", "LibLZMA": "xz", "spdlog": "spdlog", "nlohmann_json": "nlohmann-json",
           "CLI11": "cli11", "PNG": "libpng", "LLVM": "llvm", "OpenSSL": "openssl", "MPI": "mpi",
           "VecGeom": None, "Python": None, "pybind11": "py-pybind11", "Threads": None, "Geant4": None}
+# Those that are found by a library or a header; LLVM's are in its package.
+libraries = {"LZ4": "lz4", "ZSTD": "zstd", "MUPARSER": "muparser", "VC": "vc", "LLVM": "llvm", "CLANG": "llvm"}
 rooms = [path for path in source.glob("*/CMakeLists.txt")
          if path.parent.name not in ("bench", "build", "examples", "tests")]
 texts = [lists] + [path.read_text() for path in [*rooms, *source.glob("adapters/*/CMakeLists.txt")]]
 for found in re.findall(r"find_package\((\w+)", "\n".join(texts)):
     assert found in wanted, f"the recipe knows no {found}"
     assert wanted[found] is None or wanted[found] in depends, f"{wanted[found]} is no dependency"
+for found in re.findall(r"find_(?:library|path)\(NAVJIT_([A-Z0-9]+)_", "\n".join(texts)):
+    assert found in libraries, f"the recipe knows no {found}"
+    assert libraries[found] in depends, f"{libraries[found]} is no dependency"

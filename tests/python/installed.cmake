@@ -1,16 +1,10 @@
 # Installs the build in BINARY into FOLDER, moves it, and imports the package from there: from the
 # folder PACKAGES of the prefix, by PYTHON.
-function(run)
-  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE text ERROR_VARIABLE text RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    string(REPLACE ";" " " command "${ARGN}")
-    message(FATAL_ERROR "${command}: ${result}\n${text}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../install/run.cmake)
 
 file(REMOVE_RECURSE ${FOLDER})
 foreach(component runtime python)
-  run(${CMAKE_COMMAND} --install ${BINARY} --prefix ${FOLDER}/first --component ${component})
+  run(unused ${CMAKE_COMMAND} --install ${BINARY} --prefix ${FOLDER}/first --component ${component})
 endforeach()
 file(RENAME ${FOLDER}/first ${FOLDER}/prefix)
 set(package ${FOLDER}/prefix/${PACKAGES}/navjit)
@@ -19,7 +13,7 @@ foreach(file __init__.py results.py _core.pyi py.typed)
     message(FATAL_ERROR "${package}/${file} was not installed")
   endif()
 endforeach()
-run(${CMAKE_COMMAND} -E env PYTHONPATH=${FOLDER}/prefix/${PACKAGES} ${PYTHON} -c "
+run(unused ${CMAKE_COMMAND} -E env PYTHONPATH=${FOLDER}/prefix/${PACKAGES} ${PYTHON} -c "
 import navjit
 assert navjit.__file__.startswith('${FOLDER}/prefix/'), navjit.__file__
 with open('/proc/self/maps') as maps:

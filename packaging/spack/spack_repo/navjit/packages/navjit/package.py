@@ -29,6 +29,8 @@ class Navjit(CMakePackage):
     depends_on("expat")
     depends_on("zlib-api")
     depends_on("xz")
+    depends_on("lz4")
+    depends_on("zstd")
     depends_on("muparser")
     depends_on("vc@1.4:")
     depends_on("spdlog")

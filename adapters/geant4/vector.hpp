@@ -1,0 +1,13 @@
+// Geant4's vectors as navjit's, and the other way round.
+#pragma once
+
+#include <G4ThreeVector.hh>
+
+#include "navjit/vector.hpp"
+
+namespace navjit::geant4 {
+
+inline Vec3 vector(const G4ThreeVector& v) { return {v.x(), v.y(), v.z()}; }
+inline G4ThreeVector vector(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+}  // namespace navjit::geant4
