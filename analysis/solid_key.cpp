@@ -34,11 +34,11 @@ struct Key {
 void add_solid(Key& key, const kernels::AnySolid<double>& solid) {
   key.add(solid.kind);
   kernels::visit(solid, [&](const auto& shape) {
-    if constexpr (requires { visit_fields(shape, key); }) {
-      visit_fields(shape, key);
-    } else if constexpr (requires { shape.a, shape.b; }) {
+    if constexpr (requires { shape.a.boxed; }) {
       add_solid(key, shape.a.solid);  // their boxes follow from the solids
       add_solid(key, shape.b.solid);
+    } else if constexpr (requires { visit_fields(shape, key); }) {
+      visit_fields(shape, key);
     } else if constexpr (requires { shape.solid, shape.translation, shape.rotation; }) {
       for (const double t : shape.translation) key.add(t);
       for (const double r : shape.rotation) key.add(r);

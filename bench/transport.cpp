@@ -12,6 +12,7 @@
 #include "common/statistics.hpp"
 #include "geometry/gdml/read_world.hpp"
 #include "navjit/runtime.hpp"
+#include "runtime/transport_basket.hpp"
 #ifdef NAVJIT_VECGEOM_LOOP
 #include "bench/vecgeom_loop.hpp"
 #endif
@@ -35,14 +36,23 @@ struct Engine {
   std::vector<double> ns_per_ray{};
 };
 
+void add(Totals& totals, const RayTotals& ray) {
+  totals.steps += ray.steps;
+  totals.length += ray.length;
+  totals.stuck += ray.stuck ? 1 : 0;
+}
+
 Totals transport_all(Navigator& navigator, const World& world, const std::vector<Ray>& rays) {
   Totals totals;
-  for (const Ray& ray : rays) {
-    const RayTotals t = transport(navigator, ray, world.tolerance);
-    totals.steps += t.steps;
-    totals.length += t.length;
-    totals.stuck += t.stuck ? 1 : 0;
-  }
+  for (const Ray& ray : rays) add(totals, transport(navigator, ray, world.tolerance));
+  return totals;
+}
+
+Totals transport_all(Basket& basket, const World& world, const std::vector<Ray>& rays) {
+  Totals totals;
+  const auto each = transport_in_basket(
+      basket, rays, world.tolerance, [](std::size_t, const State&, double) {}, [] { return true; });
+  for (const RayTotals& ray : each) add(totals, ray);
   return totals;
 }
 
@@ -99,6 +109,7 @@ int main(int argc, char** argv) try {
   int repetitions = 9;
   bool without_peers = false, without_jit = false, without_constants = false;
   std::vector<InstructionSet> sets{InstructionSet::native};
+  std::vector<std::size_t> baskets;
   app.add_option("detector", detector, "GDML file")->required();
   bench::add_ray_options(app, ray_options);
   app.add_option("--repetitions", repetitions, "of each engine, in turn");
@@ -106,6 +117,10 @@ int main(int argc, char** argv) try {
   app.add_flag("--without-peers", without_peers, "navjit alone");
   app.add_flag("--without-jit", without_jit, "no specialised navigators");
   app.add_flag("--without-constants", without_constants, "scenes are bound to data alone");
+  app.add_option("--basket", baskets,
+                 "also so many rays at once, from a basket; several with commas")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber);
   bench::add_isa_option(app, sets);
   CLI11_PARSE(app, argc, argv);
 
@@ -132,8 +147,13 @@ int main(int argc, char** argv) try {
     wait.specialiser.instruction_set = set;
     wait.specialiser.constants = wait.specialiser.structures = !without_constants;
     Specialised& made = *specialised.emplace_back(std::make_unique<Specialised>(world, wait));
-    engines.push_back({bench::specialised_name(set, sets), [] {},
-                       [&] { return transport_all(made.navigator, *world, rays); }});
+    const std::string name = bench::specialised_name(set, sets);
+    engines.push_back({name, [] {}, [&] { return transport_all(made.navigator, *world, rays); }});
+    for (const std::size_t places : baskets) {
+      const auto basket = std::make_shared<Basket>(made.runtime.basket(places));
+      engines.push_back({name + ", basket of " + std::to_string(places), [] {},
+                         [&, basket] { return transport_all(*basket, *world, rays); }});
+    }
   }
   std::shared_ptr<void> keep;
 #ifdef NAVJIT_VECGEOM

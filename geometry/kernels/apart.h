@@ -1,6 +1,9 @@
 // Solids that are so much code that copies of it cost more than calls.
 namespace navjit::kernels {
 
+template <class Real>
+struct Approach;
+
 /// A solid whose kernels are functions of their own, made once for all that call them.
 template <class Solid>
 struct SolidApart {
@@ -33,6 +36,22 @@ template <class Solid>
 template <class Solid>
 [[gnu::noinline]] double safety_to_out(const SolidApart<Solid>& s, const Vec3<double>& p) {
   return safety_to_out(s.solid, p);
+}
+
+// Booleans look through to what their operands are made of.
+template <class Solid>
+[[gnu::noinline]] double furthest_out(const SolidApart<Solid>& s, const Vec3<double>& p,
+                                      const Direction<double>& v, double tol) {
+  return furthest_out(s.solid, p, v, tol);
+}
+template <class Solid>
+[[gnu::noinline]] double nearest_in(const SolidApart<Solid>& s, const Vec3<double>& p,
+                                    const Direction<double>& v, double best, double tol) {
+  return nearest_in(s.solid, p, v, best, tol);
+}
+template <class Solid>
+[[gnu::noinline]] bool come_into(const SolidApart<Solid>& s, Approach<double>& way) {
+  return come_into(s.solid, way);
 }
 
 }  // namespace navjit::kernels

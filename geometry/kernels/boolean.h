@@ -1,4 +1,5 @@
 // Boolean solids over any two kernels A and B (booleans again, or solids in a frame of their own).
+// Their distances are in boolean_paths.h.
 namespace navjit::kernels {
 
 /// A solid in a frame of its own: local = rotation * (p - translation), rotation row-major.
@@ -95,11 +96,13 @@ bool may_contain(const Boxed<Real, S>& s, const Vec3<Real>& p, Real tol) {
   return (p.x >= s.low[0] - margin) & (p.x <= s.high[0] + margin) & (p.y >= s.low[1] - margin) &
          (p.y <= s.high[1] + margin) & (p.z >= s.low[2] - margin) & (p.z <= s.high[2] + margin);
 }
+/// Within `reach` ahead.
 template <class Real, class S>
-bool may_meet(const Boxed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+bool may_meet(const Boxed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v, Real reach,
+              Real tol) {
   if (s.boxed == 0) return true;
   const Real margin = 2 * tol;
-  Real enter = 0, leave = infinity<Real>();
+  Real enter = 0, leave = reach;
   const auto clip = [&](Real low, Real high, Real at, Real rate, Real inverse) {
     // Along the slab one is +-infinity times the other; on its very edge nothing is met.
     const Real t_low = (low - margin - at) * inverse, t_high = (high + margin - at) * inverse;
@@ -123,7 +126,8 @@ bool contains(const Boxed<Real, S>& s, const Vec3<Real>& p, const Direction<Real
 template <class Real, class S>
 Real distance_to_in(const Boxed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v,
                     Real tol) {
-  return may_meet(s, p, v, tol) ? distance_to_in(s.solid, p, v, tol) : infinity<Real>();
+  return may_meet(s, p, v, infinity<Real>(), tol) ? distance_to_in(s.solid, p, v, tol)
+                                                  : infinity<Real>();
 }
 template <class Real, class S>
 Real distance_to_out(const Boxed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v,
@@ -139,9 +143,6 @@ Real safety_to_out(const Boxed<Real, S>& s, const Vec3<Real>& p) {
   return safety_to_out(s.solid, p);
 }
 
-/// How often the search along a ray may change operands; real booleans need a handful.
-constexpr int boolean_search_limit = 256;
-
 // --- Union ----------------------------------------------------------------------------------
 
 template <class Real, class A, class B>
@@ -154,33 +155,6 @@ Side inside(const Union<A, B>& s, const Vec3<Real>& p, Real tol) {
 template <class Real, class A, class B>
 bool contains(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   return contains(s.a, p, v, tol) || contains(s.b, p, v, tol);
-}
-template <class Real, class A, class B>
-Real distance_to_in(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  const Real t = smaller(distance_to_in(s.a, p, v, tol), distance_to_in(s.b, p, v, tol));
-  // From within one operand, the surface of the other is no way in.
-  if (t < infinity<Real>() && contains(s, p, v, tol)) return distance_from_within(s, p, tol);
-  return t;
-}
-template <class Real, class A, class B>
-Real distance_to_out(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
-                     Real tol) {
-  // Walk from operand to operand until the end of one lies in neither.
-  Real t = 0;
-  Vec3<Real> q = p;
-  for (int turn = 0; turn < boolean_search_limit; ++turn) {
-    const Real before = t;
-    if (contains(s.a, q, v, tol)) {
-      t += distance_to_out(s.a, q, v, tol);
-      q = advance(p, v, t);
-    }
-    if (contains(s.b, q, v, tol)) {
-      t += distance_to_out(s.b, q, v, tol);
-      q = advance(p, v, t);
-    }
-    if (!(t > before)) break;
-  }
-  return t;
 }
 template <class Real, class A, class B>
 Real safety_to_in(const Union<A, B>& s, const Vec3<Real>& p) {
@@ -205,32 +179,6 @@ bool contains(const Intersection<A, B>& s, const Vec3<Real>& p, const Direction<
   return contains(s.a, p, v, tol) && contains(s.b, p, v, tol);
 }
 template <class Real, class A, class B>
-Real distance_to_in(const Intersection<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
-                    Real tol) {
-  Real t = 0;
-  Vec3<Real> q = p;
-  for (int turn = 0; turn < boolean_search_limit; ++turn) {
-    const bool in_a = contains(s.a, q, v, tol), in_b = contains(s.b, q, v, tol);
-    if (in_a && in_b) {
-      if (turn > 0) return t;
-      return inside(s, q, tol) == Side::surface ? Real(0) : infinity<Real>();
-    }
-    const Real to_a = in_a ? Real(0) : distance_to_in(s.a, q, v, tol);
-    const Real to_b = in_b ? Real(0) : distance_to_in(s.b, q, v, tol);
-    const Real further = larger(to_a, to_b);
-    if (!(further < infinity<Real>())) return further;
-    if (!(further > 0)) return t;
-    t += further;
-    q = advance(p, v, t);
-  }
-  return infinity<Real>();
-}
-template <class Real, class A, class B>
-Real distance_to_out(const Intersection<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
-                     Real tol) {
-  return smaller(distance_to_out(s.a, p, v, tol), distance_to_out(s.b, p, v, tol));
-}
-template <class Real, class A, class B>
 Real safety_to_in(const Intersection<A, B>& s, const Vec3<Real>& p) {
   return larger(safety_to_in(s.a, p), safety_to_in(s.b, p));
 }
@@ -252,32 +200,6 @@ Side inside(const Subtraction<A, B>& s, const Vec3<Real>& p, Real tol) {
 template <class Real, class A, class B>
 bool contains(const Subtraction<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   return contains(s.a, p, v, tol) && !contains(s.b, p, v, tol);
-}
-template <class Real, class A, class B>
-Real distance_to_in(const Subtraction<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
-                    Real tol) {
-  Real t = 0;
-  Vec3<Real> q = p;
-  for (int turn = 0; turn < boolean_search_limit; ++turn) {
-    if (!contains(s.a, q, v, tol)) {
-      const Real to_a = distance_to_in(s.a, q, v, tol);
-      if (!(to_a < infinity<Real>())) return to_a;
-      t += to_a;
-      q = advance(p, v, t);
-    } else if (turn == 0 && !contains(s.b, q, v, tol)) {
-      return inside(s, q, tol) == Side::surface ? Real(0) : infinity<Real>();
-    }
-    if (!contains(s.b, q, v, tol)) return t;
-    t += distance_to_out(s.b, q, v, tol);
-    q = advance(p, v, t);
-    if (contains(s.a, q, v, tol) && !contains(s.b, q, v, tol)) return t;
-  }
-  return infinity<Real>();
-}
-template <class Real, class A, class B>
-Real distance_to_out(const Subtraction<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
-                     Real tol) {
-  return smaller(distance_to_out(s.a, p, v, tol), distance_to_in(s.b, p, v, tol));
 }
 template <class Real, class A, class B>
 Real safety_to_in(const Subtraction<A, B>& s, const Vec3<Real>& p) {

@@ -93,29 +93,58 @@ template <class Real>
   return ray;
 }
 
-/// The crossings ahead, kept from the path `from` on, as crossings_ahead has them for facets.
+/// So many corners are looked at together: most polygons have no more.
+constexpr int corners_at_once = 64;
+
+/// On which side of a ray some corners in a row are. Which edges cross it no processor foresees, so
+/// that is told for all of them first, without branches; few do.
 template <class Real>
-Crossings<Real> edges_ahead(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol, Real from) {
+struct CornerSides {
+  Real of[corners_at_once];
+  unsigned long long left = 0;  ///< bit i: corner i is to the left of the ray
+  int near = 0;                 ///< how many are nearly on it
+
+  CornerSides(const PlanarCorner<Real>* corners, int count, const PlanarRay<Real>& ray,
+              Real close) {
+    for (int i = 0; i < count; ++i) {
+      const Real side = ray.u * (corners[i].y - ray.y) - ray.v * (corners[i].x - ray.x);
+      of[i] = side;
+      left |= static_cast<unsigned long long>(side > 0) << i;
+      near += absolute(side) <= close ? 1 : 0;
+    }
+  }
+};
+
+/// The crossings ahead, kept from the path `from` on, as crossings_ahead has them for facets.
+/// `near`: how many corners are within `close` of the ray, `close` being as CornerSides has it.
+template <class Real>
+Crossings<Real> edges_ahead(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol, Real from,
+                            Real close, int& near) {
   Crossings<Real> c;
   c.total = 0;
   c.count = 0;
   c.beyond = infinity<Real>();
+  near = 0;
   const Real length2 = ray.u * ray.u + ray.v * ray.v;
-  const auto side_of = [&](const PlanarCorner<Real>& at) {
-    return ray.u * (at.y - ray.y) - ray.v * (at.x - ray.x);
+  const auto along = [&](int corner) {
+    const PlanarCorner<Real>& at = s.corners[corner];
+    return ray.u * (at.x - ray.x) + ray.v * (at.y - ray.y);
   };
-  const PlanarCorner<Real>* before = s.corners + (s.count - 1);
-  Real side_before = side_of(*before);
-  for (int i = 0; i < s.count; ++i) {
-    const PlanarCorner<Real>* at = s.corners + i;
-    const Real side = side_of(*at);
-    if ((side > 0) != (side_before > 0)) {
-      const auto along = [&](const PlanarCorner<Real>& corner) {
-        return ray.u * (corner.x - ray.x) + ray.v * (corner.y - ray.y);
-      };
-      const Real begin = along(*before), end = along(*at);
-      const Real path = begin + (end - begin) * (side_before / (side_before - side));
-      if (path > 0 && edge_distance2(s, i, ray.x, ray.y) > tol * tol) {
+  int before = s.count - 1;
+  Real side_before = ray.u * (s.corners[before].y - ray.y) - ray.v * (s.corners[before].x - ray.x);
+  for (int first = 0; first < s.count; first += corners_at_once) {
+    const int count = s.count - first < corners_at_once ? s.count - first : corners_at_once;
+    const CornerSides<Real> sides(s.corners + first, count, ray, close);
+    near += sides.near;
+    unsigned long long crossing = sides.left ^ (sides.left << 1 | (side_before > 0 ? 1ULL : 0ULL));
+    crossing &= ~0ULL >> (corners_at_once - count);
+    for (; crossing != 0; crossing &= crossing - 1) {
+      const int corner = __builtin_ctzll(crossing);
+      const Real side = sides.of[corner], other = corner == 0 ? side_before : sides.of[corner - 1];
+      const int edge = first + corner;
+      const Real begin = along(corner == 0 ? before : edge - 1), end = along(edge);
+      const Real path = begin + (end - begin) * (other / (other - side));
+      if (path > 0 && edge_distance2(s, edge, ray.x, ray.y) > tol * tol) {
         // Leftwards of the ray: what is inside lies behind the edge.
         const int turn = side > 0 ? -1 : 1;
         c.total += turn;
@@ -123,27 +152,32 @@ Crossings<Real> edges_ahead(const Prism<Real>& s, const PlanarRay<Real>& ray, Re
         if (t >= from) keep_crossing(c, t, turn);
       }
     }
-    before = at;
-    side_before = side;
+    before = first + count - 1;
+    side_before = sides.of[count - 1];
   }
   return c;
 }
-
-/// The ray to ask edges_ahead about: itself, unless it runs along an edge.
 template <class Real>
-PlanarRay<Real> clear_of_edges(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol) {
-  // Both ends of such an edge are within the tolerance of the ray's line, roughly.
-  const auto off = [&](const PlanarCorner<Real>& at) {
-    return absolute(ray.u * (at.y - ray.y) - ray.v * (at.x - ray.x));
-  };
-  const Real near = 4 * tol * (absolute(ray.u) + absolute(ray.v));
-  bool near_before = off(s.corners[s.count - 1]) <= near, any = false;
-  for (int i = 0; i < s.count; ++i) {
-    const bool near_at = off(s.corners[i]) <= near;
-    any |= near_at & near_before;
-    near_before = near_at;
-  }
-  return __builtin_expect(any, 0) ? moved_inside(s, ray, tol) : ray;
+Crossings<Real> edges_ahead(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol, Real from) {
+  int near;
+  return edges_ahead(s, ray, tol, from, Real(0), near);
+}
+
+/// Both ends of an edge that the ray runs along are within this of its line, roughly.
+template <class Real>
+Real close_to(const PlanarRay<Real>& ray, Real tol) {
+  return 4 * tol * (absolute(ray.u) + absolute(ray.v));
+}
+
+/// The same after the ray has been moved off an edge that it runs along.
+template <class Real>
+Crossings<Real> edges_ahead_inside(const Prism<Real>& s, PlanarRay<Real>& ray, Real tol,
+                                   Real from) {
+  int near;
+  const Crossings<Real> c = edges_ahead(s, ray, tol, from, close_to(ray, tol), near);
+  if (__builtin_expect(near < 2, 1)) return c;
+  ray = moved_inside(s, ray, tol);
+  return edges_ahead(s, ray, tol, from);
 }
 
 /// Whether the polygon holds the start of the ray.
@@ -151,7 +185,8 @@ template <class Real>
 bool holds_start(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol) {
   if (outside_box(s, ray.x, ray.y) > tol) return false;
   if (ray.parallel && nearest_edge(s, ray.x, ray.y).distance2 <= tol * tol) return true;
-  return edges_ahead(s, clear_of_edges(s, ray, tol), tol, infinity<Real>()).total < 0;
+  PlanarRay<Real> clear = ray;
+  return edges_ahead_inside(s, clear, tol, infinity<Real>()).total < 0;
 }
 
 template <class Real>
@@ -211,8 +246,8 @@ Real distance_to_in(const Prism<Real>& s, const Vec3<Real>& p, const Direction<R
     if (!holds_start(s, seen, tol)) return infinity<Real>();
     return starts_in(slab) ? distance_from_within(s, p, tol) : slab.enter;
   }
-  const PlanarRay<Real> ray = clear_of_edges(s, seen, tol);
-  const Crossings<Real> c = edges_ahead(s, ray, tol, Real(0));
+  PlanarRay<Real> ray = seen;
+  const Crossings<Real> c = edges_ahead_inside(s, ray, tol, Real(0));
   if (c.total < 0 && starts_in(slab) && !(outside_box(s, seen.x, seen.y) > tol)) {
     return distance_from_within(s, p, tol);
   }
@@ -227,8 +262,8 @@ Real distance_to_out(const Prism<Real>& s, const Vec3<Real>& p, const Direction<
   if (!(leave > 0)) return Real(0);
   const PlanarRay<Real> seen = seen_along_z(p, v);
   if (seen.parallel) return holds_start(s, seen, tol) ? leave : Real(0);
-  const PlanarRay<Real> ray = clear_of_edges(s, seen, tol);
-  const Crossings<Real> c = edges_ahead(s, ray, tol, Real(0));
+  PlanarRay<Real> ray = seen;
+  const Crossings<Real> c = edges_ahead_inside(s, ray, tol, Real(0));
   return c.total < 0 ? smaller(path_out_of_polygon(s, ray, tol, c), leave) : Real(0);
 }
 

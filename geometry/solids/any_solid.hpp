@@ -56,6 +56,22 @@ Real safety_to_out(const AnySolid<Real>& s, const Vec3<Real>& p) {
   return visit(s, [&](const auto& shape) { return safety_to_out(shape, p); });
 }
 
+// Booleans look through to what their operands are made of.
+template <class Real>
+Real furthest_out(const AnySolid<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                  Real tol) {
+  return visit(s, [&](const auto& shape) { return furthest_out(shape, p, v, tol); });
+}
+template <class Real>
+Real nearest_in(const AnySolid<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real best,
+                Real tol) {
+  return visit(s, [&](const auto& shape) { return nearest_in(shape, p, v, best, tol); });
+}
+template <class Real>
+bool come_into(const AnySolid<Real>& s, Approach<Real>& way) {
+  return visit(s, [&](const auto& shape) { return come_into(shape, way); });
+}
+
 template <class Real>
 Vec3<Real> normal(const AnySolid<Real>& s, const Vec3<Real>& p, Real tol) {
   return visit(s, [&](const auto& shape) { return normal(shape, p, tol); });

@@ -4,12 +4,14 @@
 // chain of n takes the time of n^2 operands for one distance. So a union of unions is made anew, as
 // a balanced tree of parts that are close together, where the boxes of operands leave out most of
 // the tree; and what is cut from a solid is cut from it as one union: ((A - B) - C) = A - (B + C).
+// Of more than a few parts the boxes lie beside the tree as well, to be looked at eight at once.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "geometry/solids/extent.hpp"
 #include "geometry/solids/make.hpp"
+#include "geometry/solids/union_parts.hpp"
 
 namespace navjit {
 namespace {
@@ -48,6 +50,19 @@ Solid make_boolean(std::string name, SolidKind kind, const Solid& a, const Solid
                    const Extent& extent, bool first_boxed) {
   const Shape shape{operand(a, first_boxed), operand(b, true)};
   return {std::move(name), kind, hold(shape, a, b), extent};
+}
+
+/// Fewer are told as soon by the tree. A guess.
+constexpr std::size_t least_boxed_parts = 5;
+
+struct UnionHolder : Holder<kernels::AnyUnion<double>> {
+  kernels::UnionParts of_many;
+};
+
+std::shared_ptr<const void> hold_union(UnionHolder from) {
+  auto holder = std::make_shared<UnionHolder>(std::move(from));
+  holder->parts = &holder->of_many;
+  return {holder, static_cast<const kernels::AnyUnion<double>*>(holder.get())};
 }
 
 bool is_identity(const double (&r)[9]) {
@@ -131,7 +146,11 @@ Solid make_union(std::string name, const Solid& a, const Solid& b) {
   std::vector<Solid> parts;
   add_parts(a, parts);
   add_parts(b, parts);
-  return balanced_union(std::move(name), parts);
+  Solid tree = balanced_union(std::move(name), parts);
+  if (parts.size() < least_boxed_parts) return tree;
+  UnionHolder holder{holder_of<Union>(tree), kernels::make_union_parts(parts)};
+  tree.shape = hold_union(std::move(holder));
+  return tree;
 }
 
 Solid make_intersection(std::string name, const Solid& a, const Solid& b) {

@@ -5,6 +5,7 @@
 #include "navjit/solid_kind.hpp"
 
 #include "geometry/kernels/boolean.h"
+#include "geometry/kernels/boolean_paths.h"
 
 namespace navjit {
 
@@ -14,8 +15,13 @@ template <class Real>
 using AnyPlaced = Placed<Real, AnySolid<Real>>;
 template <class Real>
 using AnyOperand = Boxed<Real, AnySolid<Real>>;
+struct UnionParts;
+/// A union of many is a set of parts as well (any_union.hpp).
 template <class Real>
-using AnyUnion = Union<AnyOperand<Real>, AnyOperand<Real>>;
+struct AnyUnion {
+  AnyOperand<Real> a, b;
+  const UnionParts* parts = nullptr;  ///< the same; null: few, or not in double precision
+};
 template <class Real>
 using AnyIntersection = Intersection<AnyOperand<Real>, AnyOperand<Real>>;
 template <class Real>
@@ -24,22 +30,22 @@ using AnySubtraction = Subtraction<AnyOperand<Real>, AnyOperand<Real>>;
 
 template <>
 struct SolidFacts<kernels::AnyPlaced<double>> {
-  static constexpr std::array kernel_files{"convex", "boolean"};
+  static constexpr std::array kernel_files{"convex", "boolean", "boolean_paths"};
 };
 
 template <>
 struct SolidFacts<kernels::AnyUnion<double>> {
-  static constexpr std::array kernel_files{"convex", "boolean"};
+  static constexpr std::array kernel_files{"convex", "boolean", "boolean_paths"};
 };
 
 template <>
 struct SolidFacts<kernels::AnyIntersection<double>> {
-  static constexpr std::array kernel_files{"convex", "boolean"};
+  static constexpr std::array kernel_files{"convex", "boolean", "boolean_paths"};
 };
 
 template <>
 struct SolidFacts<kernels::AnySubtraction<double>> {
-  static constexpr std::array kernel_files{"convex", "boolean"};
+  static constexpr std::array kernel_files{"convex", "boolean", "boolean_paths"};
 };
 
 }  // namespace navjit

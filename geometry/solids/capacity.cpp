@@ -22,6 +22,8 @@ double volume(const Boolean<Operand, Operand>&) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
+double volume(const kernels::AnyUnion<double>&) { return std::numeric_limits<double>::quiet_NaN(); }
+
 double volume(const kernels::AnySolid<double>& s) {
   return kernels::visit(s, [](const auto& shape) { return volume(shape); });
 }

@@ -1,6 +1,7 @@
 // All solids. A new one needs two lines here, one of each list.
 #pragma once
 
+#include "geometry/solids/any_union.hpp"
 #include "geometry/solids/arb8.hpp"
 #include "geometry/solids/boolean.hpp"
 #include "geometry/solids/box.hpp"

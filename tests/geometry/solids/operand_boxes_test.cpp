@@ -1,47 +1,15 @@
 // The boxes of a boolean's operands change no bit of an answer.
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <bit>
 #include <random>
 
-#include "geometry/solids/solid.hpp"
+#include "tests/support/random_solids.hpp"
 
 namespace navjit {
 namespace {
 
 constexpr double tolerance = 1e-9;
-
-double uniform(std::mt19937_64& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-Solid random_primitive(std::mt19937_64& random) {
-  const auto size = [&] { return uniform(random, 0.5, 4); };
-  switch (random() % 5) {
-    case 0:
-      return make_box("s", size(), size(), size());
-    case 1:
-      return make_tube("s", 0.3, 0.5 + size(), size(), 0.2, uniform(random, 1, 6.2));
-    case 2:
-      return make_cone("s", 0.1, size(), 0.2, size(), size(), 0, 6.283185307179586);
-    case 3:
-      return make_orb("s", size());
-    default:
-      return make_trd("s", size(), size(), size(), size(), size());
-  }
-}
-
-SolidFrame random_frame(std::mt19937_64& random) {
-  SolidFrame frame;
-  for (double& t : frame.translation) t = uniform(random, -3, 3);
-  if (random() % 2 == 0) {
-    const double a = uniform(random, 0, 6);
-    const double c = std::cos(a), s = std::sin(a);
-    const double turn[9] = {c, s, 0, -s, c, 0, 0, 0, 1};
-    std::memcpy(frame.rotation, turn, sizeof turn);
-  }
-  return frame;
-}
 
 template <class Any>
 bool same_answers(const Any& boxed, std::mt19937_64& random) {

@@ -1,0 +1,179 @@
+// Distances of boolean solids. However deep operands are nested, each is asked once for each point
+// of the ray that matters: a union of unions is one set of parts, and what is within some solids
+// and outside of others is one list of conditions. Which shape the tree has changes no answer, but
+// for conditions in another order, which add up the same path in other parts.
+namespace navjit::kernels {
+
+/// How often the search along a ray may go on; real booleans need a handful.
+constexpr int boolean_search_limit = 256;
+
+// --- Parts of a union -----------------------------------------------------------------------
+
+/// The longest way out among the parts that contain the point; 0 if none does.
+template <class Real, class S>
+Real furthest_out(const S& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return contains(s, p, v, tol) ? distance_to_out(s, p, v, tol) : Real(0);
+}
+template <class Real, class S>
+Real furthest_out(const Placed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                  Real tol) {
+  if (s.rotated == 0) return furthest_out(s.solid, to_local(s, p), v, tol);
+  return contains(s, p, v, tol) ? distance_to_out(s, p, v, tol) : Real(0);
+}
+template <class Real, class S>
+Real furthest_out(const Boxed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                  Real tol) {
+  return may_contain(s, p, tol) ? furthest_out(s.solid, p, v, tol) : Real(0);
+}
+template <class Real, class A, class B>
+Real furthest_out(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return larger(furthest_out(s.a, p, v, tol), furthest_out(s.b, p, v, tol));
+}
+
+/// `best`, or the way to the nearest part if that is shorter. From within a part the others'
+/// surfaces count all the same.
+template <class Real, class S>
+Real nearest_in(const S& s, const Vec3<Real>& p, const Direction<Real>& v, Real best, Real tol) {
+  return smaller(distance_to_in(s, p, v, tol), best);
+}
+template <class Real, class S>
+Real nearest_in(const Placed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v, Real best,
+                Real tol) {
+  if (s.rotated == 0) return nearest_in(s.solid, to_local(s, p), v, best, tol);
+  return smaller(distance_to_in(s, p, v, tol), best);
+}
+template <class Real, class S>
+Real nearest_in(const Boxed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v, Real best,
+                Real tol) {
+  return may_meet(s, p, v, best, tol) ? nearest_in(s.solid, p, v, best, tol) : best;
+}
+template <class Real, class A, class B>
+Real nearest_in(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v, Real best,
+                Real tol) {
+  return nearest_in(s.b, p, v, nearest_in(s.a, p, v, best, tol), tol);
+}
+
+template <class Real, class S>
+Real distance_to_nearest_part(const S& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Real t = nearest_in(s, p, v, infinity<Real>(), tol);
+  // From within one operand, the surface of the other is no way in.
+  if (t < infinity<Real>() && contains(s, p, v, tol)) return distance_from_within(s, p, tol);
+  return t;
+}
+/// From part to part until the end of one lies in none.
+template <class Real, class S>
+Real distance_through_parts(const S& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  Real t = 0;
+  Vec3<Real> q = p;
+  for (int turn = 0; turn < boolean_search_limit; ++turn) {
+    const Real further = furthest_out(s, q, v, tol);
+    if (!(further > 0)) break;
+    t += further;
+    q = advance(p, v, t);
+  }
+  return t;
+}
+
+template <class Real, class A, class B>
+Real distance_to_in(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return distance_to_nearest_part(s, p, v, tol);
+}
+template <class Real, class A, class B>
+Real distance_to_out(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                     Real tol) {
+  return distance_through_parts(s, p, v, tol);
+}
+
+// --- Within some solids and outside of others -----------------------------------------------
+
+/// The way to where all conditions hold: each that does not moves the point on to where it does.
+template <class Real>
+struct Approach {
+  const Vec3<Real>& start;
+  const Direction<Real>& v;
+  Real tol;
+  Real t;
+  Vec3<Real> at;
+  int next;   ///< number of the condition that is looked at next
+  int moved;  ///< number of the one that moved the point last; -1: none
+  bool done;
+};
+
+/// Whether condition `next` still has to be looked at: the others have held since it last did.
+template <class Real>
+bool is_open(Approach<Real>& way) {
+  way.done |= way.next++ == way.moved;
+  return !way.done;
+}
+/// The condition holds `further` ahead. False if that is nowhere.
+template <class Real>
+bool move_on(Approach<Real>& way, Real further) {
+  if (!(further < infinity<Real>())) return false;
+  if (further > 0) {
+    way.t += further;
+    way.at = advance(way.start, way.v, way.t);
+    way.moved = way.next - 1;
+  }
+  return true;
+}
+
+/// To within `s`. False if the ray never comes there.
+template <class Real, class S>
+bool come_into(const S& s, Approach<Real>& way) {
+  if (!is_open(way) || contains(s, way.at, way.v, way.tol)) return true;
+  return move_on(way, distance_to_in(s, way.at, way.v, way.tol));
+}
+/// To outside of `s`.
+template <class Real, class S>
+bool come_out_of(const S& s, Approach<Real>& way) {
+  if (!is_open(way) || !contains(s, way.at, way.v, way.tol)) return true;
+  return move_on(way, distance_to_out(s, way.at, way.v, way.tol));
+}
+template <class Real, class A, class B>
+bool come_into(const Intersection<A, B>& s, Approach<Real>& way) {
+  return come_into(s.a, way) && come_into(s.b, way);
+}
+template <class Real, class A, class B>
+bool come_into(const Subtraction<A, B>& s, Approach<Real>& way) {
+  return come_into(s.a, way) && come_out_of(s.b, way);
+}
+template <class Real, class S>
+bool come_into(const Boxed<Real, S>& s, Approach<Real>& way) {
+  return may_meet(s, way.at, way.v, infinity<Real>(), way.tol) && come_into(s.solid, way);
+}
+
+template <class Real, class S>
+Real distance_by_conditions(const S& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  Approach<Real> way{p, v, tol, Real(0), p, 0, -1, false};
+  for (int turn = 0; turn < boolean_search_limit; ++turn) {
+    if (!come_into(s, way)) return infinity<Real>();
+    if (way.moved < 0) return distance_from_within(s, p, tol);
+    if (way.done) return way.t;
+    way.next = 0;
+  }
+  return infinity<Real>();
+}
+
+template <class Real, class A, class B>
+Real distance_to_in(const Intersection<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                    Real tol) {
+  return distance_by_conditions(s, p, v, tol);
+}
+template <class Real, class A, class B>
+Real distance_to_out(const Intersection<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                     Real tol) {
+  return smaller(distance_to_out(s.a, p, v, tol), distance_to_out(s.b, p, v, tol));
+}
+
+template <class Real, class A, class B>
+Real distance_to_in(const Subtraction<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                    Real tol) {
+  return distance_by_conditions(s, p, v, tol);
+}
+template <class Real, class A, class B>
+Real distance_to_out(const Subtraction<A, B>& s, const Vec3<Real>& p, const Direction<Real>& v,
+                     Real tol) {
+  return smaller(distance_to_out(s.a, p, v, tol), distance_to_in(s.b, p, v, tol));
+}
+
+}  // namespace navjit::kernels

@@ -1,0 +1,142 @@
+#include "geometry/solids/union_parts.hpp"
+
+#include <algorithm>
+
+#include "geometry/solids/extent.hpp"
+
+namespace navjit::kernels {
+namespace {
+
+BoxBlock no_boxes() {
+  BoxBlock block;
+  for (int axis = 0; axis < 3; ++axis) {
+    block.low[axis] = all_lanes(__builtin_inff());
+    block.high[axis] = all_lanes(-__builtin_inff());
+  }
+  return block;
+}
+
+/// The box around those in a block.
+void add_group(std::vector<BoxBlock>& groups, std::size_t number, const BoxBlock& block) {
+  if (number % box_lanes == 0) groups.push_back(no_boxes());
+  const std::size_t lane = number % box_lanes;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int l = 0; l < box_lanes; ++l) {
+      Floats &low = groups.back().low[axis], &high = groups.back().high[axis];
+      low[lane] = std::min<float>(low[lane], block.low[axis][l]);
+      high[lane] = std::max<float>(high[lane], block.high[axis][l]);
+    }
+  }
+}
+
+/// ask(number) of the parts in lanes that `lanes(block)` gives, until it says that this is enough.
+template <class Lanes, class Ask>
+bool ask_parts(const UnionParts& s, Lanes lanes, Ask ask) {
+  const auto ask_block = [&](std::size_t b) {
+    for (unsigned met = lanes(s.blocks[b]); met != 0; met &= met - 1) {
+      if (ask(b * box_lanes + static_cast<unsigned>(__builtin_ctz(met)))) return true;
+    }
+    return false;
+  };
+  if (s.blocks.size() <= 2) {
+    for (std::size_t b = 0; b < s.blocks.size(); ++b) {
+      if (ask_block(b)) return true;
+    }
+    return false;
+  }
+  for (std::size_t g = 0; g < s.groups.size(); ++g) {
+    for (unsigned met = lanes(s.groups[g]); met != 0; met &= met - 1) {
+      if (ask_block(g * box_lanes + static_cast<unsigned>(__builtin_ctz(met)))) return true;
+    }
+  }
+  return false;
+}
+
+/// Where the ray comes to the box around all; more than `reach` if not before that.
+double path_to_all(const UnionParts& s, const Vec3<double>& p, const Direction<double>& v,
+                   double reach) {
+  const double at[3] = {p.x, p.y, p.z}, rate[3] = {v.x, v.y, v.z},
+               inverse[3] = {v.inverse_x, v.inverse_y, v.inverse_z};
+  double enter = 0, leave = reach;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool down = rate[axis] < 0;
+    enter = larger(((down ? s.high : s.low)[axis] - at[axis]) * inverse[axis], enter);
+    leave = smaller(((down ? s.low : s.high)[axis] - at[axis]) * inverse[axis], leave);
+  }
+  return enter <= leave ? enter : infinity<double>();
+}
+
+bool is_around(const UnionParts& s, const Vec3<double>& p) {
+  return (p.x >= s.low[0]) & (p.x <= s.high[0]) & (p.y >= s.low[1]) & (p.y <= s.high[1]) &
+         (p.z >= s.low[2]) & (p.z <= s.high[2]);
+}
+
+}  // namespace
+
+UnionParts make_union_parts(std::span<const Solid> parts) {
+  UnionParts s{};
+  Extent all = parts[0].extent;
+  for (const Solid& part : parts) all = merged(all, part.extent);
+  s.margin = 0x1p-20 * largest_coordinate(all);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    s.solids.push_back(parts[i].any());
+    const std::size_t lane = i % box_lanes;
+    if (lane == 0) s.blocks.push_back(no_boxes());
+    const Extent box = inflated(parts[i].extent, s.margin);
+    const double low[3] = {box.min.x, box.min.y, box.min.z},
+                 high[3] = {box.max.x, box.max.y, box.max.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      s.blocks.back().low[axis][lane] = strictly_below(low[axis]);
+      s.blocks.back().high[axis][lane] = strictly_above(high[axis]);
+    }
+  }
+  for (std::size_t b = 0; b < s.blocks.size(); ++b) add_group(s.groups, b, s.blocks[b]);
+  const Extent around = inflated(all, s.margin);
+  const double low[3] = {around.min.x, around.min.y, around.min.z},
+               high[3] = {around.max.x, around.max.y, around.max.z};
+  std::copy_n(low, 3, s.low);
+  std::copy_n(high, 3, s.high);
+  return s;
+}
+
+bool is_wide_enough(const UnionParts& s, double tol) { return s.margin > 8 * tol; }
+
+bool contains(const UnionParts& s, const Vec3<double>& p, const Direction<double>& v, double tol) {
+  return is_around(s, p) && ask_parts(
+                                s, [&](const BoxBlock& block) { return lanes_around(block, p); },
+                                [&](std::size_t k) { return contains(s.solids[k], p, v, tol); });
+}
+
+double furthest_out(const UnionParts& s, const Vec3<double>& p, const Direction<double>& v,
+                    double tol) {
+  double furthest = 0;
+  if (!is_around(s, p)) return furthest;
+  ask_parts(
+      s, [&](const BoxBlock& block) { return lanes_around(block, p); },
+      [&](std::size_t k) {
+        furthest = larger(furthest_out(s.solids[k], p, v, tol), furthest);
+        return false;
+      });
+  return furthest;
+}
+
+double nearest_in(const UnionParts& s, const Vec3<double>& p, const Direction<double>& v,
+                  double best, double tol) {
+  // From where the ray comes near them, so that single precision is good enough.
+  const double ahead = path_to_all(s, p, v, best);
+  if (!(ahead < infinity<double>())) return best;
+  const FloatRay ray = float_ray(advance(p, v, ahead), v);
+  Floats enter;
+  ask_parts(
+      s,
+      [&](const BoxBlock& block) {
+        return lanes_met(block, ray, 0.0F, strictly_above(best - ahead), enter);
+      },
+      [&](std::size_t k) {
+        best = nearest_in(s.solids[k], p, v, best, tol);
+        return false;
+      });
+  return best;
+}
+
+}  // namespace navjit::kernels
