@@ -9,9 +9,9 @@ namespace {
 /// Stretches differ among themselves by what the run does in them.
 constexpr double least_pairs = 8;
 /// Standard errors between the sides: who looks after each pair of stretches is deceived by chance
-/// sooner or later, who looks at the end is not. Where the truth is near zero either verdict will
-/// do.
-constexpr double errors_apart_early = 4, errors_apart_late = 1.5;
+/// sooner or later, who looks at the end is not: there what is likelier holds, with a little to
+/// spare.
+constexpr double errors_apart_early = 4, errors_apart_late = 0.5;
 /// Of a step: what switching so much code costs the side that has it. A guess.
 constexpr double cost_of_switching = 0.02;
 
