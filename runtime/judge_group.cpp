@@ -16,7 +16,8 @@ constexpr unsigned looks_in_stretch = 4;
 /// Fewer are no crowd.
 constexpr std::size_t least_members = 3;
 /// Where the scenes' own trials say that so much of the time is saved, what they cost one another
-/// is hardly as much: 0.1 was said of a hall of 546 volumes that took 1.06 times as long.
+/// is hardly as much: of a hall of 546 volumes that took 1.06 times as long they said over 0.1. A
+/// guess.
 constexpr double no_doubt = 0.2;
 
 bool is_compiled(const Specialisation& spec, const std::shared_ptr<const void>& owner) {
