@@ -93,21 +93,20 @@ template <class Real>
   return ray;
 }
 
-/// So many corners are looked at together: most polygons have no more.
-constexpr int corners_at_once = 64;
+/// What has more corners is no prism, but facets.
+constexpr int most_corners_of_prism = 64;
 
-/// On which side of a ray some corners in a row are. Which edges cross it no processor foresees, so
+/// On which side of a ray a polygon's corners are. Which edges cross it no processor foresees, so
 /// that is told for all of them first, without branches; few do.
 template <class Real>
 struct CornerSides {
-  Real of[corners_at_once];
+  Real of[most_corners_of_prism];
   unsigned long long left = 0;  ///< bit i: corner i is to the left of the ray
   int near = 0;                 ///< how many are nearly on it
 
-  CornerSides(const PlanarCorner<Real>* corners, int count, const PlanarRay<Real>& ray,
-              Real close) {
-    for (int i = 0; i < count; ++i) {
-      const Real side = ray.u * (corners[i].y - ray.y) - ray.v * (corners[i].x - ray.x);
+  CornerSides(const Prism<Real>& s, const PlanarRay<Real>& ray, Real close) {
+    for (int i = 0; i < s.count; ++i) {
+      const Real side = ray.u * (s.corners[i].y - ray.y) - ray.v * (s.corners[i].x - ray.x);
       of[i] = side;
       left |= static_cast<unsigned long long>(side > 0) << i;
       near += absolute(side) <= close ? 1 : 0;
@@ -116,51 +115,39 @@ struct CornerSides {
 };
 
 /// The crossings ahead, kept from the path `from` on, as crossings_ahead has them for facets.
-/// `near`: how many corners are within `close` of the ray, `close` being as CornerSides has it.
 template <class Real>
 Crossings<Real> edges_ahead(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol, Real from,
-                            Real close, int& near) {
+                            const CornerSides<Real>& sides) {
   Crossings<Real> c;
   c.total = 0;
   c.count = 0;
   c.beyond = infinity<Real>();
-  near = 0;
   const Real length2 = ray.u * ray.u + ray.v * ray.v;
   const auto along = [&](int corner) {
     const PlanarCorner<Real>& at = s.corners[corner];
     return ray.u * (at.x - ray.x) + ray.v * (at.y - ray.y);
   };
-  int before = s.count - 1;
-  Real side_before = ray.u * (s.corners[before].y - ray.y) - ray.v * (s.corners[before].x - ray.x);
-  for (int first = 0; first < s.count; first += corners_at_once) {
-    const int count = s.count - first < corners_at_once ? s.count - first : corners_at_once;
-    const CornerSides<Real> sides(s.corners + first, count, ray, close);
-    near += sides.near;
-    unsigned long long crossing = sides.left ^ (sides.left << 1 | (side_before > 0 ? 1ULL : 0ULL));
-    crossing &= ~0ULL >> (corners_at_once - count);
-    for (; crossing != 0; crossing &= crossing - 1) {
-      const int corner = __builtin_ctzll(crossing);
-      const Real side = sides.of[corner], other = corner == 0 ? side_before : sides.of[corner - 1];
-      const int edge = first + corner;
-      const Real begin = along(corner == 0 ? before : edge - 1), end = along(edge);
-      const Real path = begin + (end - begin) * (other / (other - side));
-      if (path > 0 && edge_distance2(s, edge, ray.x, ray.y) > tol * tol) {
-        // Leftwards of the ray: what is inside lies behind the edge.
-        const int turn = side > 0 ? -1 : 1;
-        c.total += turn;
-        const Real t = path / length2;
-        if (t >= from) keep_crossing(c, t, turn);
-      }
+  const int last = s.count - 1;
+  unsigned long long crossing = sides.left ^ (sides.left << 1 | sides.left >> last);
+  crossing &= ~0ULL >> (most_corners_of_prism - s.count);
+  for (; crossing != 0; crossing &= crossing - 1) {
+    const int edge = __builtin_ctzll(crossing), before = edge == 0 ? last : edge - 1;
+    const Real side = sides.of[edge], side_before = sides.of[before];
+    const Real begin = along(before), end = along(edge);
+    const Real path = begin + (end - begin) * (side_before / (side_before - side));
+    if (path > 0 && edge_distance2(s, edge, ray.x, ray.y) > tol * tol) {
+      // Leftwards of the ray: what is inside lies behind the edge.
+      const int turn = side > 0 ? -1 : 1;
+      c.total += turn;
+      const Real t = path / length2;
+      if (t >= from) keep_crossing(c, t, turn);
     }
-    before = first + count - 1;
-    side_before = sides.of[count - 1];
   }
   return c;
 }
 template <class Real>
 Crossings<Real> edges_ahead(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol, Real from) {
-  int near;
-  return edges_ahead(s, ray, tol, from, Real(0), near);
+  return edges_ahead(s, ray, tol, from, CornerSides<Real>(s, ray, Real(0)));
 }
 
 /// Both ends of an edge that the ray runs along are within this of its line, roughly.
@@ -173,9 +160,8 @@ Real close_to(const PlanarRay<Real>& ray, Real tol) {
 template <class Real>
 Crossings<Real> edges_ahead_inside(const Prism<Real>& s, PlanarRay<Real>& ray, Real tol,
                                    Real from) {
-  int near;
-  const Crossings<Real> c = edges_ahead(s, ray, tol, from, close_to(ray, tol), near);
-  if (__builtin_expect(near < 2, 1)) return c;
+  const CornerSides<Real> sides(s, ray, close_to(ray, tol));
+  if (__builtin_expect(sides.near < 2, 1)) return edges_ahead(s, ray, tol, from, sides);
   ray = moved_inside(s, ray, tol);
   return edges_ahead(s, ray, tol, from);
 }

@@ -12,9 +12,6 @@ using detail::require;
 using detail::wrongly_surrounded;
 using Polygon = std::vector<PlanarPoint>;
 
-/// A prism looks at each of its edges, triangles at those whose boxes are near.
-constexpr std::size_t most_corners_of_prism = 64;
-
 double turn(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) {
   return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
 }
@@ -208,7 +205,7 @@ Solid make_extruded(std::string name, std::span<const PlanarPoint> given,
     return s.scale == sections[0].scale && s.x == sections[0].x && s.y == sections[0].y;
   });
   // It may touch itself, but nothing may be surrounded twice or the wrong way round.
-  if (upright && !crossing && polygon.size() <= most_corners_of_prism &&
+  if (upright && !crossing && polygon.size() <= kernels::most_corners_of_prism &&
       wrongly_surrounded(polygon) <= 1e-12 * twice_area(polygon)) {
     return detail::make_prism(std::move(name), std::span(corners).first(polygon.size()),
                               sections.front().z, sections.back().z);
