@@ -1,5 +1,4 @@
-// A toy shower: particles that scatter as in matter, recorded once and made again by every engine,
-// so that all of them answer the same questions without drawing random numbers.
+// A toy shower: particles that scatter as in matter.
 #pragma once
 
 #include <cstdint>
@@ -29,23 +28,5 @@ struct ShowerOptions {
 /// has stopped.
 std::vector<peers::Flight> shower(Runtime& runtime, const std::vector<Ray>& primaries,
                                   const ShowerOptions& options);
-
-/// What an engine did.
-struct Followed {
-  std::uint64_t steps = 0;
-  double length = 0;    ///< mm
-  double safeties = 0;  ///< their sum, mm
-};
-
-/// Which safeties.
-enum class Asked : std::uint8_t {
-  none,
-  enough,  ///< no more than the step that is planned
-  whole,
-};
-
-/// Makes the flights again with a navigator, asking for the safety, if wanted, before each step
-/// that does not start on a boundary: there it is 0, and multiple scattering does not ask.
-Followed follow(Navigator& navigator, const std::vector<peers::Flight>& flights, Asked asked);
 
 }  // namespace navjit::bench

@@ -9,6 +9,8 @@
 #include <memory>
 
 #include "bench/choices.hpp"
+#include "bench/flights.hpp"
+#include "bench/photons.hpp"
 #include "bench/ray_options.hpp"
 #include "bench/shower.hpp"
 #include "common/clock.hpp"
@@ -22,6 +24,8 @@ using namespace navjit;
 struct Options {
   bench::RayOptions rays;
   bench::ShowerOptions shower;
+  bench::PhotonOptions photons;
+  bool only_photons = false;
   int repetitions = 7;
   bench::Asked asked = bench::Asked::whole;
   bool peers = true;
@@ -86,7 +90,9 @@ double measure(const std::string& file, const Options& options) {
   const auto world = std::make_shared<const World>(read_world(file));
   const std::vector<Ray> primaries = bench::rays_of_any(options.rays, *world);
   Specialised generic(world, JitMode::off, false), made(world, JitMode::on, options.perf_map);
-  const auto flights = bench::shower(generic.runtime, primaries, options.shower);
+  const auto flights = options.only_photons
+                           ? bench::photons(generic.runtime, primaries, options.photons)
+                           : bench::shower(generic.runtime, primaries, options.shower);
   std::vector<Engine> engines;
   for (Specialised* s : {&generic, &made}) {
     engines.push_back({s == &made ? "navjit specialised" : "navjit generic", [] {},
@@ -132,6 +138,11 @@ int main(int argc, char** argv) try {
   app.add_option("--mean-step", options.shower.mean_step,
                  "mm, in what is denser than a gas (default: a fifth of the radiation length)");
   app.add_option("--steps", options.shower.most_steps, "that end within a volume, of a primary");
+  auto* photons = app.add_flag("--photons", options.only_photons,
+                               "optical photons instead of a shower: they fly on or are reflected");
+  app.add_option("--reflected", options.photons.reflected, "of the photons at a boundary, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0))
+      ->needs(photons);
   app.add_option("--repetitions", options.repetitions, "of each engine, in turn");
   const std::map<std::string, bench::Asked> safeties{{"whole", bench::Asked::whole},
                                                      {"enough", bench::Asked::enough},
@@ -142,6 +153,8 @@ int main(int argc, char** argv) try {
   app.add_flag("!--without-peers", options.peers, "navjit alone");
   app.add_flag("--perf-map", options.perf_map, "name generated functions for perf");
   CLI11_PARSE(app, argc, argv);
+  if (options.only_photons) options.asked = bench::Asked::none;  // nothing scatters
+  options.photons.most_steps = options.shower.most_steps;
   if (detectors.size() > 1) options.peers = false;  // VecGeom holds one detector in a process
   std::printf(
       "| detector | engine | steps | length, mm | safeties, mm | ns/step | speed-up over navjit "

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/navigation/generic.hpp"
+#include "geometry/navigation/steps_of_no_length.hpp"
 #include "geometry/navigation/thread_sanitizer.hpp"
 #include "runtime/steady_seconds.hpp"
 
@@ -17,7 +18,8 @@ DispatchTable::DispatchTable(const Geometry& geometry)
     entries_[v].store(&generic::dispatch_entry, std::memory_order_relaxed);
   }
   // Generated code reads the entries through __atomic_load_n: the same object representation.
-  context_ = {reinterpret_cast<const kernels::DispatchEntry* const*>(entries_.get()), &geometry};
+  context_ = {reinterpret_cast<const kernels::DispatchEntry* const*>(entries_.get()), &geometry,
+              leave_at_once, return_at_once};
 }
 
 void DispatchTable::install(VolumeId volume, const kernels::DispatchEntry* record,

@@ -188,6 +188,11 @@ template <bool rare, class S>
   using Daughters = decltype(s.daughters);
   const double tol = s.tolerance;
   double best = rare ? distance_to_out(s.mother, p, v, tol) : distance_to_exit(s.mother, p, v, tol);
+  if (__builtin_expect(best == 0, 0)) {
+    // No daughter is nearer. Photons that are reflected come here often.
+    context->leave_at_once(stack, context, x, y, z);
+    return best;
+  }
   [[maybe_unused]] int hit = -1;
   if constexpr (Daughters::any) {
     const unsigned left = stack->levels[stack->depth + 1].daughter;
@@ -198,7 +203,10 @@ template <bool rare, class S>
       hit = s.search.nearest(ahead, p, v, best, limit, left, tol);
     }
   }
-  if (__builtin_expect(!(best > 0), 0)) return -1.0;
+  if (__builtin_expect(!(best > 0), 0)) {
+    // Into a daughter at whose surface the track is already, or from within one.
+    return Daughters::any ? context->return_at_once(stack, context, x, y, z) : -1.0;
+  }
   if (best > limit) {
     stack->boundary = 0;
     return limit;

@@ -4,95 +4,12 @@
 #include <span>
 
 #include "geometry/bvh/box_tree_traversal.hpp"
+#include "geometry/navigation/packed_daughter.hpp"
 
 namespace navjit::generic {
 namespace {
 
-using kernels::AnySolid;
-
 constexpr unsigned no_daughter = ~0U;
-
-void push(NavigationStack& stack, const PackedDaughter& d, unsigned index) {
-  const auto& [x, y, z] = d.translation;
-  if (d.rotation == nullptr) {
-    kernels::push_translated(&stack, d.volume, index, d.offset, x, y, z);
-  } else {
-    kernels::push_rotated(&stack, d.volume, index, d.offset, x, y, z, d.rotation);
-  }
-}
-
-/// In the daughter's frame, but for its rotation.
-Vec3 translated(const PackedDaughter& d, const Vec3& p) {
-  return {p.x - d.translation[0], p.y - d.translation[1], p.z - d.translation[2]};
-}
-Vec3 rotated(const double* r, double x, double y, double z) {
-  return {rotate_row(r, x, y, z), rotate_row(r + 3, x, y, z), rotate_row(r + 6, x, y, z)};
-}
-Vec3 local(const PackedDaughter& d, const Vec3& p) {
-  const Vec3 q = translated(d, p);
-  return d.rotation == nullptr ? q : rotated(d.rotation, q.x, q.y, q.z);
-}
-
-// Most volumes are boxes: their kernels are inlined here, in front of the switch over all kinds.
-
-bool contains_here(const AnySolid<double>& solid, const Vec3& p, const Direction& v,
-                   double tolerance) {
-  if (solid.kind == SolidKind::box) {
-    return contains(*static_cast<const kernels::Box<double>*>(solid.shape), p, v, tolerance);
-  }
-  return contains(solid, p, v, tolerance);
-}
-
-double distance_out_here(const AnySolid<double>& solid, const Vec3& p, const Direction& v,
-                         double tolerance) {
-  if (solid.kind == SolidKind::box) {
-    return distance_to_out(*static_cast<const kernels::Box<double>*>(solid.shape), p, v, tolerance);
-  }
-  return distance_to_out(solid, p, v, tolerance);
-}
-
-/// `v` needs no reciprocals.
-bool contains_local(const PackedDaughter& d, const Vec3& p, const Direction& v, double tolerance) {
-  const Vec3 q = translated(d, p);
-  if (d.rotation == nullptr) return contains_here(d.solid, q, v, tolerance);
-  const Vec3 u = rotated(d.rotation, v.x, v.y, v.z);
-  return contains_here(d.solid, rotated(d.rotation, q.x, q.y, q.z),
-                       kernels::make_heading(u.x, u.y, u.z), tolerance);
-}
-
-double distance_local(const PackedDaughter& d, const Vec3& p, const Direction& v,
-                      double tolerance) {
-  const Vec3 q = translated(d, p);
-  if (d.rotation != nullptr) {
-    const Vec3 u = rotated(d.rotation, v.x, v.y, v.z);
-    return distance_to_in(d.solid, rotated(d.rotation, q.x, q.y, q.z),
-                          kernels::make_direction(u.x, u.y, u.z), tolerance);
-  }
-  if (d.solid.kind == SolidKind::box) {
-    return distance_to_in(*static_cast<const kernels::Box<double>*>(d.solid.shape), q, v,
-                          tolerance);
-  }
-  return distance_to_in(d.solid, q, v, tolerance);
-}
-
-/// Whether daughter `k` of the innermost level contains the global point in its own frame. It and
-/// the way through its mother's frame may differ in the last bit, and so in which side of a face a
-/// ray along it is on. Writes to the level above the innermost.
-struct InOwnFrame {
-  NavigationStack& stack;
-  const PackedScene& scene;
-  const Vec3& point;
-  const Vec3& direction;
-  double tolerance;
-
-  bool operator()(unsigned k) const {
-    push(stack, scene.daughters[k], k);
-    const StackLevel& level = stack.levels[stack.depth--];
-    return contains_here(
-        scene.daughters[k].solid, kernels::to_local(level, point.x, point.y, point.z),
-        kernels::to_local_heading(level, direction.x, direction.y, direction.z), tolerance);
-  }
-};
 
 /// The daughter, other than `blocked`, with the local point. Where daughters overlap the last in
 /// file order wins, as in Geant4. Where `confirm(k)` fails there is none. `around`: the blocked
@@ -232,9 +149,7 @@ void locate_from(const Geometry& geometry, NavigationStack& stack, const Vec3& p
 
 namespace {
 
-/// `confirmed`: after a step of length zero. What has just been left at the same place must not be
-/// entered again for a bit of rounding: daughters have to contain the point in their own frames
-/// too.
+/// `confirmed`: as relocate_in_own_frames().
 void relocate_after(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
                     const Vec3& direction, int blocked, bool confirmed) {
   const double tolerance = geometry.tolerance();
@@ -287,6 +202,11 @@ void relocate(const Geometry& geometry, NavigationStack& stack, const Vec3& poin
   relocate_after(geometry, stack, point, direction, blocked, false);
 }
 
+void relocate_in_own_frames(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
+                            const Vec3& direction, int blocked) {
+  relocate_after(geometry, stack, point, direction, blocked, true);
+}
+
 double step(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
             const Vec3& direction, double limit) {
   kernels::set_ray(stack, direction.x, direction.y, direction.z);
@@ -298,7 +218,10 @@ double step(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
                                                       level, direction.x, direction.y, direction.z);
   const double out = distance_out_here(scene.solid, p, v, geometry.tolerance());
   const InOwnFrame in_own_frame{stack, scene, point, direction, geometry.tolerance()};
-  const Hit hit = nearest_daughter(scene, p, v, out, limit, geometry.tolerance(), in_own_frame);
+  // Where the mother ends at once no daughter is nearer: so a reflected photon goes back.
+  const Hit hit =
+      out == 0 ? Hit{out, no_daughter}
+               : nearest_daughter(scene, p, v, out, limit, geometry.tolerance(), in_own_frame);
   if (hit.distance > limit) {
     stack.boundary = 0;
     return limit;

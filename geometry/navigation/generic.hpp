@@ -30,6 +30,12 @@ bool enter(const Geometry&, NavigationStack&, const Vec3& point, const Vec3& dir
 void relocate(const Geometry&, NavigationStack&, const Vec3& point, const Vec3& direction,
               int blocked);
 
+/// The same after a step of length zero. What has just been left at the same place must not be
+/// entered again for a bit of rounding: daughters have to contain the point in their own frames,
+/// too.
+void relocate_in_own_frames(const Geometry&, NavigationStack&, const Vec3& point,
+                            const Vec3& direction, int blocked);
+
 /// A lower bound (mm, >= 0) of the distance from a global point to the nearest boundary of the
 /// innermost volume or of its daughters; `enough` if that is less.
 double safety(const Geometry&, const NavigationStack&, const Vec3& point,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "bench/flights.hpp"
 #include "common/rays.hpp"
 #include "navjit/builder.hpp"
 #include "navjit/gdml.hpp"

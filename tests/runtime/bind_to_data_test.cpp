@@ -10,6 +10,7 @@
 #include "codegen/data/bind.hpp"
 #include "geometry/gdml/read_world.hpp"
 #include "geometry/navigation/generic.hpp"
+#include "geometry/navigation/steps_of_no_length.hpp"
 #include "navjit/runtime.hpp"
 #include "runtime/overrides.hpp"
 #include "runtime/states.hpp"
@@ -235,7 +236,7 @@ TEST(BoundToData, WrongDataDoesNotVerify) {
   const WorldFacts facts = analyse_world(geometry);
   const StateSampler sampler(geometry);
   std::vector<const kernels::DispatchEntry*> table(geometry.size(), &generic::dispatch_entry);
-  const kernels::Context context{table.data(), &geometry};
+  const kernels::Context context{table.data(), &geometry, leave_at_once, return_at_once};
   codegen::Arena arena;
   for (VolumeId v = 0; v < geometry.size(); ++v) {
     const std::vector<Sample> states = sampler.states(v, 64, 1);

@@ -34,8 +34,8 @@ TEST(Deoptimise, ANavigatorThatKeepsBailingOutIsTakenOut) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
   FaultyOptions options{looking_often()};
   options.faults = tests::edited([](std::string& source) {
-    replace_all(source, "  if (__builtin_expect(!(best > 0), 0)) return -1.0;\n",
-                "  if (best < 1e300) return -1.0;\n");
+    replace_all(source, "  if (__builtin_expect(!(best > 0), 0)) {\n",
+                "  if (best < 1e300) return -1.0;\n  {\n");
   });
   FaultyRuntime runtime(world, options);
   run_until_deoptimised(runtime, tests::rays_through(*world, 31, 400));

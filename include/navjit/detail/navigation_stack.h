@@ -6,7 +6,7 @@
 #define NAVJIT_DETAIL_NAVIGATION_STACK_H
 namespace navjit::kernels {
 
-constexpr unsigned abi_version = 9;
+constexpr unsigned abi_version = 10;
 constexpr int stack_levels = 64;
 
 /// One level: a placed volume and its frame in the world, local = rotation * (global -
@@ -69,6 +69,15 @@ using RelocateFunction = void (*)(NavigationStack*, const Context*, const void* 
 using SafetyFunction = double (*)(const NavigationStack*, const Context*, const void* data,
                                   double x, double y, double z, double enough);
 
+/// A step of length zero: the global point is where the innermost volume ends, and the ray heads
+/// out. Brings the stack to the next touchable, and notes the boundary.
+using LeaveFunction = void (*)(NavigationStack*, const Context*, double x, double y, double z);
+
+/// The global point is in the innermost volume, maybe where the daughter that was left last begins
+/// and the ray heads back into it. If so, makes that step of length zero, and gives its length. A
+/// negative result: it is not so, or not known to be; the touchable is unchanged.
+using ReturnFunction = double (*)(NavigationStack*, const Context*, double x, double y, double z);
+
 /// What navigates one volume: immutable, published by one atomic pointer.
 struct DispatchEntry {
   StepFunction step;
@@ -82,6 +91,8 @@ struct DispatchEntry {
 struct Context {
   const DispatchEntry* const* table;  ///< by volume; entries change while threads run
   const void* geometry;               ///< the generic navigator's data
+  LeaveFunction leave_at_once;
+  ReturnFunction return_at_once;
 };
 
 /// The record of a volume, as other threads published it.
