@@ -1,7 +1,8 @@
 // How a scene is navigated: the one template of all navigators that are not generic. Its parts are
 // types (frame, mother's solid, daughters, search), its numbers are data: a struct in memory, or
 // constants that fold. Gives the bits of the generic navigator, and leaves to it (a negative
-// result) only steps of length zero, which are relocated with more care than pays here.
+// result) only what `Rare` says. Steps of length zero are relocated by functions of the context's,
+// with more care than pays here.
 namespace navjit::kernels {
 
 /// Of a daughter: a box within which tracks leave it, and the neighbours, the only ones that can
