@@ -108,7 +108,9 @@ TEST(Shower, ParticlesScatterInWhatIsDense) {
   options.most_steps = 400;
   double limits = 0;
   int limited = 0;
-  for (const peers::FlightStep& step : bench::shower(dense, rays, options)[0].steps) {
+  const auto scattered = bench::shower(dense, rays, options);
+  ASSERT_EQ(scattered.size(), 1U);
+  for (const peers::FlightStep& step : scattered[0].steps) {
     if (step.limit == peers::no_limit) continue;
     limits += step.limit;
     ++limited;
