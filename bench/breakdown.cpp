@@ -11,6 +11,7 @@
 #include "bench/choices.hpp"
 #include "bench/code_map.hpp"
 #include "bench/floor.hpp"
+#include "bench/ladder_table.hpp"
 #include "bench/ray_options.hpp"
 #include "bench/sampler.hpp"
 #include "common/clock.hpp"
@@ -139,7 +140,7 @@ int main(int argc, char** argv) try {
   bench::RayOptions ray_options;
   double seconds = 10;
   std::size_t top = 12;
-  bool instructions = false;
+  bool instructions = false, ladder = false;
   std::vector<InstructionSet> sets{InstructionSet::native};
   app.add_option("detector", detector, "GDML file")->required();
   bench::add_ray_options(app, ray_options);
@@ -147,6 +148,7 @@ int main(int argc, char** argv) try {
   app.add_option("--scenes", top, "rows of the table by scene");
   app.add_flag("--instructions", instructions,
                "count the instructions of some thousand steps, too");
+  app.add_flag("--ladder", ladder, "the floor again, with one promise of a step more at a time");
   app.add_option("--json", json_file, "write the figures");
   bench::add_isa_option(app, sets);
   CLI11_PARSE(app, argc, argv);
@@ -287,6 +289,7 @@ int main(int argc, char** argv) try {
                               {"cycles_per_step", samples * scale},
                               {"instructions_per_step", instructions_here}});
   }
+  if (ladder) bench::print_ladder(geometry, runtime, rays, instructions, json);
   if (!json_file.empty()) std::ofstream(json_file) << json.dump(2) << '\n';
   return 0;
 } catch (const std::exception& error) {
