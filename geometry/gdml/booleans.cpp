@@ -8,12 +8,17 @@ namespace {
 
 using Combine = Solid (*)(std::string, const Solid&, const Solid&);
 
+/// Parts of all booleans of a file, counted in each boolean that they are in: a second or two.
+constexpr std::size_t most_parts_in_all = 5'000'000;
+
 bool is_zero(const Vector& v) { return v == Vector{0, 0, 0}; }
+
+bool is_moved(const Frame& frame) { return !is_zero(frame.position) || !is_zero(frame.rotation); }
 
 /// The operand where the frame puts it. Booleans place actively, so that the way into the operand
 /// is the inverse rotation.
 Solid placed(const Solid& solid, const Frame& frame) {
-  if (is_zero(frame.position) && is_zero(frame.rotation)) return solid;
+  if (!is_moved(frame)) return solid;
   double active[9], inverse[9];
   rotation_from_angles(frame.rotation[0], frame.rotation[1], frame.rotation[2], active);
   for (int i = 0; i < 9; ++i) inverse[i] = active[3 * (i % 3) + i / 3];
@@ -39,14 +44,46 @@ void check_depth(FileContext& file, const XmlElement& element, const NamedSolid&
     refuse(element, "booleans are nested more than " + std::to_string(limits.max_solid_depth) +
                         " deep; split the solid, or raise GdmlLimits::max_solid_depth");
   }
+  if (made.links > limits.max_solid_chain) {
+    refuse(element, "more than " + std::to_string(limits.max_solid_chain) +
+                        " booleans are chained; use a multiUnion, or raise "
+                        "GdmlLimits::max_solid_chain");
+  }
+  // Every link of a chain is made anew of all its parts.
+  if ((file.session.boolean_parts += made.parts) > most_parts_in_all) {
+    refuse(element, "the file's booleans are made of too many parts in all; use multiUnions");
+  }
   if (made.parts > limits.max_solid_parts) {
     refuse(element, "the boolean has more than " + std::to_string(limits.max_solid_parts) +
                         " parts; split the solid, or raise GdmlLimits::max_solid_parts");
   }
 }
 
+/// What a union or subtraction adds to the chains of its operands; an operand that is moved is a
+/// solid of its own.
+BooleanChain chain_of(const NamedSolid& a, bool a_moved, const NamedSolid& b, bool b_moved,
+                      bool subtraction) {
+  const auto united = [&](const NamedSolid& s, bool moved) {
+    return s.chain && !s.chain->subtraction && !moved ? *s.chain
+                                                      : BooleanChain{.joined_depth = s.depth};
+  };
+  const auto join = [](const BooleanChain& x, const BooleanChain& y) {
+    return BooleanChain{.joined = x.joined + y.joined,
+                        .joined_depth = std::max(x.joined_depth, y.joined_depth)};
+  };
+  BooleanChain chain = united(b, b_moved);
+  if (!subtraction) return join(united(a, a_moved), chain);
+  const bool goes_on = a.chain && a.chain->subtraction && !a_moved;
+  if (goes_on) chain = join(*a.chain, chain);
+  chain.subtraction = true;
+  chain.first_depth = goes_on ? a.chain->first_depth : a.depth;
+  return chain;
+}
+
+enum class Boolean : std::uint8_t { join, cut, meet };
+
 NamedSolid read_boolean(FileContext& file, const XmlElement& element, const std::string& name,
-                        Combine combine) {
+                        Combine combine, Boolean kind) {
   const XmlElement *first = nullptr, *second = nullptr;
   Frame first_frame, second_frame;
   for (const XmlElement& child : element.children()) {
@@ -62,7 +99,14 @@ NamedSolid read_boolean(FileContext& file, const XmlElement& element, const std:
   const NamedSolid& a = operand(file, element, first, "first");
   const NamedSolid& b = operand(file, element, second, "second");
   NamedSolid result;
-  result.depth = 1 + std::max(a.depth, b.depth);
+  if (kind == Boolean::meet) {
+    result.depth = 1 + std::max(a.depth, b.depth);
+  } else {
+    result.chain =
+        chain_of(a, is_moved(first_frame), b, is_moved(second_frame), kind == Boolean::cut);
+    result.depth = result.chain->depth();
+  }
+  result.links = 1 + std::max(a.links, b.links);
   result.parts = a.parts + b.parts;
   check_depth(file, element, result);
   result.solid = combine(name, placed(*a.solid, first_frame), placed(*b.solid, second_frame));
@@ -98,6 +142,7 @@ NamedSolid read_multi_union(FileContext& file, const XmlElement& element, const 
     nodes.push_back(placed(*solid->solid, frame));
     result.depth = std::max(result.depth, solid->depth);
     result.parts += solid->parts;
+    result.links = std::max(result.links, solid->links);
   }
   if (nodes.empty()) fail(element, "it has no <multiUnionNode>; add some");
   for (std::size_t n = 1; n < nodes.size(); n *= 2) ++result.depth;
@@ -124,6 +169,7 @@ NamedSolid read_scaled(FileContext& file, const XmlElement& element, const std::
   if (solid == nullptr) fail(element, "it has no <solidref>; name a solid");
   NamedSolid result;
   result.depth = solid->depth + 1;
+  result.links = solid->links + 1;
   result.parts = solid->parts;
   check_depth(file, element, result);
   result.solid = make_scaled(name, *solid->solid, scale[0], scale[1], scale[2]);
@@ -145,21 +191,22 @@ NamedSolid read_reflected(FileContext& file, const XmlElement& element, const st
   }
   NamedSolid result;
   result.depth = solid.depth + 2;
+  result.links = solid.links + 1;
   result.parts = solid.parts;
   check_depth(file, element, result);
   result.solid = placed(make_scaled(name, *solid.solid, scale[0], scale[1], scale[2]), frame);
   return result;
 }
 
-template <Combine combine>
+template <Combine combine, Boolean kind>
 NamedSolid read_with(FileContext& file, const XmlElement& element, const std::string& name) {
-  return read_boolean(file, element, name, combine);
+  return read_boolean(file, element, name, combine, kind);
 }
 
 constexpr SolidKindReader readers[] = {
-    {"subtraction", read_with<make_subtraction>},
-    {"union", read_with<make_union>},
-    {"intersection", read_with<make_intersection>},
+    {"subtraction", read_with<make_subtraction, Boolean::cut>},
+    {"union", read_with<make_union, Boolean::join>},
+    {"intersection", read_with<make_intersection, Boolean::meet>},
     {"multiUnion", read_multi_union},
     {"scaledSolid", read_scaled},
     {"reflectedSolid", read_reflected},

@@ -1,6 +1,7 @@
 // What the parts of the reader share: the state of one file, and typed access to attributes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
@@ -35,13 +36,30 @@ struct DivisibleShape {
 /// Throws GeometryError.
 Solid make_shape(const std::string& name, const DivisibleShape& shape);
 
+/// A union of unions is made as one balanced tree, and so is what is cut from one solid in turn:
+/// what such a chain is made of, whose levels are far fewer than its links.
+struct BooleanChain {
+  bool subtraction = false;
+  std::size_t first_depth = 0;   ///< levels of what is cut, for a subtraction
+  std::size_t joined = 1;        ///< solids that are united, or cut away
+  std::size_t joined_depth = 1;  ///< levels of the deepest of them
+
+  std::size_t depth() const {
+    std::size_t depth = joined_depth;
+    for (std::size_t n = 1; n < joined; n *= 2) ++depth;
+    return subtraction ? 1 + std::max(first_depth, depth) : depth;
+  }
+};
+
 /// A solid of the file. One that is not supported is an error only once it is used.
 struct NamedSolid {
   std::optional<Solid> solid;
   const XmlElement* element = nullptr;
   std::optional<DivisibleShape> shape;  ///< of the kinds that can be divided
-  std::size_t depth = 1;                ///< levels of booleans, 1 for a primitive
+  std::size_t depth = 1;                ///< levels of booleans as made, 1 for a primitive
   std::size_t parts = 1;                ///< primitives it is made of
+  std::size_t links = 1;                ///< levels of booleans as written
+  std::optional<BooleanChain> chain;    ///< of unions and subtractions
 };
 
 /// Placements that go together, relative to a frame of their own.
@@ -73,6 +91,7 @@ struct Session {
   std::map<const XmlElement*, Auxiliaries> auxiliaries;
   std::size_t placements = 0;
   std::size_t placement_name_bytes = 0;
+  std::size_t boolean_parts = 0;  ///< of all booleans, counted in each that they are in
   World world;
   std::vector<const NamedSolid*> volume_solids;  ///< of the world's volumes
   Notes notes;

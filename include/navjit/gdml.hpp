@@ -25,7 +25,9 @@ struct GdmlLimits {
   std::size_t max_placements = 1'000'000;       ///< daughters of all volumes and assemblies; 64
                                                 ///< characters of name for each
   int max_planes = 1000;                        ///< z planes, or sides, of one solid
-  std::size_t max_solid_depth = 200;            ///< levels of nested booleans
+  std::size_t max_solid_depth = 200;            ///< levels of nested booleans; chains of unions,
+                                                ///< or of what is cut from one solid, have few
+  std::size_t max_solid_chain = 1000;           ///< links of such a chain
   std::size_t max_solid_parts = 10'000;         ///< primitives that make up one boolean
   TouchableId max_touchables = TouchableId{1} << 62;
 };
@@ -50,9 +52,9 @@ struct GdmlReport {
 
 /// Reads a detector from a GDML file. Volumes keep the file's names and its
 /// order; assemblies are dissolved into the volumes that hold them. Nothing is fetched from a
-/// network; entities are opened relative to the file that declares them, modules (`<file>`) relative
-/// to the working folder or else to the file that names them.
-/// Throws GdmlError, and nothing else but std::bad_alloc. Thread-safe.
+/// network; entities are opened relative to the file that declares them, modules (`<file>`)
+/// relative to the working folder or else to the file that names them. Throws GdmlError, and
+/// nothing else but std::bad_alloc. Thread-safe.
 Detector read_gdml(const std::filesystem::path& path, const GdmlOptions& options = {},
                    GdmlReport* report = nullptr);
 

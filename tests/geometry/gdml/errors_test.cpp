@@ -169,14 +169,17 @@ TEST_F(GdmlErrors, Booleans) {
 }
 
 TEST_F(GdmlErrors, DeepAndManyPartedBooleans) {
-  std::string chain = "<box name='u0' x='1' y='1' z='1'/>", tree = chain;
-  for (int i = 1; i <= 1000; ++i) {
+  std::string chain = "<box name='u0' x='1' y='1' z='1'/>", tree = chain, nest = chain;
+  for (int i = 1; i <= 1001; ++i) {
     const std::string last = "ref='u" + std::to_string(i - 1) + "'/>";
     const std::string start = "<union name='u" + std::to_string(i) + "'><first " + last;
     chain += start + "<second ref='b'/></union>";
     if (i < 100) tree += start + "<second " + last + "</union>";
+    // What is moved does not go on with a chain.
+    nest += start + "<second ref='b'/><firstposition x='1'/></union>";
   }
-  expect_refused_in_solids(chain, "<union name='u200'>", "nested more than 200 deep");
+  expect_refused_in_solids(chain, "<union name='u1000'>", "more than 1000 booleans are chained");
+  expect_refused_in_solids(nest, "<union name='u200'>", "nested more than 200 deep");
   expect_refused_in_solids(tree, "<union name='u14'>", "more than 10000 parts");
 }
 

@@ -63,14 +63,25 @@ TEST_F(GdmlHostile, ChainsOfBooleans) {
     const std::string number = std::to_string(i), last = std::to_string(i - 1);
     chain += "<union name='u" + number + "'><first ref='u" + last + "'/><second ref='b'/></union>";
   }
-  expect_refused(in_world("", chain), "nested more than 200 deep");
+  expect_refused(in_world("", chain), "more than 1000 booleans are chained");
   // A million of them, in a loop.
   expect_refused(
       in_world("",
                "<box name='u_0' x='1' y='1' z='1'/><loop for='i' from='2' to='1000000' step='1'>"
                "<union name='u[i]'><first ref='u[i-1]'/><second ref='b'/></union></loop>",
                "<variable name='i' value='0'/>"),
-      "nested more than 200 deep");
+      "more than 1000 booleans are chained");
+  // Many chains of one that is large.
+  std::string many = "<box name='u0' x='1' y='1' z='1'/>";
+  for (int i = 1; i <= 13; ++i) {
+    const std::string last = "ref='u" + std::to_string(i - 1) + "'/>";
+    many +=
+        "<union name='u" + std::to_string(i) + "'><first " + last + "<second " + last + "</union>";
+  }
+  for (int i = 0; i < 100'000; ++i) {
+    many += "<union name='m" + std::to_string(i) + "'><first ref='u13'/><second ref='b'/></union>";
+  }
+  expect_refused(in_world("", many), "too many parts in all");
   std::string scaled = "<box name='u0' x='1' y='1' z='1'/>";
   for (int i = 1; i <= 300; ++i) {
     scaled += "<scaledSolid name='u" + std::to_string(i) + "'><solidref ref='u" +

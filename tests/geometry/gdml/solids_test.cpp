@@ -144,5 +144,22 @@ TEST_F(GdmlSolids, BooleansOfTheAllowedDepth) {
   EXPECT_FALSE(has(s, 15, 0, 0));
 }
 
+/// A plate of hundreds of holes, cut one after the other, is one solid less one union of few
+/// levels.
+TEST_F(GdmlSolids, ChainsMayBeLongerThanBooleansMayBeDeep) {
+  std::string chain = "<box name='u0' x='20000' y='10' z='10'/>";
+  constexpr int holes = 600;
+  for (int i = 1; i <= holes; ++i) {
+    const std::string name = i == holes ? "s" : "u" + std::to_string(i);
+    chain += "<subtraction name='" + name + "'><first ref='u" + std::to_string(i - 1) +
+             "'/><second ref='b'/><position x='" + std::to_string(30 * (i - holes / 2)) +
+             "'/></subtraction>";
+  }
+  const Solid s = solid(chain);
+  EXPECT_FALSE(has(s, 30 * (1 - holes / 2), 0, 0));
+  EXPECT_FALSE(has(s, 30 * holes / 2, 0, 0));
+  EXPECT_TRUE(has(s, 15, 0, 0));
+}
+
 }  // namespace
 }  // namespace navjit::testing
