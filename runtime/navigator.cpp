@@ -239,6 +239,9 @@ Step Navigator::recorded_step(NavigationStack& stack, const Vec3& point, const V
   const VolumeId volume = level.volume;
   const Above above(stack);
   Sample sample{level.touchable, volume, point, direction, limit};
+  if (!shared_->geometry.scene(volume).daughters.empty()) {
+    sample.left = stack.levels[stack.depth + 1].daughter;
+  }
   own.read_side->enter();
   const kernels::DispatchEntry& entry = *kernels::dispatch_entry_of(context_, volume);
   double length;

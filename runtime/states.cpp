@@ -90,7 +90,8 @@ std::vector<Sample> StateSampler::states(VolumeId volume, std::size_t count,
     if (scene.daughters.empty() || random() % 2 == 0) {
       local = in_box(extent);
     } else {
-      const Daughter& d = scene.daughters[random() % scene.daughters.size()];
+      sample.left = static_cast<unsigned>(random() % scene.daughters.size());
+      const Daughter& d = scene.daughters[sample.left];
       local = to_outer(d.transformation, in_box(world.volumes[d.volume].solid.extent));
     }
     switch (random() % 8) {

@@ -24,6 +24,14 @@ std::string describe(const Sample& s, const char* what, double right, double wro
   return text;
 }
 
+/// The stack as it was when the sample was recorded, or made up.
+void bring_to(const Geometry& geometry, NavigationStack& stack, const Sample& s) {
+  generic::restore(geometry, stack, s.touchable);
+  if (!geometry.scene(s.volume).daughters.empty()) {
+    stack.levels[stack.depth + 1].daughter = s.left;
+  }
+}
+
 /// The two stacks of a comparison; large, so made once.
 struct Pair {
   NavigationStack generic, specialised;
@@ -31,8 +39,9 @@ struct Pair {
 
 std::string verify_step(const Geometry& geometry, const kernels::Context& context,
                         const kernels::DispatchEntry& specialised, const Sample& s, Pair& stacks) {
-  generic::restore(geometry, stacks.generic, s.touchable);
+  bring_to(geometry, stacks.generic, s);
   copy(stacks.generic, stacks.specialised);
+  bring_to(geometry, stacks.specialised, s);
   kernels::set_ray(stacks.specialised, s.direction.x, s.direction.y, s.direction.z);
   const double wrong = specialised.step(&stacks.specialised, &context, specialised.data, s.point.x,
                                         s.point.y, s.point.z, s.limit);
@@ -119,9 +128,11 @@ double time_per_step(const Geometry& geometry, const kernels::Context& context,
   // they use stay near.
   const std::size_t count = std::min<std::size_t>(samples.size(), 256);
   std::vector<NavigationStack> stacks(count);
+  std::vector<char> has_daughters(count);
   for (std::size_t i = 0; i < count; ++i) {
     stacks[i].depth = -1;
     generic::restore(geometry, stacks[i], samples[i].touchable);
+    has_daughters[i] = geometry.scene(samples[i].volume).daughters.empty() ? 0 : 1;
   }
   const auto work = std::make_unique<NavigationStack>();
   const auto pass = [&](bool step) {
@@ -129,6 +140,7 @@ double time_per_step(const Geometry& geometry, const kernels::Context& context,
     for (std::size_t i = 0; i < count; ++i) {
       const Sample& s = samples[i];
       copy(stacks[i], *work);
+      if (has_daughters[i] != 0) work->levels[work->depth + 1].daughter = s.left;
       kernels::set_ray(*work, s.direction.x, s.direction.y, s.direction.z);
       if (step) {
         entry.step(work.get(), &context, entry.data, s.point.x, s.point.y, s.point.z, s.limit);
