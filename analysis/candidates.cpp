@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/patterns/grid.hpp"
+#include "analysis/patterns/layers.hpp"
 #include "analysis/patterns/nest.hpp"
 #include "analysis/patterns/pattern.hpp"
 #include "analysis/patterns/rings.hpp"
@@ -212,6 +213,17 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
   if (lanes) {
     use_lanes();
     return;
+  }
+  // Beside what code has: data alone walks slabs within slabs.
+  if (boxes_possible && (!forced || *forced == Candidates::layers)) {
+    if (auto layers = find_layers(boxes, geometry.tolerance(), margin)) {
+      plan.layers = std::move(*layers);
+      if (forced) {
+        plan.candidates = Candidates::layers;
+        plan.mean_candidates = plan.layers.mean_group;
+        return;
+      }
+    }
   }
   // What is in a hole of a daughter, or beside what its box holds of it, is not its own.
   const auto apart = [&](std::uint32_t k, const Extent& box) {

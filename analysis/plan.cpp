@@ -7,6 +7,7 @@
 
 #include "analysis/candidates.hpp"
 #include "analysis/foreign.hpp"
+#include "analysis/patterns/layers.hpp"
 #include "analysis/solid_key.hpp"
 
 namespace navjit {
@@ -135,8 +136,7 @@ ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId
 
 Worth worth_compiling(const Geometry& geometry, const ScenePlan& plan) {
   const auto no = [](std::string_view why) { return Worth{false, why}; };
-  if (plan.candidates == Candidates::tree || plan.candidates == Candidates::wires)
-    return no("its search is bound to data alone");
+  if (is_for_data_alone(plan.candidates)) return no("its search is bound to data alone");
   const std::size_t daughters = geometry.scene(plan.volume).daughters.size();
   if (plan.candidates == Candidates::boxes && daughters > most_boxes_in_code)
     return no("too many daughters for tables of boxes");
@@ -219,6 +219,9 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
     case Candidates::tree:
       out << "by the hierarchy of boxes";
       break;
+    case Candidates::layers:
+      out << describe_layers(plan.layers);
+      break;
     case Candidates::grid:
     case Candidates::boxes:
       out << "cells " << plan.grid.count[0] << " x " << plan.grid.count[1] << " x "
@@ -226,6 +229,9 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
           << (plan.candidates == Candidates::boxes ? ", boxes tested eight at once" : "");
   }
   out << "\n";
+  if (plan.layers.found() && plan.candidates != Candidates::layers) {
+    out << "  bound to data " << describe_layers(plan.layers) << "\n";
+  }
   for (const DaughterClass& c : plan.classes) {
     out << "  class        " << c.members.size() << " x " << kind_name(c.kind())
         << (c.rotated ? ", rotated" : "") << (c.box_first ? ", box first" : "")

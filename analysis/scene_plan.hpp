@@ -49,6 +49,26 @@ struct Slabs {
   std::vector<std::uint32_t> ascending, descending;
 };
 
+/// Slabs within slabs: daughters that planes between them separate into slabs along an axis, and
+/// what is in each of these into slabs along another, until one daughter is left, or a group that
+/// no such plane divides. Layers of rows of tiles, planes of bars, lattices of straws.
+struct Layers {
+  enum class Kind : std::uint8_t { slabs, daughter, group };
+  struct Part {
+    Kind kind = Kind::daughter;
+    std::uint32_t number = 0;  ///< among `slabs`, the daughters, or `groups`
+  };
+  struct Division {
+    Slabs slabs;              ///< without members
+    std::vector<Part> parts;  ///< by position
+  };
+  std::vector<Division> divisions;                 ///< the first one is of all daughters
+  std::vector<std::vector<std::uint32_t>> groups;  ///< daughter indices, ascending
+  double mean_group = 0;  ///< daughters that are asked together, by daughter
+
+  bool found() const { return !divisions.empty(); }
+};
+
 /// Daughters in layers about an axis or a centre, ascending in both radii.
 struct Nest {
   int axis = 2;                        ///< 3: about the mother's origin
@@ -111,17 +131,24 @@ struct Wires {
 };
 
 enum class Candidates : std::uint8_t {
-  none,   ///< no daughters
-  all,    ///< every daughter, spelled out
-  lanes,  ///< every daughter, all of them boxes along the axes, four at once
-  slabs,  ///< those next along an axis
-  nest,   ///< those next in radius
-  rings,  ///< those of the sectors that the ray passes
-  wires,  ///< those next across, in rows; bound to data only
-  grid,   ///< those of the cells that the ray passes
-  boxes,  ///< of those, the ones whose boxes it passes
-  tree,   ///< by the generic navigator's hierarchy of boxes; bound to data only
+  none,    ///< no daughters
+  all,     ///< every daughter, spelled out
+  lanes,   ///< every daughter, all of them boxes along the axes, four at once
+  slabs,   ///< those next along an axis
+  nest,    ///< those next in radius
+  rings,   ///< those of the sectors that the ray passes
+  wires,   ///< those next across, in rows; bound to data only
+  grid,    ///< those of the cells that the ray passes
+  boxes,   ///< of those, the ones whose boxes it passes
+  tree,    ///< by the generic navigator's hierarchy of boxes; bound to data only
+  layers,  ///< slabs within slabs; bound to data only
 };
+
+/// Searches that no code is generated for.
+constexpr bool is_for_data_alone(Candidates candidates) {
+  return candidates == Candidates::wires || candidates == Candidates::tree ||
+         candidates == Candidates::layers;
+}
 
 enum class SafetyFrom : std::uint8_t {
   generic,  ///< left to the generic navigator
@@ -158,6 +185,7 @@ struct ScenePlan {
   Nest nest;
   Rings rings;
   Wires wires;
+  Layers layers;  ///< where daughters are bound to data; code has the candidates
   SafetyFrom safety = SafetyFrom::generic;
   std::vector<Extent> tree_boxes;  ///< for safety: by daughter, as the generic navigator inflates
   /// Steps from within a daughter, and those along faces where oblique_only, are left to the

@@ -180,6 +180,7 @@ SceneTables with_search(const Source& source, const SceneParts& parts) {
     case Candidates::none:
     case Candidates::wires:
     case Candidates::tree:
+    case Candidates::layers:
       break;
     case Candidates::all:
       return of(kernels::SearchAll{});

@@ -51,6 +51,7 @@ std::vector<Bound> bind_in_all_ways(Specialisation& spec, VolumeId volume, bool 
                                     const std::vector<Sample>& samples) {
   const Geometry& geometry = spec.shared->geometry;
   std::vector<ScenePlan> plans{plan_scene(geometry, spec.facts, volume)};
+  if (!forced && plans[0].layers.found()) plans[0].candidates = Candidates::layers;
   if (!forced && tree_may_be_faster(geometry.scene(volume), plans[0])) {
     plans.push_back(plans[0]);
     plans[1].candidates = Candidates::tree;

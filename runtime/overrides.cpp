@@ -20,7 +20,8 @@ constexpr Name names[] = {{"off", Variant::off, {}},
                           {"wires", Variant::wires, Candidates::wires},
                           {"grid", Variant::grid, Candidates::grid},
                           {"boxes", Variant::boxes, Candidates::boxes},
-                          {"tree", Variant::tree, Candidates::tree}};
+                          {"tree", Variant::tree, Candidates::tree},
+                          {"layers", Variant::layers, Candidates::layers}};
 
 std::optional<Variant> parse_variant(std::string_view text) {
   for (const Name& name : names) {

@@ -11,15 +11,16 @@
 namespace navjit {
 
 enum class Variant : std::uint8_t {
-  off,    ///< stays generic
-  all,    ///< specialised, every daughter tested
-  lanes,  ///< specialised, all daughters four at once; boxes where they are not a few boxes
-  nest,   ///< specialised, candidates next in radius; boxes where that is no pattern
-  rings,  ///< specialised, candidates by sectors; boxes where that is no pattern
-  wires,  ///< bound to data, candidates next across, in rows; boxes where that is no pattern
-  grid,   ///< specialised, candidates from cells
-  boxes,  ///< specialised, candidates from cells and blocks of boxes
-  tree,   ///< bound to data, candidates from the hierarchy of boxes; all where there is none
+  off,     ///< stays generic
+  all,     ///< specialised, every daughter tested
+  lanes,   ///< specialised, all daughters four at once; boxes where they are not a few boxes
+  nest,    ///< specialised, candidates next in radius; boxes where that is no pattern
+  rings,   ///< specialised, candidates by sectors; boxes where that is no pattern
+  wires,   ///< bound to data, candidates next across, in rows; boxes where that is no pattern
+  grid,    ///< specialised, candidates from cells
+  boxes,   ///< specialised, candidates from cells and blocks of boxes
+  tree,    ///< bound to data, candidates from the hierarchy of boxes; all where there is none
+  layers,  ///< bound to data, candidates by slabs within slabs; boxes where that is no pattern
 };
 
 /// The search that the variant forces; nothing for off.
@@ -31,7 +32,8 @@ struct Overrides {
 };
 
 /// Parses "NAME=VARIANT,NAME=VARIANT": logical volumes by name ("*" for every one; later entries
-/// override earlier ones), variants off, all, lanes, nest, rings, wires, grid, boxes, tree.
+/// override earlier ones), variants off, all, lanes, nest, rings, wires, grid, boxes, tree,
+/// layers.
 Overrides parse_overrides(const World& world, std::string_view text);
 
 /// The environment variable that a Runtime reads overrides from.

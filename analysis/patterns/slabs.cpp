@@ -40,12 +40,18 @@ Slabs lay_out(const Extent& scene, std::span<const Extent> boxes, int axis, doub
     slabs.high.push_back(high(boxes[k], axis) + margin);
   }
   slabs.members = std::move(order);
-  const std::size_t n = boxes.size();
-  const std::size_t cells = std::min(most_cells, cells_per_daughter * n);
-  slabs.origin = low(scene, axis);
-  slabs.width = (high(scene, axis) - slabs.origin) / static_cast<double>(cells);
+  divide_into_cells(slabs, low(scene, axis), high(scene, axis),
+                    std::min(most_cells, cells_per_daughter * boxes.size()));
+  return slabs;
+}
+
+}  // namespace
+
+void divide_into_cells(Slabs& slabs, double from, double to, std::size_t cells) {
+  slabs.origin = from;
+  slabs.width = (to - from) / static_cast<double>(cells);
   for (std::size_t b = 0; b < cells; ++b) {
-    const double begin = slabs.origin + static_cast<double>(b) * slabs.width;
+    const double begin = from + static_cast<double>(b) * slabs.width;
     // The outermost cells hold what lies beyond them, too.
     const auto up =
         b == 0 ? slabs.high.begin() : std::lower_bound(slabs.high.begin(), slabs.high.end(), begin);
@@ -55,10 +61,7 @@ Slabs lay_out(const Extent& scene, std::span<const Extent> boxes, int axis, doub
     slabs.ascending.push_back(static_cast<std::uint32_t>(up - slabs.high.begin()));
     slabs.descending.push_back(static_cast<std::uint32_t>(beyond - slabs.low.begin() - 1));
   }
-  return slabs;
 }
-
-}  // namespace
 
 std::optional<Slabs> find_slabs(const Extent& scene, std::span<const Extent> boxes,
                                 double tolerance, double margin) {

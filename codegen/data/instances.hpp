@@ -89,6 +89,8 @@ const kernels::DispatchEntry* bind_search(const Geometry& geometry, const SceneP
       return bind<Frame, Mother, Daughters, kernels::SearchGrid<Index>>(geometry, plan, arena);
     case Candidates::boxes:
       return bind<Frame, Mother, Daughters, kernels::SearchBoxes<Index>>(geometry, plan, arena);
+    case Candidates::layers:
+      return bind<Frame, Mother, Daughters, kernels::SearchLayers<Index>>(geometry, plan, arena);
     case Candidates::tree:
       return bind<Frame, Mother, Daughters, SearchTree>(geometry, plan, arena);
     case Candidates::nest:

@@ -38,7 +38,8 @@ kernels::AnySolid<double> nearby(const Source& source, const kernels::AnySolid<d
   });
 }
 
-/// Eight boxes; those for which there is none are empty.
+}  // namespace
+
 BoxBlock block_of(const std::function<const Extent*(std::size_t)>& box) {
   BoxBlock block;
   constexpr float infinite = std::numeric_limits<float>::infinity();
@@ -53,6 +54,8 @@ BoxBlock block_of(const std::function<const Extent*(std::size_t)>& box) {
   }
   return block;
 }
+
+namespace {
 
 template <class KernelGrid>
 void fill_grid(const Grid& grid, KernelGrid& kernel) {

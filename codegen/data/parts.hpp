@@ -1,6 +1,8 @@
 // The parts of a data-bound scene, made from its plan.
 #pragma once
 
+#include <functional>
+
 #include "analysis/scene_plan.hpp"
 #include "codegen/data/arena.hpp"
 #include "codegen/data/quick_solid.hpp"
@@ -69,10 +71,13 @@ void make(const Source& source, kernels::SearchSlabs<Index>& search);
 void make(const Source& source, kernels::SearchGrid<Index>& search);
 void make(const Source& source, kernels::SearchBoxes<Index>& search);
 void make(const Source& source, SearchTree& search);
+void make(const Source& source, kernels::SearchLayers<Index>& search);
 void make(const Source& source, kernels::SearchNest<Index>& search);
 void make(const Source& source, kernels::SearchRings<Index>& search);
 void make(const Source& source, kernels::SearchWires<Index>& search);
 
+/// Eight boxes; those for which there is none (null) are empty.
+kernels::BoxBlock block_of(const std::function<const Extent*(std::size_t lane)>& box);
 /// Boxes, along the axes, in lanes of four; those for which there is none are empty.
 void fill_fours(std::span<const Daughter> daughters, std::span<kernels::FourBoxes> fours);
 /// The daughters' neighbour lists.

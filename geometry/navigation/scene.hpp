@@ -17,6 +17,7 @@
 #include "geometry/kernels/classes.h"
 #include "geometry/kernels/search_few.h"
 #include "geometry/kernels/searches.h"
+#include "geometry/kernels/layers.h"
 #include "geometry/kernels/constant_searches.h"
 #include "geometry/kernels/scene.h"
 // clang-format on

@@ -85,7 +85,7 @@ struct Forced {
 };
 
 const char* const searches[] = {"",        "*=all",  "*=lanes", "*=nest", "*=rings",
-                                "*=wires", "*=grid", "*=boxes", "*=tree"};
+                                "*=wires", "*=grid", "*=boxes", "*=tree", "*=layers"};
 
 TEST(BoundToData, MixedWorldAlikeWithEachSearch) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
@@ -128,6 +128,33 @@ TEST(BoundToData, OverlapsAlike) {
     const Forced forced(search);
     expect_same_answers(shared, 6, 400);
   }
+}
+
+/// Layers of tiles and plates, as they come from a file that places all of them in the world.
+TEST(BoundToData, FlatCalorimeterAlikeByLayers) {
+  std::mt19937_64 random(21);
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 70, 70, 120));
+  const VolumeId tile = tests::add_volume(world, "tile", make_box("tile", 6, 6, 1.5));
+  const VolumeId plate = tests::add_volume(world, "plate", make_box("plate", 50, 50, 3));
+  for (int layer = 0; layer < 12; ++layer) {
+    const double z = -100 + 16.0 * layer;
+    for (int i = 0; i < 8; ++i) {
+      for (int j = 0; j < 8; ++j) {
+        tests::place(world, world.top, tile, {-42 + 12.0 * i, -42 + 12.0 * j, z},
+                     {0, 0, layer % 3 == 0 ? 0.05 : 0.0});
+      }
+    }
+    tests::place(world, world.top, plate, {0, 0, z + (layer % 2 == 0 ? 4.5 : 4.3)});
+  }
+  finish(world);
+  const auto shared = std::make_shared<const World>(std::move(world));
+  const Geometry geometry(shared);
+  ScenePlan plan = plan_scene(geometry, analyse_world(geometry), 0);
+  ASSERT_TRUE(plan.layers.found());
+  expect_same_answers(shared, 22, 600);
+  const Forced forced("*=layers");
+  expect_same_answers(shared, 23, 600);
 }
 
 /// A chamber of wires, placed twice, once turned, and another one with the same wires.

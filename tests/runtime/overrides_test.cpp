@@ -19,9 +19,10 @@ TEST(Overrides, AreParsedAndComplainedAbout) {
   EXPECT_EQ(o.size(), 2U);
   EXPECT_EQ(o.at(1), Variant::off);
   EXPECT_EQ(o.at(2), Variant::all);
-  EXPECT_NE(complaints.find("'tile=fast': NAME=off, all, lanes, nest, rings, wires, grid, boxes or "
-                            "tree is needed"),
-            std::string::npos)
+  EXPECT_NE(
+      complaints.find("'tile=fast': NAME=off, all, lanes, nest, rings, wires, grid, boxes, tree "
+                      "or layers is needed"),
+      std::string::npos)
       << complaints;
   EXPECT_EQ(candidates_of(Variant::wires), Candidates::wires);
   EXPECT_EQ(candidates_of(Variant::off), std::nullopt);

@@ -1,0 +1,125 @@
+// Slabs within slabs (kernels/slabs.h): each slab is a daughter, a group of them, or slabs along
+// another axis. Only a filter, as slabs are: margins make it conservative.
+namespace navjit::kernels {
+
+/// What is in a slab: the kind is in the two highest bits, the number in the others.
+namespace in_slab {
+constexpr unsigned daughter = 0, slabs = 1U << 30, group = 2U << 30, kind = 3U << 30;
+}
+
+/// Daughters that are told apart by boxes alone: their blocks.
+struct LayerGroup {
+  unsigned first, last;
+};
+
+template <class Index>
+struct LayerRow {
+  SlabRow<Index> slabs;  ///< `daughter` says what is in each
+  int axis;
+};
+
+template <class Index>
+struct LayerTree {
+  const LayerRow<Index>* rows;  ///< the first one has all of the scene
+  const LayerGroup* groups;
+  const BoxBlock* blocks;
+  const Index (*in_block)[box_lanes];
+};
+
+/// A ray whose reciprocals are finite: what runs along slabs stays in them, and is not at their
+/// edges, which are margins.
+struct LayerRay {
+  double p[3], v[3], inverse[3];
+
+  LayerRay(const Vec3<double>& at, const Direction<double>& along)
+      : p{at.x, at.y, at.z},
+        v{along.x, along.y, along.z},
+        inverse{finite(along.inverse_x), finite(along.inverse_y), finite(along.inverse_z)} {}
+
+ private:
+  static double finite(double inverse) { return smaller(larger(inverse, -1e100), 1e100); }
+};
+
+/// Calls visit(daughter) along the ray for those in the row whose slabs it passes between the path
+/// lengths `from` and `to`, until it has passed `reach()`, a path length that visits may shorten.
+template <class Index, class Visit, class Reach>
+void walk_layers(const LayerTree<Index>& tree, const LayerRow<Index>& row, const LayerRay& ray,
+                 const FloatRay& float_ray, double from, double to, Visit& visit, Reach& reach) {
+  const SlabRow<Index>& s = row.slabs;
+  const double p = ray.p[row.axis], v = ray.v[row.axis], inverse = ray.inverse[row.axis];
+  const bool down = v < 0;
+  const double *near = down ? s.high : s.low, *far = down ? s.low : s.high;
+  const int last = down ? -1 : s.count, next = down ? -1 : 1;
+  const int cell = cell_along(p + from * v, s.origin, s.per_mm, s.cells);
+  for (int i = static_cast<int>((down ? s.descending : s.ascending)[cell]); i != last; i += next) {
+    const double enter = larger((near[i] - p) * inverse, from);
+    if (enter > smaller(reach(), to)) return;
+    const double leave = smaller((far[i] - p) * inverse, to);
+    if (enter > leave) continue;
+    const unsigned what = s.daughter[i], number = what & ~in_slab::kind;
+    switch (what & in_slab::kind) {
+      case in_slab::daughter:
+        visit(number);
+        break;
+      case in_slab::slabs:
+        walk_layers(tree, tree.rows[number], ray, float_ray, enter, leave, visit, reach);
+        break;
+      default:
+        visit_blocks(tree.blocks, tree.in_block, tree.groups[number].first,
+                     tree.groups[number].last, float_ray, enter, leave, visit, reach);
+    }
+  }
+}
+
+/// Calls visit(daughter) for those that may hold the point.
+template <class Index, class Visit>
+void visit_layers_at(const LayerTree<Index>& tree, const LayerRow<Index>& row,
+                     const Vec3<double>& p, Visit& visit) {
+  const SlabRow<Index>& s = row.slabs;
+  const double at = row.axis == 0 ? p.x : row.axis == 1 ? p.y : p.z;
+  const int cell = cell_along(at, s.origin, s.per_mm, s.cells);
+  for (int i = static_cast<int>(s.ascending[cell]); i < s.count && s.low[i] <= at; ++i) {
+    if (at > s.high[i]) continue;
+    const unsigned what = s.daughter[i], number = what & ~in_slab::kind;
+    switch (what & in_slab::kind) {
+      case in_slab::daughter:
+        visit(number);
+        break;
+      case in_slab::slabs:
+        visit_layers_at(tree, tree.rows[number], p, visit);
+        break;
+      default: {
+        const LayerGroup& group = tree.groups[number];
+        visit_blocks_around(tree.blocks + group.first, tree.in_block + group.first,
+                            group.last - group.first, p, visit);
+      }
+    }
+  }
+}
+
+template <class Index>
+struct SearchLayers {
+  LayerTree<Index> tree;
+
+  template <class Daughters>
+  [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
+                                  const Direction<double>& v, int blocked, double tol) const {
+    LastThatHolds<Daughters> last{d, p, v, blocked, tol};
+    const auto visit = [&](unsigned k) { last(k); };
+    visit_layers_at(tree, tree.rows[0], p, visit);
+    return last.found;
+  }
+  template <class Daughters>
+  [[gnu::always_inline]] int nearest(const Daughters& d, const Vec3<double>& p,
+                                     const Direction<double>& v, double& best, double limit,
+                                     unsigned, double tol) const {
+    NearestAhead<Daughters> nearest{d, p, v, best, limit, tol};
+    const auto visit = [&](unsigned k) { nearest(k); };
+    const auto reach = [&] { return smaller(limit, best); };
+    walk_layers(tree, tree.rows[0], LayerRay(p, v), float_ray(p, v), 0, infinity<double>(), visit,
+                reach);
+    return nearest.hit;
+  }
+};
+
+}  // namespace navjit::kernels
