@@ -17,7 +17,7 @@ constexpr int most_levels = 8;
 constexpr std::size_t most_in_group = 64;
 constexpr double most_mean_group = 8;
 /// Slabs may overlap by as much of the thinner one: rows of straws that stand on gaps do by an
-/// eighth, and many a detector's layers by a mistake.
+/// eighth, and the layers of a detector that was seen, by mistake.
 constexpr double most_overlap = 0.25;
 constexpr std::size_t cells_per_slab = 2, most_cells = 4096;
 

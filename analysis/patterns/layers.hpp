@@ -1,4 +1,4 @@
-// Layers: slabs within slabs, as most calorimeters, muon systems and lattices are built.
+// Layers: slabs within slabs, as many calorimeters, muon systems and lattices are built.
 #pragma once
 
 #include <optional>

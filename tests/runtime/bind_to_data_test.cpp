@@ -132,7 +132,6 @@ TEST(BoundToData, OverlapsAlike) {
 
 /// Layers of tiles and plates, as they come from a file that places all of them in the world.
 TEST(BoundToData, FlatCalorimeterAlikeByLayers) {
-  std::mt19937_64 random(21);
   World world;
   world.top = tests::add_volume(world, "world", make_box("world", 70, 70, 120));
   const VolumeId tile = tests::add_volume(world, "tile", make_box("tile", 6, 6, 1.5));
@@ -150,7 +149,7 @@ TEST(BoundToData, FlatCalorimeterAlikeByLayers) {
   finish(world);
   const auto shared = std::make_shared<const World>(std::move(world));
   const Geometry geometry(shared);
-  ScenePlan plan = plan_scene(geometry, analyse_world(geometry), 0);
+  const ScenePlan plan = plan_scene(geometry, analyse_world(geometry), 0);
   ASSERT_TRUE(plan.layers.found());
   expect_same_answers(shared, 22, 600);
   const Forced forced("*=layers");

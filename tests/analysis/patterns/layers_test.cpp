@@ -58,7 +58,7 @@ Arrangement straws(std::uint64_t seed) {
   return a;
 }
 
-/// Two layers and a bar across both, which no plane divides.
+/// A row of boxes, and three turned ones that no plane between them divides.
 Arrangement with_a_group() {
   std::mt19937_64 random(3);
   Arrangement a(make_box("mother", half, half, half));
