@@ -31,53 +31,70 @@ Grid layout(const Extent& scene, const std::array<int, 3>& count) {
   return b;
 }
 
+/// Of an oblique box: the sums of |det| over the choices of one, two and three of its edges,
+/// projected onto one axis, onto two (that of the number left out) and onto all three.
+struct Spread {
+  double one[3], two[3], three;
+};
+
+Spread spread_of(const PlacedBox& box) {
+  Spread s{};
+  double along[3][3];
+  for (std::size_t e = 0; e < 3; ++e) {
+    const Vec3 whole = 2 * box.edges[e];
+    along[e][0] = whole.x;
+    along[e][1] = whole.y;
+    along[e][2] = whole.z;
+  }
+  for (std::size_t e = 0; e < 3; ++e) {
+    const auto& p = along[e];
+    const auto& q = along[(e + 1) % 3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+      const double minor = p[i] * q[j] - p[j] * q[i];
+      s.one[axis] += std::abs(p[axis]);
+      s.two[axis] += std::abs(minor);
+      if (e == 0) s.three += minor * along[2][axis];
+    }
+  }
+  s.three = std::abs(s.three);
+  return s;
+}
+
 /// The expected number of cells that an oblique box reaches into: the volume of its Minkowski sum
 /// with a cell over the cell's, both projected onto the axes that are split. The volume of a
 /// sum of segments is the sum of |det| over the choices of as many as there are dimensions (e.g.
-/// G. M. Ziegler, "Lectures on Polytopes", 7.3).
-double expected_cells(const Grid& b, const PlacedBox& box) {
-  std::vector<int> axes;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (b.count[axis] > 1) axes.push_back(axis);
-  }
-  std::array<std::array<double, 3>, 6> segments{};  // along the split axes, in cells
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    for (std::size_t e = 0; e < 3; ++e) {
-      const Vec3& edge = box.edges[e];
-      const double along[3] = {edge.x, edge.y, edge.z};
-      segments[e][i] = 2 * along[axes[i]] / b.width[axes[i]];
-    }
-    segments[3 + i][i] = 1;
-  }
-  const std::size_t n = 3 + axes.size();
-  double sum = axes.empty() ? 1 : 0;
-  for (std::size_t i = 0; i < n && !axes.empty(); ++i) {
-    const auto& p = segments[i];
-    if (axes.size() == 1) sum += std::abs(p[0]);
-    for (std::size_t j = i + 1; j < n && axes.size() > 1; ++j) {
-      const auto& q = segments[j];
-      const double minor = p[0] * q[1] - p[1] * q[0];
-      if (axes.size() == 2) sum += std::abs(minor);
-      for (std::size_t k = j + 1; k < n && axes.size() > 2; ++k) {
-        const auto& r = segments[k];
-        sum += std::abs(minor * r[2] + (p[1] * q[2] - p[2] * q[1]) * r[0] +
-                        (p[2] * q[0] - p[0] * q[2]) * r[1]);
-      }
-    }
-  }
-  return sum;
+/// G. M. Ziegler, "Lectures on Polytopes", 7.3); the cell's own segments are the axes.
+double expected_cells(const Grid& b, const Spread& s) {
+  double per_mm[3];  // 0 along axes that are not split
+  for (int axis = 0; axis < 3; ++axis) per_mm[axis] = b.count[axis] > 1 ? 1 / b.width[axis] : 0;
+  const auto [x, y, z] = per_mm;
+  return 1 + s.one[0] * x + s.one[1] * y + s.one[2] * z + s.two[2] * x * y + s.two[0] * y * z +
+         s.two[1] * z * x + s.three * x * y * z;
 }
 
+/// Boxes whose cells are counted for many grids.
+struct Counted {
+  std::span<const PlacedBox> boxes;
+  std::vector<Spread> spreads;  ///< of those that are oblique; of others nothing
+
+  explicit Counted(std::span<const PlacedBox> all) : boxes(all) {
+    spreads.reserve(all.size());
+    for (const PlacedBox& box : all) spreads.push_back(box.oblique ? spread_of(box) : Spread{});
+  }
+};
+
 /// Sum over boxes of the number of cells each reaches into: about the length of `members`.
-double total_members(const Grid& b, std::span<const PlacedBox> boxes, double margin) {
+double total_members(const Grid& b, const Counted& counted, double margin) {
   double total = 0;
-  for (const PlacedBox& box : boxes) {
+  for (std::size_t k = 0; k < counted.boxes.size(); ++k) {
+    const PlacedBox& box = counted.boxes[k];
     double reached = 1;
     for (int axis = 0; axis < 3; ++axis) {
       const Range r = range_of(b, box.bounds, axis, margin);
       reached *= r.last - r.first + 1;
     }
-    total += box.oblique ? std::min(reached, expected_cells(b, box)) : reached;
+    total += box.oblique ? std::min(reached, expected_cells(b, counted.spreads[k])) : reached;
   }
   return total;
 }
@@ -178,9 +195,10 @@ PlacedBox placed_box(const Solid& solid, const Transformation& t) {
 Grid make_grid(const Extent& scene, std::span<const PlacedBox> boxes, double margin, CellUse use,
                const Apart& apart, const GridLimits& limits) {
   // Greedy: refine whichever axis lowers the cost most, until none does.
+  const Counted counted(boxes);
   std::array<int, 3> count{1, 1, 1};
   Grid best = layout(scene, count);
-  double best_cost = cost(best, total_members(best, boxes, margin), use);
+  double best_cost = cost(best, total_members(best, counted, margin), use);
   for (;;) {
     std::array<int, 3> chosen = count;
     double chosen_cost = best_cost;
@@ -193,7 +211,7 @@ Grid make_grid(const Extent& scene, std::span<const PlacedBox> boxes, double mar
             static_cast<double>(trial[0]) * static_cast<double>(trial[1]) * trial[2];
         if (cells > static_cast<double>(limits.max_cells)) break;
         const Grid candidate = layout(scene, trial);
-        const double members = total_members(candidate, boxes, margin);
+        const double members = total_members(candidate, counted, margin);
         if (members > static_cast<double>(limits.max_members)) continue;
         const double trial_cost = cost(candidate, members, use);
         if (trial_cost < chosen_cost * (1 - 1e-9)) {

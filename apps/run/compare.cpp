@@ -46,20 +46,23 @@ std::optional<Comparison> compare_with_generic(Runtime& specialised, const Obser
     side->steps = 0;
   }
   Comparison result;
-  // Few rays at a time first, so that it ends in time where they are long; then more, so that the
-  // processor's caches are not filled anew for each.
-  std::uint64_t turn = first_rays;
+  // Few rays at a time first, so that it ends in time where they are long. Then more: a turn has to
+  // last long enough that what the other side left in caches and branch tables does not matter, as
+  // in a run, which has one side alone. To fill the caches takes some tenths of a millisecond.
+  const double long_enough = std::min(0.01, seconds / 16);
+  std::uint64_t turn = std::max<std::uint64_t>(first_rays, 4 * basket);
   bool with_first = true;
   while (result.rays < rays.size()) {
     const std::uint64_t last =
         result.rays + std::min<std::uint64_t>(turn, rays.size() - result.rays);
+    const double before = with.seconds + without.seconds;
     // Whoever goes second finds the solids of these rays, which both share, in the caches.
     make(with_first ? with : without, result.rays, last);
     make(with_first ? without : with, result.rays, last);
     with_first = !with_first;
     if (common::interruption() != 0) return std::nullopt;
     result.rays = last;
-    turn = std::min<std::uint64_t>(2 * turn, std::max<std::size_t>(64, 4 * basket));
+    if (with.seconds + without.seconds - before < 2 * long_enough) turn *= 2;
     if (thread_seconds() - begun >= seconds) break;
   }
   if (with.steps == 0 || !(with.seconds > 0) || !(without.seconds > 0)) {

@@ -134,13 +134,56 @@ Real distance_to_out(const Boxed<Real, S>& s, const Vec3<Real>& p, const Directi
                      Real tol) {
   return distance_to_out(s.solid, p, v, tol);
 }
+
+/// How far outside of the operand's box the point is, along the axis where that is most: the
+/// operand is no nearer. 0 in the box, and where there is none.
+template <class Solid, class Real>
+Real outside_box(const Solid&, const Vec3<Real>&) {
+  return Real(0);
+}
+template <class Real, class S>
+Real outside_box(const Boxed<Real, S>& s, const Vec3<Real>& p) {
+  if (s.boxed == 0) return Real(0);
+  const Real x = larger(s.low[0] - p.x, p.x - s.high[0]),
+             y = larger(s.low[1] - p.y, p.y - s.high[1]),
+             z = larger(s.low[2] - p.z, p.z - s.high[2]);
+  return larger(larger(larger(x, y), z), Real(0));
+}
+/// How deep in the operand's box the point is: from within the operand its surface is no farther.
+/// Infinite where there is no box.
+template <class Solid, class Real>
+Real depth_in_box(const Solid&, const Vec3<Real>&) {
+  return infinity<Real>();
+}
+template <class Real, class S>
+Real depth_in_box(const Boxed<Real, S>& s, const Vec3<Real>& p) {
+  if (s.boxed == 0) return infinity<Real>();
+  const Real x = smaller(p.x - s.low[0], s.high[0] - p.x),
+             y = smaller(p.y - s.low[1], s.high[1] - p.y),
+             z = smaller(p.z - s.low[2], s.high[2] - p.z);
+  return smaller(smaller(x, y), z);
+}
+
+// The box is part of these answers, so that operands that are left out for it change none.
 template <class Real, class S>
 Real safety_to_in(const Boxed<Real, S>& s, const Vec3<Real>& p) {
-  return safety_to_in(s.solid, p);
+  return larger(safety_to_in(s.solid, p), outside_box(s, p));
 }
 template <class Real, class S>
 Real safety_to_out(const Boxed<Real, S>& s, const Vec3<Real>& p) {
-  return safety_to_out(s.solid, p);
+  const Real depth = depth_in_box(s, p);
+  return depth > 0 ? smaller(safety_to_out(s.solid, p), depth) : Real(0);
+}
+
+/// `safety`, or that to the way into the operand where that is less.
+template <class Real, class S>
+Real safety_or_in(const S& s, const Vec3<Real>& p, Real safety) {
+  return outside_box(s, p) < safety ? smaller(safety_to_in(s, p), safety) : safety;
+}
+/// `safety`, or that to the way out of the operand where that is more.
+template <class Real, class S>
+Real safety_or_out(const S& s, const Vec3<Real>& p, Real safety) {
+  return depth_in_box(s, p) > safety ? larger(safety_to_out(s, p), safety) : safety;
 }
 
 // --- Union ----------------------------------------------------------------------------------
@@ -158,12 +201,16 @@ bool contains(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>& 
 }
 template <class Real, class A, class B>
 Real safety_to_in(const Union<A, B>& s, const Vec3<Real>& p) {
-  return smaller(safety_to_in(s.a, p), safety_to_in(s.b, p));
+  // The nearer box first: mostly the other is farther away than what is in it.
+  if (outside_box(s.b, p) < outside_box(s.a, p)) {
+    return safety_or_in(s.a, p, safety_to_in(s.b, p));
+  }
+  return safety_or_in(s.b, p, safety_to_in(s.a, p));
 }
 template <class Real, class A, class B>
 Real safety_to_out(const Union<A, B>& s, const Vec3<Real>& p) {
   // Zero in the operand that the point is not in.
-  return larger(safety_to_out(s.a, p), safety_to_out(s.b, p));
+  return safety_or_out(s.b, p, safety_to_out(s.a, p));
 }
 
 // --- Intersection ---------------------------------------------------------------------------
@@ -203,11 +250,11 @@ bool contains(const Subtraction<A, B>& s, const Vec3<Real>& p, const Direction<R
 }
 template <class Real, class A, class B>
 Real safety_to_in(const Subtraction<A, B>& s, const Vec3<Real>& p) {
-  return larger(safety_to_in(s.a, p), safety_to_out(s.b, p));
+  return safety_or_out(s.b, p, safety_to_in(s.a, p));
 }
 template <class Real, class A, class B>
 Real safety_to_out(const Subtraction<A, B>& s, const Vec3<Real>& p) {
-  return smaller(safety_to_out(s.a, p), safety_to_in(s.b, p));
+  return safety_or_in(s.b, p, safety_to_out(s.a, p));
 }
 
 }  // namespace navjit::kernels

@@ -152,6 +152,16 @@ struct BoxDistances {
   static Floats distances(Floats squares) {
     return root_of_lanes(squares) * all_lanes(1 - 0x1p-21f);
   }
+
+  /// Less than the distance along the axis where that is most; 0 within a box.
+  Floats along_axes(const BoxBlock& block) const {
+    Floats most = all_lanes(0);
+    for (int axis = 0; axis < 3; ++axis) {
+      most = larger_lanes(most, block.low[axis] - above[axis]);
+      most = larger_lanes(most, below[axis] - block.high[axis]);
+    }
+    return most * all_lanes(1 - 0x1p-21f);
+  }
 };
 
 /// Daughters for safety: blocks of those that are close together, and boxes around whole blocks.

@@ -14,6 +14,8 @@ double furthest_out(const UnionParts& s, const Vec3<double>& p, const Direction<
                     double tol);
 double nearest_in(const UnionParts& s, const Vec3<double>& p, const Direction<double>& v,
                   double best, double tol);
+double safety_to_in(const UnionParts& s, const Vec3<double>& p);
+double safety_to_out(const UnionParts& s, const Vec3<double>& p);
 
 template <class Real>
 using UnionPair = Union<const AnyOperand<Real>&, const AnyOperand<Real>&>;
@@ -57,10 +59,16 @@ Real distance_to_out(const AnyUnion<Real>& s, const Vec3<Real>& p, const Directi
 }
 template <class Real>
 Real safety_to_in(const AnyUnion<Real>& s, const Vec3<Real>& p) {
+  if constexpr (std::is_same_v<Real, double>) {
+    if (s.parts != nullptr) return safety_to_in(*s.parts, p);
+  }
   return safety_to_in(UnionPair<Real>{s.a, s.b}, p);
 }
 template <class Real>
 Real safety_to_out(const AnyUnion<Real>& s, const Vec3<Real>& p) {
+  if constexpr (std::is_same_v<Real, double>) {
+    if (s.parts != nullptr) return safety_to_out(*s.parts, p);
+  }
   return safety_to_out(UnionPair<Real>{s.a, s.b}, p);
 }
 template <class Real>

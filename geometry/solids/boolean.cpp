@@ -148,7 +148,9 @@ Solid make_union(std::string name, const Solid& a, const Solid& b) {
   add_parts(b, parts);
   Solid tree = balanced_union(std::move(name), parts);
   if (parts.size() < least_boxed_parts) return tree;
-  UnionHolder holder{holder_of<Union>(tree), kernels::make_union_parts(parts)};
+  std::vector<kernels::AnyOperand<double>> operands;
+  for (const Solid& part : parts) operands.push_back(operand(part, true));
+  UnionHolder holder{holder_of<Union>(tree), kernels::make_union_parts(parts, std::move(operands))};
   tree.shape = hold_union(std::move(holder));
   return tree;
 }

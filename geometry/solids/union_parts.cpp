@@ -73,13 +73,14 @@ bool is_around(const UnionParts& s, const Vec3<double>& p) {
 
 }  // namespace
 
-UnionParts make_union_parts(std::span<const Solid> parts) {
+UnionParts make_union_parts(std::span<const Solid> parts,
+                            std::vector<AnyOperand<double>> operands) {
   UnionParts s{};
+  s.operands = std::move(operands);
   Extent all = parts[0].extent;
   for (const Solid& part : parts) all = merged(all, part.extent);
   s.margin = 0x1p-20 * largest_coordinate(all);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    s.solids.push_back(parts[i].any());
     const std::size_t lane = i % box_lanes;
     if (lane == 0) s.blocks.push_back(no_boxes());
     const Extent box = inflated(parts[i].extent, s.margin);
@@ -102,9 +103,10 @@ UnionParts make_union_parts(std::span<const Solid> parts) {
 bool is_wide_enough(const UnionParts& s, double tol) { return s.margin > 8 * tol; }
 
 bool contains(const UnionParts& s, const Vec3<double>& p, const Direction<double>& v, double tol) {
-  return is_around(s, p) && ask_parts(
-                                s, [&](const BoxBlock& block) { return lanes_around(block, p); },
-                                [&](std::size_t k) { return contains(s.solids[k], p, v, tol); });
+  return is_around(s, p) &&
+         ask_parts(
+             s, [&](const BoxBlock& block) { return lanes_around(block, p); },
+             [&](std::size_t k) { return contains(s.operands[k].solid, p, v, tol); });
 }
 
 double furthest_out(const UnionParts& s, const Vec3<double>& p, const Direction<double>& v,
@@ -114,7 +116,7 @@ double furthest_out(const UnionParts& s, const Vec3<double>& p, const Direction<
   ask_parts(
       s, [&](const BoxBlock& block) { return lanes_around(block, p); },
       [&](std::size_t k) {
-        furthest = larger(furthest_out(s.solids[k], p, v, tol), furthest);
+        furthest = larger(furthest_out(s.operands[k].solid, p, v, tol), furthest);
         return false;
       });
   return furthest;
@@ -133,10 +135,50 @@ double nearest_in(const UnionParts& s, const Vec3<double>& p, const Direction<do
         return lanes_met(block, ray, 0.0F, strictly_above(best - ahead), enter);
       },
       [&](std::size_t k) {
-        best = nearest_in(s.solids[k], p, v, best, tol);
+        best = nearest_in(s.operands[k].solid, p, v, best, tol);
         return false;
       });
   return best;
+}
+
+double safety_to_in(const UnionParts& s, const Vec3<double>& p) {
+  const BoxDistances from(p);
+  double safety = infinity<double>();
+  // ask(lane) of the boxes that are nearer than what was found, the nearest first.
+  const auto nearest_first = [&](const BoxBlock& block, auto ask) {
+    Floats distance = from.along_axes(block);
+    for (;;) {
+      const unsigned lane = least_lane(distance);
+      if (!(static_cast<double>(distance[lane]) < safety)) return;
+      ask(lane);
+      distance[lane] = __builtin_inff();
+    }
+  };
+  const auto ask_block = [&](std::size_t b) {
+    nearest_first(s.blocks[b], [&](unsigned lane) {
+      safety = smaller(safety_to_in(s.operands[b * box_lanes + lane], p), safety);
+    });
+  };
+  if (s.blocks.size() <= 2) {
+    for (std::size_t b = 0; b < s.blocks.size(); ++b) ask_block(b);
+  } else {
+    for (std::size_t g = 0; g < s.groups.size(); ++g) {
+      nearest_first(s.groups[g], [&](unsigned lane) { ask_block(g * box_lanes + lane); });
+    }
+  }
+  return safety;
+}
+
+double safety_to_out(const UnionParts& s, const Vec3<double>& p) {
+  double safety = 0;
+  if (!is_around(s, p)) return safety;
+  ask_parts(
+      s, [&](const BoxBlock& block) { return lanes_around(block, p); },
+      [&](std::size_t k) {
+        safety = safety_or_out(s.operands[k], p, safety);
+        return false;
+      });
+  return safety;
 }
 
 }  // namespace navjit::kernels

@@ -56,5 +56,54 @@ TEST(OperandBoxes, ChangeNoBit) {
   }
 }
 
+/// Without the boxes.
+template <class Any>
+Any plain(Any solid) {
+  solid.a.boxed = solid.b.boxed = 0;
+  return solid;
+}
+
+/// The boxes are part of safeties: outside they add what is known of the way to the operand, and no
+/// safety is more than the way to the surface along any ray.
+template <class Any>
+void check_safeties(const Any& boxed, const Vec3& p, std::mt19937_64& random, int& more) {
+  const Any without = plain(boxed);
+  const double in = safety_to_in(boxed, p), out = safety_to_out(boxed, p);
+  ASSERT_GE(in, safety_to_in(without, p));
+  more += in > safety_to_in(without, p) ? 1 : 0;
+  const bool within = inside(boxed, p, tolerance) != Side::outside;
+  ASSERT_LE(within ? in : out, tolerance);
+  for (int ray = 0; ray < 8; ++ray) {
+    Vec3 d{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)};
+    const double norm = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+    const Direction v = kernels::make_direction(d.x / norm, d.y / norm, d.z / norm);
+    const double way =
+        within ? distance_to_out(boxed, p, v, tolerance) : distance_to_in(boxed, p, v, tolerance);
+    ASSERT_LE(within ? out : in, way + tolerance);
+  }
+}
+
+TEST(OperandBoxes, AreInSafeties) {
+  std::mt19937_64 random(9);
+  int more = 0;
+  for (int round = 0; round < 300; ++round) {
+    const Solid a = random_primitive(random);
+    const Solid b = make_placed("b", random_primitive(random), random_frame(random));
+    const Solid either = make_union("u", a, b), left = make_subtraction("d", a, b);
+    const Solid cut = make_subtraction("n", either, make_placed("c", left, random_frame(random)));
+    for (int i = 0; i < 50; ++i) {
+      const Vec3 p{uniform(random, -8, 8), uniform(random, -8, 8), uniform(random, -8, 8)};
+      const auto* u = static_cast<const kernels::AnyUnion<double>*>(either.shape.get());
+      check_safeties(*u, p, random, more);
+      const auto* s = static_cast<const kernels::AnySubtraction<double>*>(left.shape.get());
+      check_safeties(*s, p, random, more);
+      const auto* n = static_cast<const kernels::AnySubtraction<double>*>(cut.shape.get());
+      check_safeties(*n, p, random, more);
+      if (HasFatalFailure()) FAIL() << "round " << round;
+    }
+  }
+  EXPECT_GT(more, 500);
+}
+
 }  // namespace
 }  // namespace navjit

@@ -27,14 +27,19 @@ Solid union_of(std::mt19937_64& random, int parts, double spread, double away) {
     return make_placed("part", random_primitive(random), frame);
   };
   Solid all = part();
-  for (int i = 1; i < parts; ++i) all = make_union("all", all, part());
+  for (int i = 1; i < parts; ++i) {
+    // Some are boxes that are not moved, which have no box around them.
+    const bool plain = i % 7 == 3 && away == 0;
+    const double h = uniform(random, 0.1, 1);
+    all = make_union("all", all, plain ? make_box("plain", h, 2 * h, 1) : part());
+  }
   return all;
 }
 
 const Union& shape_of(const Solid& solid) { return *static_cast<const Union*>(solid.shape.get()); }
 
 struct Counted {
-  int asked = 0, met = 0, held = 0;
+  int asked = 0, met = 0, held = 0, deep = 0;
 };
 
 /// Asks both forms about rays from all around, and on from where they meet the surface.
@@ -64,10 +69,15 @@ void compare(const Solid& solid, std::mt19937_64& random, double from, int rays,
       const double out = distance_to_out(tree, p, v, tolerance);
       ASSERT_TRUE(same(distance_to_out(made, p, v, tolerance), out)) << ray << ' ' << i;
       counted.held += within ? 1 : 0;
+      const double deep = safety_to_out(tree, p);
+      ASSERT_TRUE(same(safety_to_out(made, p), deep)) << ray << ' ' << i;
+      ASSERT_TRUE(same(safety_to_in(made, p), safety_to_in(tree, p))) << ray << ' ' << i;
+      counted.deep += deep > 0 ? 1 : 0;
       const double on = within ? out : in;
       if (!(on < kernels::infinity<double>())) break;
       ++counted.met;
-      p = kernels::advance(p, v, on);
+      // To the surface, and between two of them.
+      p = kernels::advance(p, v, i % 3 == 2 ? on / 2 : on);
     }
   }
 }
@@ -81,6 +91,7 @@ TEST(UnionParts, AnswerAsTheTree) {
   }
   EXPECT_GT(counted.met, 10000);
   EXPECT_GT(counted.held, 5000);
+  EXPECT_GT(counted.deep, 2000);
 }
 
 TEST(UnionParts, AnswerAsTheTreeFromFarAwayAndFarFromTheOrigin) {
@@ -116,7 +127,7 @@ TEST(UnionParts, AreForUnionsOfMany) {
   EXPECT_EQ(shape_of(union_of(random, 4, 5, 0)).parts, nullptr);
   const Solid many = union_of(random, 20, 5, 0);
   ASSERT_NE(shape_of(many).parts, nullptr);
-  EXPECT_EQ(shape_of(many).parts->solids.size(), 20U);
+  EXPECT_EQ(shape_of(many).parts->operands.size(), 20U);
   EXPECT_EQ(shape_of(many).parts->blocks.size(), 3U);
   EXPECT_EQ(shape_of(many).parts->groups.size(), 1U);
 }
