@@ -40,7 +40,7 @@ struct Reading {
   std::size_t boolean_parts = 0;  ///< of all booleans
   std::size_t corner_pairs = 0;   ///< of all polygons: the time to look at them goes with it
   std::size_t facets = 0;         ///< of all tessellated solids, and their vertices
-  std::unordered_map<Reference, bool> endless{};
+  std::unordered_map<Reference, bool> endless{};  ///< shapes: whether they have no end
   std::unordered_map<Reference, MadeVolume> volumes{};
   std::unordered_map<Reference, bool> open_volumes{};
   std::size_t placements = 0, name_bytes = 0;
