@@ -41,7 +41,13 @@ if(NAVJIT_NATIVE)
   install(CODE "message(NOTICE \"navjit is compiled for this machine's processor: for others, \
 configure with -D NAVJIT_NATIVE=OFF\")" ALL_COMPONENTS)
 endif()
-install(FILES cmake/copyright cmake/changelog DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/navjit
-        COMPONENT runtime)
-install(FILES cmake/copyright cmake/changelog DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/navjit-dev
-        COMPONENT development)
+# Each package of Debian's has these.
+set(documents navjit runtime navjit-dev development)
+if(TARGET navjit_python)
+  list(APPEND documents python3-navjit python)
+endif()
+while(documents)
+  list(POP_FRONT documents package component)
+  install(FILES cmake/copyright cmake/changelog
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
+endwhile()

@@ -36,6 +36,9 @@ if(TARGET navjit_python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-navjit)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  # The library is in another package, which need not be installed: dpkg-shlibdeps finds it where it
+  # was built.
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
   # Compiled for one minor version of Python.
   math(EXPR next_python "${NAVJIT_PYTHON_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "navjit (= ${PROJECT_VERSION}), python3-numpy, \

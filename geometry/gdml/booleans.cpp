@@ -8,9 +8,6 @@ namespace {
 
 using Combine = Solid (*)(std::string, const Solid&, const Solid&);
 
-/// Parts of all booleans of a file, counted in each boolean that they are in: a second or two.
-constexpr std::size_t most_parts_in_all = 5'000'000;
-
 bool is_zero(const Vector& v) { return v == Vector{0, 0, 0}; }
 
 bool is_moved(const Frame& frame) { return !is_zero(frame.position) || !is_zero(frame.rotation); }
@@ -38,49 +35,14 @@ const NamedSolid& operand(FileContext& file, const XmlElement& boolean, const Xm
   return find_solid(file, *element);
 }
 
-void check_depth(FileContext& file, const XmlElement& element, const NamedSolid& made) {
+void check_size(FileContext& file, const XmlElement& element, const BooleanSize& size) {
   const GdmlLimits& limits = file.session.options.limits;
-  if (made.depth > limits.max_solid_depth) {
-    refuse(element, "booleans are nested more than " + std::to_string(limits.max_solid_depth) +
-                        " deep; split the solid, or raise GdmlLimits::max_solid_depth");
-  }
-  if (made.links > limits.max_solid_chain) {
-    refuse(element, "more than " + std::to_string(limits.max_solid_chain) +
-                        " booleans are chained; use a multiUnion, or raise "
-                        "GdmlLimits::max_solid_chain");
-  }
-  // Every link of a chain is made anew of all its parts.
-  if ((file.session.boolean_parts += made.parts) > most_parts_in_all) {
-    refuse(element, "the file's booleans are made of too many parts in all; use multiUnions");
-  }
-  if (made.parts > limits.max_solid_parts) {
-    refuse(element, "the boolean has more than " + std::to_string(limits.max_solid_parts) +
-                        " parts; split the solid, or raise GdmlLimits::max_solid_parts");
-  }
+  const std::string problem = excess(size,
+                                     {limits.max_solid_depth, limits.max_solid_chain,
+                                      limits.max_solid_parts, "GdmlLimits", "use a multiUnion"},
+                                     file.session.boolean_parts);
+  if (!problem.empty()) refuse(element, problem);
 }
-
-/// What a union or subtraction adds to the chains of its operands; an operand that is moved is a
-/// solid of its own.
-BooleanChain chain_of(const NamedSolid& a, bool a_moved, const NamedSolid& b, bool b_moved,
-                      bool subtraction) {
-  const auto united = [&](const NamedSolid& s, bool moved) {
-    return s.chain && !s.chain->subtraction && !moved ? *s.chain
-                                                      : BooleanChain{.joined_depth = s.depth};
-  };
-  const auto join = [](const BooleanChain& x, const BooleanChain& y) {
-    return BooleanChain{.joined = x.joined + y.joined,
-                        .joined_depth = std::max(x.joined_depth, y.joined_depth)};
-  };
-  BooleanChain chain = united(b, b_moved);
-  if (!subtraction) return join(united(a, a_moved), chain);
-  const bool goes_on = a.chain && a.chain->subtraction && !a_moved;
-  if (goes_on) chain = join(*a.chain, chain);
-  chain.subtraction = true;
-  chain.first_depth = goes_on ? a.chain->first_depth : a.depth;
-  return chain;
-}
-
-enum class Boolean : std::uint8_t { join, cut, meet };
 
 NamedSolid read_boolean(FileContext& file, const XmlElement& element, const std::string& name,
                         Combine combine, Boolean kind) {
@@ -99,16 +61,8 @@ NamedSolid read_boolean(FileContext& file, const XmlElement& element, const std:
   const NamedSolid& a = operand(file, element, first, "first");
   const NamedSolid& b = operand(file, element, second, "second");
   NamedSolid result;
-  if (kind == Boolean::meet) {
-    result.depth = 1 + std::max(a.depth, b.depth);
-  } else {
-    result.chain =
-        chain_of(a, is_moved(first_frame), b, is_moved(second_frame), kind == Boolean::cut);
-    result.depth = result.chain->depth();
-  }
-  result.links = 1 + std::max(a.links, b.links);
-  result.parts = a.parts + b.parts;
-  check_depth(file, element, result);
+  result.size = size_of(kind, a.size, is_moved(first_frame), b.size, is_moved(second_frame));
+  check_size(file, element, result.size);
   result.solid = combine(name, placed(*a.solid, first_frame), placed(*b.solid, second_frame));
   return result;
 }
@@ -125,7 +79,7 @@ Solid union_of_all(const std::string& name, const std::vector<Solid>& nodes, std
 NamedSolid read_multi_union(FileContext& file, const XmlElement& element, const std::string& name) {
   std::vector<Solid> nodes;
   NamedSolid result;
-  result.parts = 0;
+  result.size.parts = 0;
   for (const XmlElement& node : element.children()) {
     if (node.tag != "multiUnionNode") fail(node, "unknown element here; use multiUnionNode");
     file.charge(node);
@@ -140,13 +94,13 @@ NamedSolid read_multi_union(FileContext& file, const XmlElement& element, const 
     }
     if (solid == nullptr) fail(node, "it has no <solid>; name one");
     nodes.push_back(placed(*solid->solid, frame));
-    result.depth = std::max(result.depth, solid->depth);
-    result.parts += solid->parts;
-    result.links = std::max(result.links, solid->links);
+    result.size.depth = std::max(result.size.depth, solid->size.depth);
+    result.size.parts += solid->size.parts;
+    result.size.links = std::max(result.size.links, solid->size.links);
   }
   if (nodes.empty()) fail(element, "it has no <multiUnionNode>; add some");
-  for (std::size_t n = 1; n < nodes.size(); n *= 2) ++result.depth;
-  check_depth(file, element, result);
+  for (std::size_t n = 1; n < nodes.size(); n *= 2) ++result.size.depth;
+  check_size(file, element, result.size);
   result.solid = union_of_all(name, nodes, 0, nodes.size());
   result.solid->name = name;
   return result;
@@ -168,10 +122,10 @@ NamedSolid read_scaled(FileContext& file, const XmlElement& element, const std::
   }
   if (solid == nullptr) fail(element, "it has no <solidref>; name a solid");
   NamedSolid result;
-  result.depth = solid->depth + 1;
-  result.links = solid->links + 1;
-  result.parts = solid->parts;
-  check_depth(file, element, result);
+  result.size.depth = solid->size.depth + 1;
+  result.size.links = solid->size.links + 1;
+  result.size.parts = solid->size.parts;
+  check_size(file, element, result.size);
   result.solid = make_scaled(name, *solid->solid, scale[0], scale[1], scale[2]);
   return result;
 }
@@ -190,10 +144,10 @@ NamedSolid read_reflected(FileContext& file, const XmlElement& element, const st
     scale[i] = file.number(element, std::string("s") + axis, 1);
   }
   NamedSolid result;
-  result.depth = solid.depth + 2;
-  result.links = solid.links + 1;
-  result.parts = solid.parts;
-  check_depth(file, element, result);
+  result.size.depth = solid.size.depth + 2;
+  result.size.links = solid.size.links + 1;
+  result.size.parts = solid.size.parts;
+  check_size(file, element, result.size);
   result.solid = placed(make_scaled(name, *solid.solid, scale[0], scale[1], scale[2]), frame);
   return result;
 }

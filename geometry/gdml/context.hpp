@@ -14,6 +14,7 @@
 #include "geometry/gdml/units.hpp"
 #include "geometry/gdml/xml.hpp"
 #include "geometry/model/world.hpp"
+#include "geometry/solids/boolean_size.hpp"
 
 namespace navjit::gdml {
 
@@ -36,30 +37,12 @@ struct DivisibleShape {
 /// Throws GeometryError.
 Solid make_shape(const std::string& name, const DivisibleShape& shape);
 
-/// A union of unions is made as one balanced tree, and so is what is cut from one solid in turn:
-/// what such a chain is made of, whose levels are far fewer than its links.
-struct BooleanChain {
-  bool subtraction = false;
-  std::size_t first_depth = 0;   ///< levels of what is cut, for a subtraction
-  std::size_t joined = 1;        ///< solids that are united, or cut away
-  std::size_t joined_depth = 1;  ///< levels of the deepest of them
-
-  std::size_t depth() const {
-    std::size_t depth = joined_depth;
-    for (std::size_t n = 1; n < joined; n *= 2) ++depth;
-    return subtraction ? 1 + std::max(first_depth, depth) : depth;
-  }
-};
-
 /// A solid of the file. One that is not supported is an error only once it is used.
 struct NamedSolid {
   std::optional<Solid> solid;
   const XmlElement* element = nullptr;
   std::optional<DivisibleShape> shape;  ///< of the kinds that can be divided
-  std::size_t depth = 1;                ///< levels of booleans as made, 1 for a primitive
-  std::size_t parts = 1;                ///< primitives it is made of
-  std::size_t links = 1;                ///< levels of booleans as written
-  std::optional<BooleanChain> chain;    ///< of unions and subtractions
+  BooleanSize size;
 };
 
 /// Placements that go together, relative to a frame of their own.

@@ -1,9 +1,9 @@
 // TGeoXtru: a polygon along sections, which may have steps.
-#include "geometry/root/reading.hpp"
+#include "geometry/root/composites.hpp"
 
 namespace navjit::root {
 
-Solid read_extruded(Reading& reading, const Object& s) {
+MadeSolid read_extruded(Reading& reading, const Object& s) {
   constexpr std::size_t most = 1000, most_pairs = 200'000'000;
   const std::size_t corners = s.count("fNvert", most), sections = s.count("fNz", most);
   const std::span<const double> x = s.numbers("fX", corners), y = s.numbers("fY", corners);
@@ -23,11 +23,12 @@ Solid read_extruded(Reading& reading, const Object& s) {
     }
     bodies.back().push_back({cm * z[i], cm * x0[i], cm * y0[i], scale[i]});
   }
-  Solid solid = make_extruded(s.name, polygon, bodies.front());
+  MadeSolid made{make_extruded(s.name, polygon, bodies.front())};
   for (std::size_t i = 1; i < bodies.size(); ++i) {
-    solid = make_union(s.name, solid, make_extruded(s.name, polygon, bodies[i]));
+    made = combine(reading, s, Boolean::join, {made.solid, made.size},
+                   {make_extruded(s.name, polygon, bodies[i])});
   }
-  return solid;
+  return made;
 }
 
 }  // namespace navjit::root

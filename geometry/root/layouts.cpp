@@ -18,6 +18,14 @@ std::string named_at(Bytes& at) {
   return name;
 }
 
+/// "TGeoFacet" for "vector<TGeoFacet>"; empty for all else.
+std::string_view content_of(std::string_view type) {
+  if (type.starts_with("std::")) type.remove_prefix(5);
+  constexpr std::string_view start = "vector<";
+  if (!type.starts_with(start) || !type.ends_with(">")) return {};
+  return type.substr(start.size(), type.size() - start.size() - 1);
+}
+
 /// A TStreamerElement, of any class.
 Member member_at(const RecordBytes& record, Reference reference) {
   const Located found = record.locate(reference);
@@ -33,7 +41,7 @@ Member member_at(const RecordBytes& record, Reference reference) {
   const std::uint32_t dimensions = element.version == 1 ? at.u32() : 5;
   if (dimensions > at.left() / 4) throw FormatError("a class has too many dimensions");
   at.skip(std::size_t{4} * dimensions);
-  at.text();  // type
+  member.content = content_of(at.text());
   if (element.end != 0) at = Bytes(at.all(), element.end);
   if (found.type == "TStreamerBasicPointer" || found.type == "TStreamerLoop") {
     at.skip(4);  // version of the class that has the counter

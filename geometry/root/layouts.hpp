@@ -35,6 +35,7 @@ struct Member {
   std::string name, counter;
   std::uint32_t type = 0;
   std::uint32_t length = 0;  ///< of a fixed array
+  std::string content{};     ///< the class of what a std::vector has in it
 };
 using Layout = std::vector<Member>;
 

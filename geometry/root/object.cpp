@@ -37,6 +37,7 @@ std::size_t Object::count(std::string_view member, std::size_t most) const {
 std::span<const double> Object::numbers(std::string_view member, std::size_t least) const {
   const Value* value = find(member);
   const auto* all = value == nullptr ? nullptr : std::get_if<std::vector<double>>(value);
+  if (value == nullptr && least == 0) return {};
   if (all == nullptr || all->size() < least) {
     fail("it has no " + std::to_string(least) + " numbers " + std::string(member));
   }

@@ -6,6 +6,7 @@
 
 #include "geometry/root/lists.hpp"
 #include "geometry/root/names.hpp"
+#include "geometry/root/numbers.hpp"
 
 namespace navjit::root {
 namespace {
@@ -48,48 +49,13 @@ std::optional<std::string_view> wanted(std::string_view name) {
   return *found;
 }
 
-/// Bytes of a number of a type, 1 to 19; 0 for those that have no fixed size.
-std::size_t size_of(std::uint32_t type) {
-  constexpr std::size_t sizes[] = {0, 1, 2, 4, 8, 4, 4, 0, 8, 4, 1, 1, 2, 4, 8, 4, 8, 8, 1, 0};
-  return type < std::size(sizes) ? sizes[type] : 0;
-}
-
-double number_at(Bytes& at, std::uint32_t type) {
-  switch (type) {
-    case 1:
-    case 10:
-      return static_cast<std::int8_t>(at.u8());
-    case 2:
-      return static_cast<std::int16_t>(at.u16());
-    case 3:
-    case 6:
-      return static_cast<std::int32_t>(at.u32());
-    case 4:
-    case 16:
-      return static_cast<double>(static_cast<std::int64_t>(at.u64()));
-    case 5:
-    case 9:
-      return at.f32();
-    case 8:
-      return at.f64();
-    case 11:
-    case 18:
-      return at.u8();
-    case 12:
-      return at.u16();
-    case 13:
-    case 15:
-      return at.u32();
-    default:
-      return static_cast<double>(at.u64());
-  }
-}
-
 std::vector<double> numbers_at(Bytes& at, std::uint32_t type, std::size_t count) {
   std::vector<double> all(count);
   for (double& number : all) number = number_at(at, type);
   return all;
 }
+
+bool is_vector_read(std::string_view name) { return name == "fVertices" || name == "fFacets"; }
 
 bool is_pointer(std::uint32_t type) { return type == pointer || type == pointer_any; }
 
@@ -209,7 +175,7 @@ bool Objects::read_member(Bytes& at, const Member& member, const Counters& count
     for (std::uint32_t i = 0; i < member.length; ++i) record_.pointer(at);
     return true;
   }
-  if (const std::size_t size = size_of(type); size > 0) {
+  if (const std::size_t size = number_size(type); size > 0) {
     if (!keep) {
       at.skip(size);
     } else {
@@ -224,7 +190,7 @@ bool Objects::read_member(Bytes& at, const Member& member, const Counters& count
   if (type > basic_end && type < counted_end) {
     const bool variable = type > counted;
     const std::uint32_t of = type - (variable ? counted : basic_end);
-    const std::size_t size = size_of(of);
+    const std::size_t size = number_size(of);
     std::size_t count = member.length;
     if (variable) {
       if (at.u8() == 0) return true;  // none was written
@@ -246,6 +212,7 @@ bool Objects::read_member(Bytes& at, const Member& member, const Counters& count
     for (std::uint32_t i = 0; i < member.length; ++i) at.text();
     return true;
   }
+  if (!member.content.empty() && is_vector_read(member.name)) return read_vector(at, member, into);
   // Objects in place, containers of the standard library, what classes write by themselves.
   const bool several = type == basic_end + embedded || type == basic_end + embedded_any;
   for (std::uint32_t i = 0; i < (several ? member.length : 1); ++i) {

@@ -61,6 +61,7 @@ class Objects {
   using Counters = std::vector<std::pair<std::string_view, std::uint32_t>>;
   void read_class(Bytes& at, std::string_view type, Object& into, Counters& counters, int depth);
   bool read_member(Bytes& at, const Member& member, const Counters& counters, Object& into);
+  bool read_vector(Bytes& at, const Member& member, Object& into);
   void spend(std::size_t amount);
 
   std::string bytes_;

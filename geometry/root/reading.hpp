@@ -10,6 +10,7 @@
 #include "geometry/gdml/notes.hpp"
 #include "geometry/model/world.hpp"
 #include "geometry/root/objects.hpp"
+#include "geometry/solids/boolean_size.hpp"
 
 namespace navjit::root {
 
@@ -18,7 +19,7 @@ constexpr double cm = 10;  ///< of ROOT's lengths, mm
 /// A solid, and what it took to make it.
 struct MadeSolid {
   Solid solid;
-  std::size_t parts = 1;  ///< primitives
+  BooleanSize size{};
 };
 
 /// Placements that go together: those of a volume, or of an assembly, which has no solid.
@@ -38,6 +39,8 @@ struct Reading {
   std::unordered_map<Reference, MadeSolid> solids{};
   std::size_t boolean_parts = 0;  ///< of all booleans
   std::size_t corner_pairs = 0;   ///< of all polygons: the time to look at them goes with it
+  std::size_t facets = 0;         ///< of all tessellated solids, and their vertices
+  std::unordered_map<Reference, bool> endless{};  ///< shapes: whether they have no end
   std::unordered_map<Reference, MadeVolume> volumes{};
   std::unordered_map<Reference, bool> open_volumes{};
   std::size_t placements = 0, name_bytes = 0;
@@ -58,14 +61,14 @@ Frame read_slice(Reading& reading, const Object& node, Reference shape);
 /// The frame as navigation has it. Throws GeometryError.
 Transformation transformation_of(const Frame& frame);
 
-/// A TGeoShape.
+/// A TGeoShape. `depth`: of those that it is within, itself counted.
 const MadeSolid& read_solid(Reading& reading, Reference shape, std::size_t depth = 1);
-/// A TGeoCompositeShape.
-MadeSolid read_boolean(Reading& reading, const Object& composite, std::size_t depth);
 /// One that is made of numbers alone. Fails for one of another class.
 Solid read_primitive(const Object& shape);
 /// A TGeoXtru.
-Solid read_extruded(Reading& reading, const Object& shape);
+MadeSolid read_extruded(Reading& reading, const Object& shape);
+/// A TGeoTessellated.
+Solid read_tessellated(Reading& reading, const Object& shape);
 
 /// The number of a TGeoMedium's material in the world; for 0, of one that has no name.
 std::uint32_t read_material(Reading& reading, Reference medium);

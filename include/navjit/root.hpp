@@ -24,8 +24,11 @@ struct RootLimits {
   std::size_t max_keys = 100'000;                ///< objects and folders of the file
   std::size_t max_placements = 1'000'000;        ///< daughters of all volumes and assemblies
   std::size_t max_name_bytes = 64'000'000;       ///< of all their names
-  std::size_t max_solid_depth = 200;             ///< levels of nested booleans
+  std::size_t max_solid_depth = 200;             ///< levels of nested booleans; chains of unions,
+                                                 ///< or of what is cut from one solid, have few
+  std::size_t max_solid_chain = 1000;            ///< links of such a chain
   std::size_t max_solid_parts = 10'000;          ///< primitives that make up one boolean
+  std::size_t max_facets = 4'000'000;            ///< facets of all tessellated solids, and vertices
 };
 
 /// What is read of a file.

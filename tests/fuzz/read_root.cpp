@@ -16,7 +16,9 @@ navjit::RootOptions tight_options() {
                      .max_placements = 2'000,
                      .max_name_bytes = 200'000,
                      .max_solid_depth = 50,
-                     .max_solid_parts = 200}};
+                     .max_solid_chain = 100,
+                     .max_solid_parts = 200,
+                     .max_facets = 2'000}};
 }
 
 }  // namespace

@@ -48,16 +48,19 @@ inline void write_root_seeds(const std::filesystem::path& folder) {
                                  {"fScale", Numbers{1, 2}},
                                  {"fX0", Numbers{0, 0}},
                                  {"fY0", Numbers{0, 0}}}));
-  const RootPointer half =
-      root_object("TGeoHalfSpace", "half", {{"fP", Numbers{0, 0, 0}}, {"fN", Numbers{1, 1, 0}}});
-  for (const char* operation : {"TGeoUnion", "TGeoSubtraction", "TGeoIntersection"}) {
-    const RootPointer node = root_object(
-        operation, "",
-        {{"fLeft", box},
-         {"fRight", operation == std::string("TGeoUnion") ? root_box("other", 2, 1, 1) : half},
-         {"fLeftMat", RootPointer{}},
-         {"fRightMat", root_placed(1, 0, 0, {0, -1, 0, 1, 0, 0, 0, 0, 1})}});
-    write(operation, root_object("TGeoCompositeShape", "boolean", {{"fNode", node}}));
+  const RootPointer half = root_half_space({0, 0, 0}, {1, 1, 0});
+  const RootPointer quarter =
+      root_boolean("TGeoIntersection", half, root_half_space({0, 0, 0}, {1, 0, 0}));
+  const RootPointer turned = root_placed(1, 0, 0, {0, -1, 0, 1, 0, 0, 0, 0, 1});
+  write("TGeoUnion", root_boolean("TGeoUnion", box, root_box("other", 2, 1, 1), {}, turned));
+  write("TGeoSubtraction", root_boolean("TGeoSubtraction", box, quarter, {}, turned));
+  write("TGeoIntersection", root_boolean("TGeoIntersection", half, box, {}, turned));
+  for (const bool by_members : {true, false}) {
+    write(by_members ? "tessellated" : "facets",
+          root_tessellated("tessellated",
+                           {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {0, 2, 2}},
+                           {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}},
+                           {.by_members = by_members}));
   }
   const RootPointer row = root_volume(
       "row", root_object("TGeoShapeAssembly", "", {}),

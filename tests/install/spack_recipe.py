@@ -42,13 +42,15 @@ class Package:
 
 
 spack = types.ModuleType("spack.package")
-for name in ("license", "extends", "requires", "generator", "when", "conflicts"):
+for name in ("license", "extends", "requires", "when", "conflicts"):
     setattr(spack, name, Ignored())
 for name in ("version", "variant", "depends_on"):
     setattr(spack, name, noted(name))
 spack.python = types.SimpleNamespace(path="python3")
 cmake = types.ModuleType("spack_repo.builtin.build_systems.cmake")
 cmake.CMakePackage = Package
+# Spack 1 has what is of one build system beside that.
+cmake.generator = Ignored()
 for name in ("spack", "spack_repo", "spack_repo.builtin", "spack_repo.builtin.build_systems"):
     sys.modules[name] = types.ModuleType(name)
 sys.modules["spack.package"], sys.modules[cmake.__name__] = spack, cmake

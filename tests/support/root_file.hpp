@@ -9,6 +9,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -33,8 +34,14 @@ struct RootCounted {
   std::string counter;  ///< written before the numbers, unless it is empty
   std::vector<double> numbers;
 };
-using RootValue =
-    std::variant<double, int, std::vector<double>, RootCounted, RootPointer, RootList, RootBase>;
+/// A std::vector of objects, without names, of a class that counts no versions.
+struct RootVector {
+  std::string of;
+  std::vector<RootPointer> objects;
+  bool by_members = true;  ///< one member of all objects after the other
+};
+using RootValue = std::variant<double, int, std::vector<double>, std::vector<int>, RootCounted,
+                               RootPointer, RootList, RootBase, RootVector>;
 
 /// An object: its class, TNamed's name and TObject's bits, then members. Without a name of the
 /// base `named`, the class has no TNamed.
@@ -50,6 +57,11 @@ inline RootPointer root_object(std::string type, std::string name,
                                std::uint32_t bits = 0x03000000) {
   return std::make_shared<RootObject>(
       RootObject{std::move(type), std::move(name), std::move(members), bits});
+}
+
+/// By which classes that count no versions are known.
+inline std::size_t root_checksum_of(const std::string& type) {
+  return std::hash<std::string>()(type) & 0xffffffff;
 }
 
 enum class RootPacking { none, zlib, deflate, lzma, lz4, zstd };
@@ -160,21 +172,25 @@ class RootRecord : public RootBytes {
  private:
   std::size_t place() const { return bytes.size() + key_bytes_ + 2; }
 
-  void part(const RootObject& it, const RootPointer& pointer_to_it) {
+  void describe(const RootPointer& it) {
     bool is_new = true;
-    for (const RootPointer& known : classes) is_new = is_new && known->type != it.type;
-    if (is_new) classes.push_back(pointer_to_it);
+    for (const RootPointer& known : classes) is_new = is_new && known->type != it->type;
+    if (is_new) classes.push_back(it);
+  }
+  void part(const RootObject& it, const RootPointer& pointer_to_it) {
+    describe(pointer_to_it);
     versioned(1, [&] {
       if (it.named) named(it.name, it.bits);
-      for (const auto& member : it.members) {
-        std::visit([&](const auto& value) { write(value); }, member.second);
-      }
+      for (std::size_t i = 0; i < it.members.size(); ++i) write_member(it, i);
     });
   }
   void write(double value) { f64(value); }
   void write(int value) { u32(static_cast<std::uint32_t>(value)); }
   void write(const std::vector<double>& values) {
     for (const double value : values) f64(value);
+  }
+  void write(const std::vector<int>& values) {
+    for (const int value : values) write(value);
   }
   void write(const RootCounted& values) {
     if (!values.counter.empty()) u32(values.numbers.size());
@@ -183,6 +199,31 @@ class RootRecord : public RootBytes {
   }
   void write(const RootPointer& object) { pointer(object); }
   void write(const RootList& objects) { list(objects.objects); }
+  void write_member(const RootObject& it, std::size_t member) {
+    std::visit([&](const auto& value) { write(value); }, it.members[member].second);
+  }
+  void write(const RootVector& vector) {
+    const std::vector<RootPointer>& objects = vector.objects;
+    if (!objects.empty()) describe(objects.front());
+    const auto no_version = [&] {
+      u16(0);
+      u32(root_checksum_of(vector.of));
+    };
+    versioned(vector.by_members ? 9 | 1U << 14 : 9, [&] {
+      if (vector.by_members) no_version();
+      u32(objects.size());
+      const std::size_t members = objects.empty() ? 0 : objects.front()->members.size();
+      for (std::size_t i = 0; vector.by_members && i < members; ++i) {
+        for (const RootPointer& object : objects) write_member(*object, i);
+      }
+      for (std::size_t i = 0; !vector.by_members && i < objects.size(); ++i) {
+        counted([&] {
+          no_version();
+          for (std::size_t k = 0; k < members; ++k) write_member(*objects[i], k);
+        });
+      }
+    });
+  }
   void write(const RootBase& base) { part(*base.part, base.part); }
 
   std::size_t key_bytes_;
@@ -190,11 +231,11 @@ class RootRecord : public RootBytes {
   std::map<std::string, std::size_t> class_places_;
 };
 
-/// One member of a class, as StreamerInfos have it.
+/// One member of a class, as StreamerInfos have it. `more`: its counter, or what a vector is of.
 inline void root_element(RootRecord& record, const std::string& type, const std::string& name,
-                         unsigned number, std::size_t length, const std::string& counter = {}) {
+                         unsigned number, std::size_t length, const std::string& more = {}) {
   record.pointer_to(type, [&] {
-    const bool is_base = type == "TStreamerBase";
+    const bool is_base = type == "TStreamerBase", is_vector = type == "TStreamerSTL";
     record.versioned(is_base ? 3 : 2, [&] {
       record.versioned(4, [&] {
         record.named(name, 0x03000000);
@@ -203,13 +244,17 @@ inline void root_element(RootRecord& record, const std::string& type, const std:
         record.u32(length);
         record.u32(length > 0 ? 1 : 0);
         for (int i = 0; i < 5; ++i) record.u32(0);
-        record.text(is_base ? "BASE" : "");
+        record.text(is_base ? "BASE" : is_vector ? "vector<" + more + ">" : "");
       });
       if (is_base) record.u32(1);
       if (type == "TStreamerBasicPointer") {
         record.u32(1);
-        record.text(counter);
+        record.text(more);
         record.text("");
+      }
+      if (is_vector) {
+        record.u32(1);   // a vector
+        record.u32(61);  // of objects
       }
     });
   });
@@ -235,6 +280,10 @@ inline void root_elements(RootRecord& record, const RootObject& it) {
           root_element(record, "TStreamerBasicType", name, 3, 0);
         } else if (const auto* fixed = std::get_if<std::vector<double>>(&value)) {
           root_element(record, "TStreamerBasicType", name, 28, fixed->size());
+        } else if (const auto* whole = std::get_if<std::vector<int>>(&value)) {
+          root_element(record, "TStreamerBasicType", name, 23, whole->size());
+        } else if (const auto* vector = std::get_if<RootVector>(&value)) {
+          root_element(record, "TStreamerSTL", name, 500, 0, vector->of);
         } else if (const auto* counted = std::get_if<RootCounted>(&value)) {
           if (!counted->counter.empty()) {
             root_element(record, "TStreamerBasicType", counted->counter, 6, 0);
@@ -401,7 +450,7 @@ inline std::string root_file(const std::vector<RootEntry>& entries,
       infos.pointer_to("TStreamerInfo", [&] {
         infos.versioned(9, [&] {
           infos.named(it->type, 0x03000000);
-          infos.u32(0);
+          infos.u32(root_checksum_of(it->type));
           infos.u32(1);
           root_elements(infos, *it);
         });

@@ -11,6 +11,43 @@ inline RootPointer root_box(const std::string& name, double x, double y, double 
       {{"fDX", x}, {"fDY", y}, {"fDZ", z}, {"fOrigin", std::vector<double>{0, 0, 0}}});
 }
 
+/// How a version of ROOT writes tessellated solids.
+struct RootFacetStyle {
+  std::string vertex_class = "ROOT::Geom::Vertex_t";
+  bool by_members = true;
+  bool shared = false;  ///< facets have a member fShared, which comes last
+};
+
+/// Vertices of three coordinates, facets of three or four vertices.
+inline RootPointer root_tessellated(const std::string& name,
+                                    const std::vector<std::vector<double>>& vertices,
+                                    const std::vector<std::vector<int>>& facets,
+                                    const RootFacetStyle& style = {}) {
+  const auto plain = [](const std::string& type,
+                        std::vector<std::pair<std::string, RootValue>> members) {
+    const RootPointer it = root_object(type, "", std::move(members));
+    it->named = false;
+    return it;
+  };
+  RootVector points{style.vertex_class, {}, style.by_members};
+  for (const std::vector<double>& p : vertices) {
+    points.objects.push_back(plain(style.vertex_class, {{"fVec", p}}));
+  }
+  RootVector faces{"TGeoFacet", {}, style.by_members};
+  for (std::vector<int> corners : facets) {
+    const auto count = static_cast<int>(corners.size());
+    corners.resize(4, -1);
+    faces.objects.push_back(plain("TGeoFacet", {{"fIvert", corners}, {"fNvert", count}}));
+    if (style.shared) faces.objects.back()->members.emplace_back("fShared", 1);
+  }
+  return root_object("TGeoTessellated", name,
+                     {{"fNfacets", static_cast<int>(facets.size())},
+                      {"fNvert", static_cast<int>(vertices.size())},
+                      {"fNseg", 0},
+                      {"fVertices", points},
+                      {"fFacets", faces}});
+}
+
 inline RootPointer root_translation(double x, double y, double z) {
   return root_object("TGeoTranslation", "", {{"fTranslation", std::vector<double>{x, y, z}}});
 }
@@ -24,6 +61,24 @@ inline RootPointer root_placed(double x, double y, double z, const std::vector<d
   return root_object(
       "TGeoCombiTrans", "",
       {{"fTranslation", std::vector<double>{x, y, z}}, {"fRotation", root_rotation(rows)}});
+}
+
+/// "TGeoUnion", "TGeoSubtraction" or "TGeoIntersection" of two shapes.
+inline RootPointer root_boolean(const std::string& operation, const RootPointer& a,
+                                const RootPointer& b, const RootPointer& a_matrix = {},
+                                const RootPointer& b_matrix = {}) {
+  const RootPointer base =
+      root_object("TGeoBoolNode", "",
+                  {{"fLeft", a}, {"fRight", b}, {"fLeftMat", a_matrix}, {"fRightMat", b_matrix}});
+  const RootPointer node = root_object(operation, "", {{"TGeoBoolNode", RootBase{base}}});
+  node->named = false;
+  return root_object("TGeoCompositeShape", "boolean", {{"fNode", node}});
+}
+
+/// Half of space: what the normal at the point points away from.
+inline RootPointer root_half_space(const std::vector<double>& point,
+                                   const std::vector<double>& normal) {
+  return root_object("TGeoHalfSpace", "half", {{"fP", point}, {"fN", normal}});
 }
 
 /// A material of one element.

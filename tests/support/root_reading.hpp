@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "geometry/solids/solid.hpp"
 #include "navjit/root.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/folder.hpp"
@@ -34,6 +35,16 @@ class RootReading : public testing::Test {
   }
   std::string refusal(const RootPointer& world) {
     return refusal_of_bytes(root_file({{"geometry", root_manager(world)}}));
+  }
+
+  /// The solid of a shape.
+  Solid solid(const RootPointer& shape) {
+    const Detector detector = read(root_world_around(shape));
+    return detector.volume(*detector.find_volume("inner")).solid;
+  }
+  /// Whether a point, mm, is inside it.
+  static bool has(const Solid& solid, const Vec3& p) {
+    return kernels::inside(solid.any(), p, 1e-9) == kernels::Side::inside;
   }
 
   TemporaryFolder folder_;

@@ -17,10 +17,6 @@ using Numbers = std::vector<double>;
 
 class RootShapes : public RootReading {
  protected:
-  Solid solid(const RootPointer& shape) {
-    const Detector detector = read(root_world_around(shape));
-    return detector.volume(*detector.find_volume("inner")).solid;
-  }
   std::string refusal_of(const RootPointer& shape) { return refusal(root_world_around(shape)); }
 };
 
@@ -199,82 +195,18 @@ TEST_F(RootShapes, ExtrudedOnesMayHaveSteps) {
   EXPECT_TRUE(within({5, 0, 10}));
 }
 
-RootPointer boolean(const std::string& operation, const RootPointer& a, const RootPointer& b,
-                    const RootPointer& a_matrix = {}, const RootPointer& b_matrix = {}) {
-  const RootPointer base =
-      root_object("TGeoBoolNode", "",
-                  {{"fLeft", a}, {"fRight", b}, {"fLeftMat", a_matrix}, {"fRightMat", b_matrix}});
-  const RootPointer node = root_object(operation, "", {{"TGeoBoolNode", RootBase{base}}});
-  node->named = false;
-  return root_object("TGeoCompositeShape", "boolean", {{"fNode", node}});
-}
-
-TEST_F(RootShapes, BooleansAndScales) {
-  const auto inside = [&](const RootPointer& shape, const Vec3& p) {
-    const Detector detector = read(root_world_around(shape));
-    Runtime runtime{detector, {.jit = JitMode::off}};
-    return detector.depth(runtime.navigator().locate(p)) == 1;
-  };
-  const RootPointer big = root_box("big", 3, 3, 3), small = root_box("small", 1, 1, 1);
-  const RootPointer away = root_translation(3, 0, 0);
-  for (const auto& [operation, left, middle, right] :
-       {std::tuple{"TGeoUnion", true, true, true},
-        std::tuple{"TGeoSubtraction", true, false, false},
-        std::tuple{"TGeoIntersection", false, true, false}}) {
-    const RootPointer shape = boolean(operation, big, small, {}, away);
-    EXPECT_EQ(inside(shape, {0, 0, 0}), left) << operation;
-    EXPECT_EQ(inside(shape, {25, 0, 0}), middle) << operation;
-    EXPECT_EQ(inside(shape, {35, 0, 0}), right) << operation;
-  }
-  // Half of space: what its normal points away from.
-  const RootPointer half =
-      root_object("TGeoHalfSpace", "half", {{"fP", Numbers{1, 0, 0}}, {"fN", Numbers{2, 0, 0}}});
-  EXPECT_TRUE(inside(boolean("TGeoIntersection", big, half), {9, 0, 0}));
-  EXPECT_FALSE(inside(boolean("TGeoIntersection", big, half), {11, 0, 0}));
-  EXPECT_FALSE(inside(boolean("TGeoSubtraction", big, half), {-29, 29, 29}));
-  EXPECT_TRUE(inside(boolean("TGeoSubtraction", big, half), {11, 0, 0}));
-  // The same moved by 1 cm.
-  const RootPointer moved = root_translation(1, 0, 0);
-  EXPECT_TRUE(inside(boolean("TGeoIntersection", big, half, {}, moved), {19, 0, 0}));
-  EXPECT_FALSE(inside(boolean("TGeoIntersection", big, half, {}, moved), {21, 0, 0}));
-  EXPECT_NE(refusal_of(boolean("TGeoUnion", big, half)).find("has no end"), std::string::npos);
-  EXPECT_NE(refusal_of(boolean("TGeoUnion", half, big)).find("make it the second"),
-            std::string::npos);
-
-  const RootPointer scaled = root_object(
-      "TGeoScaledShape", "egg",
-      {{"fShape", root_object("TGeoTube", "tube", {{"fRmin", 0.0}, {"fRmax", 1.0}, {"fDz", 1.0}})},
-       {"fScale", root_object("TGeoScale", "", {{"fScale", Numbers{1, 2, 3}}})}});
-  expect(solid(scaled), SolidKind::scaled, pi * 2 * 6, {-1, -2, -3}, {1, 2, 3});
-}
-
 TEST_F(RootShapes, WhatCannotBeIsRefusedByName) {
   for (const auto& [shape, what] : std::initializer_list<std::pair<RootPointer, const char*>>{
            {root_box("flat", 1, 0, 1), "TGeoBBox 'flat': "},
            {root_box("endless", 1, INFINITY, 1), "fDY is no finite number"},
-           {root_object("TGeoTessellated", "mesh", {}), "TGeoTessellated 'mesh': unsupported"},
+           {root_object("TGeoShapeOfOthers", "odd", {}), "TGeoShapeOfOthers 'odd': unsupported"},
            {root_object("TGeoTube", "pipe", {{"fRmin", 0.0}}), "it has no number f"},
-           {boolean("TGeoUnion", root_box("a", 1, 1, 1), {}), "it lacks an operand"}}) {
+           {root_boolean("TGeoUnion", root_box("a", 1, 1, 1), {}), "it lacks an operand"}}) {
     const std::string message = refusal_of(shape);
     EXPECT_TRUE(message.starts_with(file_ + ": ")) << message;
     EXPECT_NE(message.find(what), std::string::npos) << message;
     EXPECT_EQ(message.find('\n'), std::string::npos);
   }
-}
-
-TEST_F(RootShapes, BooleansAreNestedToALimit) {
-  RootPointer shape = root_box("box", 1, 1, 1);
-  for (int i = 0; i < 150; ++i) shape = boolean("TGeoUnion", shape, root_box("box", 1, 1, 1));
-  EXPECT_EQ(refusal_of(shape), "");
-  for (int i = 0; i < 100; ++i) shape = boolean("TGeoUnion", shape, root_box("box", 1, 1, 1));
-  EXPECT_NE(refusal_of(shape).find("nested more than 200 deep"), std::string::npos);
-  // One that is its own operand.
-  const RootPointer self = boolean("TGeoUnion", root_box("a", 1, 1, 1), root_box("b", 1, 1, 1));
-  const RootPointer node = std::get<RootPointer>(self->members[0].second);
-  std::get<RootBase>(node->members[0].second).part->members[0].second = self;
-  EXPECT_NE(refusal_of(self).find("nested"), std::string::npos);
-  // The pointers of the test's own circle.
-  std::get<RootBase>(node->members[0].second).part->members[0].second = RootPointer{};
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 """Spack's recipe of navjit; docs/install.md says how it is used."""
 
-from spack_repo.builtin.build_systems.cmake import CMakePackage
+from spack_repo.builtin.build_systems.cmake import CMakePackage, generator
 
 from spack.package import *
 

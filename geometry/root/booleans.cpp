@@ -1,0 +1,97 @@
+// TGeoCompositeShape: a boolean of two shapes, each with a matrix.
+#include <algorithm>
+
+#include "geometry/root/composites.hpp"
+
+namespace navjit::root {
+namespace {
+
+bool is_identity(const Frame& frame) {
+  constexpr Frame identity;
+  return std::ranges::equal(frame.translation, identity.translation) &&
+         std::ranges::equal(frame.rotation, identity.rotation);
+}
+
+}  // namespace
+
+Solid placed(const Solid& solid, const Frame& frame) {
+  const Transformation t = transformation_of(frame);
+  SolidFrame where;
+  std::ranges::copy(t.translation, where.translation);
+  std::ranges::copy(t.rotation, where.rotation);
+  return make_placed(solid.name, solid, where);
+}
+
+Operand operand(const MadeSolid& made, const Frame& frame) {
+  if (is_identity(frame)) return {made.solid, made.size};
+  return {placed(made.solid, frame), made.size, true};
+}
+
+Composite parts_of(Reading& reading, const Object& composite) {
+  const Reference node_reference = composite.reference("fNode");
+  if (node_reference == 0) composite.fail("it has no operation");
+  const Object& node = reading.objects.at(node_reference);
+  Composite parts{.left = node.reference("fLeft"),
+                  .right = node.reference("fRight"),
+                  .left_matrix = node.reference("fLeftMat"),
+                  .right_matrix = node.reference("fRightMat")};
+  if (parts.left == 0 || parts.right == 0) composite.fail("it lacks an operand");
+  if (node.is("TGeoUnion")) {
+    parts.operation = Boolean::join;
+  } else if (node.is("TGeoSubtraction")) {
+    parts.operation = Boolean::cut;
+  } else if (node.is("TGeoIntersection")) {
+    parts.operation = Boolean::meet;
+  } else {
+    composite.fail("unsupported operation " + node.type +
+                   "; union, subtraction and intersection are read");
+  }
+  return parts;
+}
+
+void check_size(Reading& reading, const Object& shape, const BooleanSize& size) {
+  const RootLimits& limits = reading.limits;
+  const std::string problem =
+      excess(size,
+             {limits.max_solid_depth, limits.max_solid_chain, limits.max_solid_parts, "RootLimits",
+              "join its operands in pairs"},
+             reading.boolean_parts);
+  if (!problem.empty()) shape.fail(problem);
+}
+
+MadeSolid combine(Reading& reading, const Object& composite, Boolean operation, const Operand& a,
+                  const Operand& b) {
+  const BooleanSize size = size_of(operation, a.size, a.moved, b.size, b.moved);
+  check_size(reading, composite, size);
+  switch (operation) {
+    case Boolean::join:
+      return {make_union(composite.name, a.solid, b.solid), size};
+    case Boolean::cut:
+      return {make_subtraction(composite.name, a.solid, b.solid), size};
+    case Boolean::meet:
+      break;
+  }
+  return {make_intersection(composite.name, a.solid, b.solid), size};
+}
+
+MadeSolid read_boolean(Reading& reading, const Object& composite, std::size_t depth) {
+  const Composite parts = parts_of(reading, composite);
+  const Frame left = read_frame(reading, parts.left_matrix);
+  const Frame right = read_frame(reading, parts.right_matrix);
+  const auto solid_of = [&](Reference shape, const Frame& frame) {
+    return operand(read_solid(reading, shape, depth + 1), frame);
+  };
+  const auto within = [&](Reference shape, const Frame& frame, const Operand& other) {
+    return read_within(reading, shape, frame, other.solid.extent, depth + 1);
+  };
+  if (is_endless(reading, parts.left, depth + 1)) {
+    const Operand b = solid_of(parts.right, right);
+    return combine(reading, composite, parts.operation, within(parts.left, left, b), b);
+  }
+  const Operand a = solid_of(parts.left, left);
+  return combine(reading, composite, parts.operation, a,
+                 is_endless(reading, parts.right, depth + 1) ? within(parts.right, right, a)
+                                                             : solid_of(parts.right, right));
+}
+
+}  // namespace navjit::root
