@@ -73,14 +73,28 @@ double expected_cells(const Grid& b, const Spread& s) {
          s.two[1] * z * x + s.three * x * y * z;
 }
 
-/// Boxes whose cells are counted for many grids.
+/// Boxes whose cells are counted for many grids; of very many some that stand for all.
 struct Counted {
-  std::span<const PlacedBox> boxes;
+  std::vector<const PlacedBox*> boxes;
   std::vector<Spread> spreads;  ///< of those that are oblique; of others nothing
+  double each = 1;              ///< stands for so many
 
-  explicit Counted(std::span<const PlacedBox> all) : boxes(all) {
-    spreads.reserve(all.size());
-    for (const PlacedBox& box : all) spreads.push_back(box.oblique ? spread_of(box) : Spread{});
+  explicit Counted(std::span<const PlacedBox> all) {
+    constexpr std::size_t most = 512;
+    const std::size_t count = std::min(all.size(), most);
+    if (count > 0) each = static_cast<double>(all.size()) / static_cast<double>(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      boxes.push_back(&all[count < all.size() ? scattered(k, all.size()) : k]);
+      spreads.push_back(boxes.back()->oblique ? spread_of(*boxes.back()) : Spread{});
+    }
+  }
+
+ private:
+  /// Evenly spread, and in step with no row: multiples of the golden ratio, modulo 1.
+  static std::size_t scattered(std::size_t k, std::size_t of) {
+    double whole = 0;
+    const double at = std::modf(0.6180339887498949 * static_cast<double>(k), &whole);
+    return std::min(of - 1, static_cast<std::size_t>(at * static_cast<double>(of)));
   }
 };
 
@@ -88,7 +102,7 @@ struct Counted {
 double total_members(const Grid& b, const Counted& counted, double margin) {
   double total = 0;
   for (std::size_t k = 0; k < counted.boxes.size(); ++k) {
-    const PlacedBox& box = counted.boxes[k];
+    const PlacedBox& box = *counted.boxes[k];
     double reached = 1;
     for (int axis = 0; axis < 3; ++axis) {
       const Range r = range_of(b, box.bounds, axis, margin);
@@ -96,7 +110,7 @@ double total_members(const Grid& b, const Counted& counted, double margin) {
     }
     total += box.oblique ? std::min(reached, expected_cells(b, counted.spreads[k])) : reached;
   }
-  return total;
+  return counted.each * total;
 }
 
 /// Whether one of an oblique box's own faces separates it from a box along the axes, both inflated
