@@ -134,6 +134,7 @@ void measure(const std::string& file, const bench::RayOptions& options, int repe
       run(*engine, 0);
       run(*engine, 1);
     }
+    engine->runtime->final_report(0);  // decides what is still on trial
   }
   for (int r = 0; r < repetitions; ++r) {
     for (std::size_t turn = 0; turn < engines.size(); ++turn) {

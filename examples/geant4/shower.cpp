@@ -1,4 +1,5 @@
 // A complete application: showers in a calorimeter, navigated by navjit or by Geant4, or by both.
+#include <navjit/geant4/transportation.hpp>
 #include <navjit/geant4/use.hpp>
 #include <navjit/geant4/worker.hpp>
 
@@ -23,13 +24,15 @@ namespace {
 constexpr const char* usage =
     "usage: shower [DETECTOR.gdml] [--navigator navjit|geant4|shadow] [--events N] [--threads T]\n"
     "              [--particle NAME] [--energy GEV] [--from X,Y,Z] [--along X,Y,Z] [--spread MM]\n"
-    "              [--cone RAD] [--field TESLA] [--cut MM] [--seed N] [--out EVENTS.csv]\n";
+    "              [--cone RAD] [--field TESLA] [--cut MM] [--seed N] [--out EVENTS.csv]\n"
+    "              [--touchables kept|made]\n";
 
 struct Arguments {
   std::string file{}, navigator = "navjit", out{};
   int events = 10, threads = 1;
   long seed = 1;
   double field = 0, cut = 0.7;
+  bool keep_touchables = false;
   Gun gun{};
 };
 
@@ -75,6 +78,8 @@ Arguments read(int argc, char** argv) {
       a.seed = std::stol(value);
     else if (key == "--out")
       a.out = value;
+    else if (key == "--touchables")
+      a.keep_touchables = value == "kept";
     else
       throw std::invalid_argument("there is no option " + key);
   }
@@ -123,7 +128,9 @@ void run(const Arguments& arguments) {
     manager.reset(shared);
     shared->SetNumberOfThreads(arguments.threads);
     // And one for the threads.
-    shared->SetUserInitialization(new navjit::geant4::WorkerInitialization(session));
+    const auto touchables = arguments.keep_touchables ? navjit::geant4::Touchables::kept
+                                                      : navjit::geant4::Touchables::made;
+    shared->SetUserInitialization(new navjit::geant4::WorkerInitialization(session, touchables));
   } else {
     manager = std::make_unique<G4RunManager>();
   }
@@ -133,8 +140,15 @@ void run(const Arguments& arguments) {
   manager->SetUserInitialization(new Physics(arguments.cut));
   manager->SetUserInitialization(new Actions(arguments.gun, sums));
   manager->Initialize();
+  const navjit::geant4::Transportation* transportation =
+      arguments.keep_touchables ? navjit::geant4::keep_touchables() : nullptr;
   manager->BeamOn(arguments.events);
   print(sums, arguments.out);
+  if (transportation != nullptr && arguments.threads == 1) {
+    std::printf("touchables: %llu kept, %llu made\n",
+                static_cast<unsigned long long>(transportation->kept()),
+                static_cast<unsigned long long>(transportation->made()));
+  }
   navjit::geant4::print_report(*session, std::cout);
 }
 

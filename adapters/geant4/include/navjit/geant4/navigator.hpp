@@ -41,6 +41,8 @@ class Navigator : public G4Navigator {
 
   /// Where the track is by navjit's count; outside the world also where Geant4 navigates.
   const State& state() const { return state_; }
+  /// Of the innermost level of Geant4's history; 0 is the world.
+  std::size_t depth() const { return levels_.size() - 1; }
   /// Whether navjit answers: from the first call that locates a point in a world on.
   bool active() const { return engine_ != nullptr; }
   const Session& session() const { return *session_; }
