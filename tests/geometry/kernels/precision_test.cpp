@@ -86,7 +86,13 @@ TEST_P(Precision, SafetiesAreWithinRoundingOfTheReference) {
       const double bound =
           16 * std::numeric_limits<double>::epsilon() * (c.size + std::hypot(p.x, p.y, p.z));
       const Quad in = safety_to_in(wide.any(), quad(p)), out = safety_to_out(wide.any(), quad(p));
-      ASSERT_NEAR(safety_to_in(c.solid.any(), p), static_cast<double>(in), bound);
+      // The reference of a boolean has no boxes around its operands, which only add to this
+      // (OperandBoxes.AreInSafeties).
+      const double ours = safety_to_in(c.solid.any(), p);
+      ASSERT_GE(ours, static_cast<double>(in) - bound);
+      if (std::string_view(GetParam().name) != "boolean") {
+        ASSERT_LE(ours, static_cast<double>(in) + bound);
+      }
       ASSERT_NEAR(safety_to_out(c.solid.any(), p), static_cast<double>(out), bound);
     }
   }
