@@ -1,6 +1,8 @@
 // The kernels in double against the same kernels at 113 bits: what rounding costs.
 #include <gtest/gtest.h>
 
+#include <string_view>
+
 #include "geometry/solids/widen.hpp"
 #include "tests/geometry/kernels/random_curved_solids.hpp"
 #include "tests/geometry/kernels/random_flat_solids.hpp"
