@@ -47,8 +47,8 @@ std::optional<Comparison> compare_with_generic(Runtime& specialised, const Obser
   }
   Comparison result;
   // Few rays at a time first, so that it ends in time where they are long. Then more: a turn has to
-  // last long enough that what the other side left in caches and branch tables does not matter, as
-  // in a run, which has one side alone.
+  // last long enough that it matters little what the other side left in caches and branch tables: a
+  // run has one side alone.
   const double long_enough = std::min(0.01, seconds / 16);
   std::uint64_t turn = std::max<std::uint64_t>(first_rays, 4 * basket);
   bool with_first = true;

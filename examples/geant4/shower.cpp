@@ -32,7 +32,7 @@ struct Arguments {
   int events = 10, threads = 1;
   long seed = 1;
   double field = 0, cut = 0.7;
-  bool keep_touchables = false;
+  navjit::geant4::Touchables touchables = navjit::geant4::Touchables::made;
   Gun gun{};
 };
 
@@ -40,6 +40,12 @@ void read_vector(const std::string& text, double (&v)[3]) {
   if (std::sscanf(text.c_str(), "%lf,%lf,%lf", &v[0], &v[1], &v[2]) != 3) {
     throw std::invalid_argument("'" + text + "' is no X,Y,Z");
   }
+}
+
+navjit::geant4::Touchables touchables_of(const std::string& word) {
+  if (word == "kept") return navjit::geant4::Touchables::kept;
+  if (word == "made") return navjit::geant4::Touchables::made;
+  throw std::invalid_argument("touchables are kept or made, not '" + word + "'");
 }
 
 Arguments read(int argc, char** argv) {
@@ -79,7 +85,7 @@ Arguments read(int argc, char** argv) {
     else if (key == "--out")
       a.out = value;
     else if (key == "--touchables")
-      a.keep_touchables = value == "kept";
+      a.touchables = touchables_of(value);
     else
       throw std::invalid_argument("there is no option " + key);
   }
@@ -128,9 +134,8 @@ void run(const Arguments& arguments) {
     manager.reset(shared);
     shared->SetNumberOfThreads(arguments.threads);
     // And one for the threads.
-    const auto touchables = arguments.keep_touchables ? navjit::geant4::Touchables::kept
-                                                      : navjit::geant4::Touchables::made;
-    shared->SetUserInitialization(new navjit::geant4::WorkerInitialization(session, touchables));
+    shared->SetUserInitialization(
+        new navjit::geant4::WorkerInitialization(session, arguments.touchables));
   } else {
     manager = std::make_unique<G4RunManager>();
   }
@@ -141,7 +146,8 @@ void run(const Arguments& arguments) {
   manager->SetUserInitialization(new Actions(arguments.gun, sums));
   manager->Initialize();
   const navjit::geant4::Transportation* transportation =
-      arguments.keep_touchables ? navjit::geant4::keep_touchables() : nullptr;
+      arguments.touchables == navjit::geant4::Touchables::kept ? navjit::geant4::keep_touchables()
+                                                               : nullptr;
   manager->BeamOn(arguments.events);
   print(sums, arguments.out);
   if (transportation != nullptr && arguments.threads == 1) {

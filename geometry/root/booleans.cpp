@@ -6,25 +6,22 @@
 namespace navjit::root {
 namespace {
 
-bool is_identity(const Frame& frame) {
-  constexpr Frame identity;
-  return std::ranges::equal(frame.translation, identity.translation) &&
-         std::ranges::equal(frame.rotation, identity.rotation);
+bool is_identity(const Transformation& t) {
+  return !t.rotated && std::ranges::all_of(t.translation, [](double x) { return x == 0; });
 }
 
 }  // namespace
 
-Solid placed(const Solid& solid, const Frame& frame) {
-  const Transformation t = transformation_of(frame);
-  SolidFrame where;
-  std::ranges::copy(t.translation, where.translation);
-  std::ranges::copy(t.rotation, where.rotation);
-  return make_placed(solid.name, solid, where);
+Transformation transformation_at(Reading& reading, Reference matrix) {
+  return transformation_of(read_frame(reading, matrix));
 }
 
-Operand operand(const MadeSolid& made, const Frame& frame) {
-  if (is_identity(frame)) return {made.solid, made.size};
-  return {placed(made.solid, frame), made.size, true};
+Operand operand(const MadeSolid& made, const Transformation& at) {
+  if (is_identity(at)) return {made.solid, made.size};
+  SolidFrame frame;
+  std::ranges::copy(at.translation, frame.translation);
+  std::ranges::copy(at.rotation, frame.rotation);
+  return {make_placed(made.solid.name, made.solid, frame), made.size, true};
 }
 
 Composite parts_of(Reading& reading, const Object& composite) {
@@ -76,13 +73,13 @@ MadeSolid combine(Reading& reading, const Object& composite, Boolean operation, 
 
 MadeSolid read_boolean(Reading& reading, const Object& composite, std::size_t depth) {
   const Composite parts = parts_of(reading, composite);
-  const Frame left = read_frame(reading, parts.left_matrix);
-  const Frame right = read_frame(reading, parts.right_matrix);
-  const auto solid_of = [&](Reference shape, const Frame& frame) {
-    return operand(read_solid(reading, shape, depth + 1), frame);
+  const Transformation left = transformation_at(reading, parts.left_matrix);
+  const Transformation right = transformation_at(reading, parts.right_matrix);
+  const auto solid_of = [&](Reference shape, const Transformation& at) {
+    return operand(read_solid(reading, shape, depth + 1), at);
   };
-  const auto within = [&](Reference shape, const Frame& frame, const Operand& other) {
-    return read_within(reading, shape, frame, other.solid.extent, depth + 1);
+  const auto within = [&](Reference shape, const Transformation& at, const Operand& other) {
+    return read_within(reading, shape, at, other.solid.extent, depth + 1);
   };
   if (is_endless(reading, parts.left, depth + 1)) {
     const Operand b = solid_of(parts.right, right);

@@ -19,9 +19,10 @@ struct Composite {
 };
 Composite parts_of(Reading& reading, const Object& composite);
 
-/// In a frame of its own, even if that is the identity.
-Solid placed(const Solid& solid, const Frame& frame);
-Operand operand(const MadeSolid& made, const Frame& frame);
+/// Of a TGeoMatrix; the identity where there is none.
+Transformation transformation_at(Reading& reading, Reference matrix);
+/// `at`: where the solid is in the boolean.
+Operand operand(const MadeSolid& made, const Transformation& at);
 /// The boolean, if it is not too large.
 MadeSolid combine(Reading& reading, const Object& composite, Boolean operation, const Operand& a,
                   const Operand& b);
@@ -35,9 +36,9 @@ MadeSolid read_boolean(Reading& reading, const Object& composite, std::size_t de
 
 /// Whether a shape reaches as far as one likes: a TGeoHalfSpace, and what booleans leave of one.
 bool is_endless(Reading& reading, Reference shape, std::size_t depth);
-/// A solid that is the same as a shape within a region, where the shape may have no end; of the
-/// frame that the region is in. What it is elsewhere does not matter.
-Operand read_within(Reading& reading, Reference shape, const Frame& frame, const Extent& region,
-                    std::size_t depth);
+/// A solid that is the same as a shape within a region, where the shape may have no end. What it is
+/// elsewhere does not matter. `at`: where the shape is in the frame that the region is in.
+Operand read_within(Reading& reading, Reference shape, const Transformation& at,
+                    const Extent& region, std::size_t depth);
 
 }  // namespace navjit::root

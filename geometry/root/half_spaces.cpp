@@ -8,37 +8,13 @@
 namespace navjit::root {
 namespace {
 
-Vec3 turned(const Frame& frame, const Vec3& v) {
-  const double* r = frame.rotation;
-  return {r[0] * v.x + r[1] * v.y + r[2] * v.z, r[3] * v.x + r[4] * v.y + r[5] * v.z,
-          r[6] * v.x + r[7] * v.y + r[8] * v.z};
-}
-
-Vec3 moved(const Frame& frame, const Vec3& p) {
-  const double* t = frame.translation;
-  return turned(frame, p) + Vec3{t[0], t[1], t[2]};
-}
-
-Frame compose(const Frame& outer, const Frame& inner) {
-  const double *a = outer.rotation, *b = inner.rotation, *t = inner.translation;
-  const Vec3 middle = moved(outer, {t[0], t[1], t[2]});
-  Frame both{{middle.x, middle.y, middle.z}};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      both.rotation[3 * i + j] =
-          a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j];
-    }
-  }
-  return both;
-}
-
 /// The box goes from the plane to beyond the region, and aside by as much.
-Solid box_of(const Object& half, const Frame& frame, const Extent& region) {
+Solid box_of(const Object& half, const Transformation& at, const Extent& region) {
   const std::span<const double> p = half.numbers("fP", 3), n = half.numbers("fN", 3);
   const double length = std::hypot(n[0], n[1], n[2]);
   if (!(length > 0)) half.fail("its plane has no direction");
-  const Vec3 z = turned(frame, {n[0] / length, n[1] / length, n[2] / length});
-  const Vec3 on = moved(frame, {cm * p[0], cm * p[1], cm * p[2]});
+  const Vec3 z = direction_to_outer(at, {n[0] / length, n[1] / length, n[2] / length});
+  const Vec3 on = to_outer(at, {cm * p[0], cm * p[1], cm * p[2]});
   // Any two directions across it.
   const Vec3 aside = std::abs(z.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   Vec3 x = aside - dot(aside, z) * z;
@@ -51,8 +27,9 @@ Solid box_of(const Object& half, const Frame& frame, const Extent& region) {
   const double reach = 2 * around;
   // Inside is where the normal points from.
   const Vec3 middle = centre + (away - reach) * z;
-  return placed(make_box(half.name, reach, reach, reach),
-                {{middle.x, middle.y, middle.z}, {x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z}});
+  return make_placed(
+      half.name, make_box(half.name, reach, reach, reach),
+      {{middle.x, middle.y, middle.z}, {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z}});
 }
 
 bool find_endless(Reading& reading, const Object& shape, std::size_t depth) {
@@ -75,18 +52,18 @@ bool is_endless(Reading& reading, Reference shape, std::size_t depth) {
   return reading.endless[shape] = found;
 }
 
-Operand read_within(Reading& reading, Reference reference, const Frame& frame, const Extent& region,
-                    std::size_t depth) {
+Operand read_within(Reading& reading, Reference reference, const Transformation& at,
+                    const Extent& region, std::size_t depth) {
   const Object& shape = reading.objects.at(reference);
   if (!is_endless(reading, reference, depth)) {
-    return operand(read_solid(reading, reference, depth), frame);
+    return operand(read_solid(reading, reference, depth), at);
   }
   check_nesting(reading, shape, depth);
   check_size(reading, shape, {});
-  if (shape.is("TGeoHalfSpace")) return {box_of(shape, frame, region)};
+  if (shape.is("TGeoHalfSpace")) return {box_of(shape, at, region)};
   const Composite parts = parts_of(reading, shape);
   const auto within = [&](Reference part, Reference matrix) {
-    return read_within(reading, part, compose(frame, read_frame(reading, matrix)), region,
+    return read_within(reading, part, compose(at, transformation_at(reading, matrix)), region,
                        depth + 1);
   };
   const Operand a = within(parts.left, parts.left_matrix);

@@ -11,25 +11,36 @@ namespace {
 
 constexpr double tolerance = 1e-9;
 
+/// Without the boxes.
+template <class Any>
+Any plain(Any solid) {
+  solid.a.boxed = solid.b.boxed = 0;
+  return solid;
+}
+
+Direction random_direction(std::mt19937_64& random, bool along_an_axis = false) {
+  Vec3 d{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)};
+  if (along_an_axis) d = {random() % 2 == 0 ? 1.0 : -1.0, 0, 0};
+  const double norm = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+  return kernels::make_direction(d.x / norm, d.y / norm, d.z / norm);
+}
+
 template <class Any>
 bool same_answers(const Any& boxed, std::mt19937_64& random) {
-  Any plain = boxed;
-  plain.a.boxed = plain.b.boxed = 0;
+  const Any without = plain(boxed);
   const auto equal = [](double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
   };
   Vec3 p{uniform(random, -8, 8), uniform(random, -8, 8), uniform(random, -8, 8)};
-  Vec3 d{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)};
-  if (random() % 4 == 0) d = {random() % 2 == 0 ? 1.0 : -1.0, 0, 0};
-  const double norm = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
-  Direction v = kernels::make_direction(d.x / norm, d.y / norm, d.z / norm);
+  Direction v = random_direction(random, random() % 4 == 0);
   bool same = true;
   for (int i = 0; i < 6; ++i) {
-    same &= contains(boxed, p, v, tolerance) == contains(plain, p, v, tolerance);
-    same &= inside(boxed, p, tolerance) == inside(plain, p, tolerance);
+    same &= contains(boxed, p, v, tolerance) == contains(without, p, v, tolerance);
+    same &= inside(boxed, p, tolerance) == inside(without, p, tolerance);
     const double in = distance_to_in(boxed, p, v, tolerance);
-    same &= equal(in, distance_to_in(plain, p, v, tolerance));
-    same &= equal(distance_to_out(boxed, p, v, tolerance), distance_to_out(plain, p, v, tolerance));
+    same &= equal(in, distance_to_in(without, p, v, tolerance));
+    same &=
+        equal(distance_to_out(boxed, p, v, tolerance), distance_to_out(without, p, v, tolerance));
     // On: to the surface, where the next questions are asked, some turned.
     if (!(in < 100) || in == 0) break;
     p = kernels::advance(p, v, in);
@@ -56,13 +67,6 @@ TEST(OperandBoxes, ChangeNoBit) {
   }
 }
 
-/// Without the boxes.
-template <class Any>
-Any plain(Any solid) {
-  solid.a.boxed = solid.b.boxed = 0;
-  return solid;
-}
-
 /// The boxes are part of safeties: outside they add what is known of the way to the operand, and no
 /// safety is more than the way to the surface along any ray.
 template <class Any>
@@ -74,9 +78,7 @@ void check_safeties(const Any& boxed, const Vec3& p, std::mt19937_64& random, in
   const bool within = inside(boxed, p, tolerance) != Side::outside;
   ASSERT_LE(within ? in : out, tolerance);
   for (int ray = 0; ray < 8; ++ray) {
-    Vec3 d{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)};
-    const double norm = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
-    const Direction v = kernels::make_direction(d.x / norm, d.y / norm, d.z / norm);
+    const Direction v = random_direction(random);
     const double way =
         within ? distance_to_out(boxed, p, v, tolerance) : distance_to_in(boxed, p, v, tolerance);
     ASSERT_LE(within ? out : in, way + tolerance);
