@@ -6,6 +6,7 @@
 #include "codegen/module_text.hpp"
 #include "codegen/scene_types.hpp"
 #include "codegen/text.hpp"
+#include "codegen/typed_solid.hpp"
 
 namespace navjit::codegen {
 namespace {
@@ -19,6 +20,16 @@ struct Parts {
 
 /// Relocation of more scenes than this beside the hot ones is left to the table.
 constexpr std::size_t most_neighbours = 24;
+/// And so is that of scenes of more different solids, the operands of booleans counted: all of them
+/// would be inlined, and to compile that takes longer than to compile the hot scenes.
+constexpr std::size_t most_solids = 8;
+
+/// The different solids that relocation in the scene asks.
+std::size_t solids_of(const Geometry& geometry, const ScenePlan& plan) {
+  std::size_t solids = solids_in(geometry.scene(plan.volume).solid);
+  for (const DaughterClass& c : plan.classes) solids += solids_in(c.shapes[0].solid);
+  return solids;
+}
 
 /// Plans made once each: several hot scenes have the same neighbours.
 class Plans {
@@ -51,7 +62,8 @@ std::map<VolumeId, Parts> choose_parts(const Geometry& geometry, const WorldFact
     const auto known = parts.find(first);
     if (known != parts.end()) {
       known->second.*part = true;
-    } else if (neighbours < most_neighbours && worth_compiling(geometry, plans.of(first))) {
+    } else if (neighbours < most_neighbours && worth_compiling(geometry, plans.of(first)) &&
+               solids_of(geometry, plans.of(first)) <= most_solids) {
       parts[first].*part = true;
       ++neighbours;
     }

@@ -149,22 +149,28 @@ void locate_from(const Geometry& geometry, NavigationStack& stack, const Vec3& p
 
 namespace {
 
-/// `confirmed`: as relocate_in_own_frames().
+/// The heading in a level's frame; `v` is that in the world.
+Direction heading_in(const StackLevel& level, const Direction& v) {
+  return level.rotation == nullptr ? v : kernels::to_local_heading(level, v.x, v.y, v.z);
+}
+
+/// `v`: the heading in the world. `confirmed`: as relocate_in_own_frames().
 void relocate_after(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
-                    const Vec3& direction, int blocked, bool confirmed) {
+                    const Direction& v, int blocked, bool confirmed) {
   const double tolerance = geometry.tolerance();
   const StackLevel* level = &stack.levels[stack.depth];
   const PackedScene* scene = &geometry.packed(level->volume);
+  // Most volumes that are entered have no daughters: where in them the point is does not matter.
+  if (blocked < 0 && scene->count == 0) return;
   Vec3 p = kernels::to_local(*level, point.x, point.y, point.z);
-  Direction v = kernels::to_local_heading(*level, direction.x, direction.y, direction.z);
+  Direction heading = heading_in(*level, v);
   const auto move_to = [&](const StackLevel& next) {
     p = kernels::to_local(next, point.x, point.y, point.z);
     // Levels without a rotation of their own share their mother's.
     if (next.rotation != level->rotation || next.rotation == next.own_rotation) {
-      v = kernels::to_local_heading(next, direction.x, direction.y, direction.z);
+      heading = heading_in(next, v);
     }
     level = &next;
-    scene = &geometry.packed(next.volume);
   };
   const NeighbourLists::Of* around = nullptr;
   if (blocked >= 0) {
@@ -173,51 +179,44 @@ void relocate_after(const Geometry& geometry, NavigationStack& stack, const Vec3
       around = scene->lists == nullptr ? nullptr : scene->lists + blocked;
       if (around != nullptr && !around->is_there(p)) around = nullptr;
       if (around != nullptr && around->mother_contains) break;
-      if (contains_here(scene->solid, p, v, tolerance)) break;
+      if (contains_here(scene->solid, p, heading, tolerance)) break;
       blocked = static_cast<int>(level->daughter);
       if (--stack.depth < 0) return;
       move_to(stack.levels[stack.depth]);
+      scene = &geometry.packed(level->volume);
     }
   }
-  const bool directed = direction.x != 0 || direction.y != 0 || direction.z != 0;
-  while (scene->count != 0) {
-    const InOwnFrame in_own_frame{stack, *scene, point, direction, tolerance};
+  const bool directed = v.x != 0 || v.y != 0 || v.z != 0;
+  for (;;) {
+    const InOwnFrame in_own_frame{stack, *scene, point, v, tolerance};
     const unsigned found =
         !directed   ? find_daughter_undirected(*scene, p, tolerance)
-        : confirmed ? find_daughter(*scene, p, v, blocked, tolerance, around, in_own_frame)
-                    : find_daughter(*scene, p, v, blocked, tolerance, around,
+        : confirmed ? find_daughter(*scene, p, heading, blocked, tolerance, around, in_own_frame)
+                    : find_daughter(*scene, p, heading, blocked, tolerance, around,
                                     [](unsigned) { return true; });
     if (found == no_daughter) return;
     push(stack, scene->daughters[found], found);
-    move_to(stack.levels[stack.depth]);
+    const StackLevel& entered = stack.levels[stack.depth];
+    scene = &geometry.packed(entered.volume);
+    if (scene->count == 0) return;
+    move_to(entered);
     blocked = -1;
     around = nullptr;
   }
 }
 
-}  // namespace
-
-void relocate(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
-              const Vec3& direction, int blocked) {
-  relocate_after(geometry, stack, point, direction, blocked, false);
-}
-
-void relocate_in_own_frames(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
-                            const Vec3& direction, int blocked) {
-  relocate_after(geometry, stack, point, direction, blocked, true);
-}
-
-double step(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
-            const Vec3& direction, double limit) {
-  kernels::set_ray(stack, direction.x, direction.y, direction.z);
+/// A step along the stack's ray.
+double step_along_ray(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
+                      double limit) {
   const StackLevel& level = stack.levels[stack.depth];
   const PackedScene& scene = geometry.packed(level.volume);
   const Vec3 p = kernels::to_local(level, point.x, point.y, point.z);
-  const Direction v = level.rotation == nullptr ? stack.ray.direction
-                                                : kernels::to_local_direction(
-                                                      level, direction.x, direction.y, direction.z);
+  const double(&given)[3] = stack.ray.given;
+  const Direction v = level.rotation == nullptr
+                          ? stack.ray.direction
+                          : kernels::to_local_direction(level, given[0], given[1], given[2]);
   const double out = distance_out_here(scene.solid, p, v, geometry.tolerance());
-  const InOwnFrame in_own_frame{stack, scene, point, direction, geometry.tolerance()};
+  const InOwnFrame in_own_frame{stack, scene, point, stack.ray.direction, geometry.tolerance()};
   // Where the mother ends at once no daughter is nearer: so a reflected photon goes back.
   const Hit hit =
       out == 0 ? Hit{out, no_daughter}
@@ -227,18 +226,39 @@ double step(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
     return limit;
   }
   stack.boundary = 1;
-  const Vec3 end{point.x + hit.distance * direction.x, point.y + hit.distance * direction.y,
-                 point.z + hit.distance * direction.z};
+  const Vec3 end{point.x + hit.distance * given[0], point.y + hit.distance * given[1],
+                 point.z + hit.distance * given[2]};
+  int left = -1;
   if (hit.daughter != no_daughter) {
     push(stack, scene.daughters[hit.daughter], hit.daughter);
-    relocate_after(geometry, stack, end, direction, -1, hit.distance == 0);
   } else {
-    const int left = static_cast<int>(level.daughter);
-    if (--stack.depth >= 0) {
-      relocate_after(geometry, stack, end, direction, left, hit.distance == 0);
-    }
+    left = static_cast<int>(level.daughter);
+    if (--stack.depth < 0) return hit.distance;
   }
+  relocate_after(geometry, stack, end, stack.ray.direction, left, hit.distance == 0);
   return hit.distance;
+}
+
+Direction heading_of(const Vec3& direction) {
+  return kernels::make_heading(direction.x, direction.y, direction.z);
+}
+
+}  // namespace
+
+void relocate(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
+              const Vec3& direction, int blocked) {
+  relocate_after(geometry, stack, point, heading_of(direction), blocked, false);
+}
+
+void relocate_in_own_frames(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
+                            const Vec3& direction, int blocked) {
+  relocate_after(geometry, stack, point, heading_of(direction), blocked, true);
+}
+
+double step(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
+            const Vec3& direction, double limit) {
+  kernels::set_ray(stack, direction.x, direction.y, direction.z);
+  return step_along_ray(geometry, stack, point, limit);
 }
 
 double safety(const Geometry& geometry, const NavigationStack& stack, const Vec3& point,
@@ -296,20 +316,15 @@ void restore(const Geometry& geometry, NavigationStack& stack, TouchableId touch
 
 namespace {
 
-Vec3 direction_of(const NavigationStack& stack) {
-  return {stack.ray.given[0], stack.ray.given[1], stack.ray.given[2]};
-}
-
 double step_record(NavigationStack* stack, const kernels::Context* context, const void*, double x,
                    double y, double z, double limit) {
-  return step(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z},
-              direction_of(*stack), limit);
+  return step_along_ray(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z}, limit);
 }
 
 void relocate_record(NavigationStack* stack, const kernels::Context* context, const void*, double x,
                      double y, double z, int blocked) {
-  relocate(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z},
-           direction_of(*stack), blocked);
+  relocate_after(*static_cast<const Geometry*>(context->geometry), *stack, {x, y, z},
+                 stack->ray.direction, blocked, false);
 }
 
 double safety_record(const NavigationStack* stack, const kernels::Context* context, const void*,

@@ -76,7 +76,7 @@ struct InOwnFrame {
   NavigationStack& stack;
   const PackedScene& scene;
   const Vec3& point;
-  const Vec3& direction;
+  const Direction& heading;  ///< in the world
   double tolerance;
 
   bool operator()(unsigned k) const {
@@ -84,7 +84,7 @@ struct InOwnFrame {
     const StackLevel& level = stack.levels[stack.depth--];
     return contains_here(
         scene.daughters[k].solid, kernels::to_local(level, point.x, point.y, point.z),
-        kernels::to_local_heading(level, direction.x, direction.y, direction.z), tolerance);
+        kernels::to_local_heading(level, heading.x, heading.y, heading.z), tolerance);
   }
 };
 

@@ -67,8 +67,8 @@ double return_at_once(NavigationStack* stack, const Context* context, double x, 
   const Direction v = level.rotation == nullptr
                           ? stack->ray.direction
                           : kernels::to_local_direction(level, u[0], u[1], u[2]);
-  const Vec3 point{x, y, z}, direction{u[0], u[1], u[2]};
-  const generic::InOwnFrame in_own_frame{*stack, scene, point, direction, tolerance};
+  const Vec3 point{x, y, z};
+  const generic::InOwnFrame in_own_frame{*stack, scene, point, stack->ray.direction, tolerance};
   const double distance = generic::distance_local(scene.daughters[left], p, v, tolerance);
   if (distance != 0 || !in_own_frame(left)) return unknown;
   // Of several the first in file order is entered. Those that hold the point are neighbours.
