@@ -70,6 +70,34 @@ TEST(Module, LargeTablesAreNoText) {
   EXPECT_LT(own_text(module).size(), 10000U);
 }
 
+/// A hall of boxes, each of its own size or cut out of another: the code for one of them.
+Module leaf_in_a_hall(int cut) {
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 1000, 1000, 1000));
+  const VolumeId hall = tests::add_volume(world, "hall", make_box("hall", 900, 900, 900));
+  tests::place(world, world.top, hall, {0, 0, 0});
+  const VolumeId leaf = tests::add_volume(world, "leaf", make_box("leaf", 5, 5, 5));
+  tests::place(world, hall, leaf, {0, 0, 0});
+  for (int i = 0; i < cut; ++i) {
+    Solid solid = make_box("whole", 5 + i, 5, 5);
+    solid = make_subtraction("cut", solid, make_tube("hole", 0, 1, 6, 0, 7));
+    const VolumeId volume = tests::add_volume(world, "cut", solid);
+    tests::place(world, hall, volume, {0, 40.0 * (i + 1), 0});
+  }
+  finish(world);
+  const Geometry geometry(std::make_shared<const World>(std::move(world)));
+  return generate(geometry, analyse_world(geometry), std::array{leaf});
+}
+
+TEST(Module, RelocationInDearMothersIsLeftToTheTable) {
+  const std::string cheap = own_text(leaf_in_a_hall(2)), dear = own_text(leaf_in_a_hall(12));
+  EXPECT_NE(cheap.find("LeaveToScene<"), std::string::npos);
+  EXPECT_NE(cheap.find("Subtraction"), std::string::npos);
+  EXPECT_EQ(dear.find("LeaveToScene<"), std::string::npos);
+  EXPECT_NE(dear.find("LeaveToVolume<"), std::string::npos);
+  EXPECT_EQ(dear.find("Subtraction"), std::string::npos);
+}
+
 TEST(Module, IsTheSameTextEveryTime) {
   const Geometry a(std::make_shared<const World>(tests::mixed_world()));
   const Geometry b(std::make_shared<const World>(tests::mixed_world()));
