@@ -20,16 +20,9 @@ struct Parts {
 
 /// Relocation of more scenes than this beside the hot ones is left to the table.
 constexpr std::size_t most_neighbours = 24;
-/// And so is that of scenes of more different solids, the operands of booleans counted: all of them
-/// would be inlined, and to compile that takes longer than to compile the hot scenes.
+/// And so is that of scenes of more different solids (solids_of): all of them would be inlined,
+/// which takes longer to compile than the hot scenes themselves.
 constexpr std::size_t most_solids = 8;
-
-/// The different solids that relocation in the scene asks.
-std::size_t solids_of(const Geometry& geometry, const ScenePlan& plan) {
-  std::size_t solids = solids_in(geometry.scene(plan.volume).solid);
-  for (const DaughterClass& c : plan.classes) solids += solids_in(c.shapes[0].solid);
-  return solids;
-}
 
 /// Plans made once each: several hot scenes have the same neighbours.
 class Plans {
@@ -87,6 +80,12 @@ struct alignas(table_alignment) TableLine {
 };
 
 }  // namespace
+
+std::size_t solids_of(const Geometry& geometry, const ScenePlan& plan) {
+  std::size_t solids = solids_in(geometry.scene(plan.volume).solid);
+  for (const DaughterClass& c : plan.classes) solids += solids_in(c.shapes[0].solid);
+  return solids;
+}
 
 Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<const VolumeId> hot) {
   Plans plans(geometry, facts);

@@ -28,6 +28,10 @@ struct Module {
   std::shared_ptr<const Arena> owner;  ///< of the data
 };
 
+/// How many different solids the scene's code asks, its own and daughters'; the operands of
+/// booleans are counted one by one.
+std::size_t solids_of(const Geometry& geometry, const ScenePlan& plan);
+
 /// Generates navigators for `hot` volumes and all of equal structure. Where scenes feed each other
 /// their relocation is inlined: plans for mothers and daughters of hot scenes are made as needed.
 Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<const VolumeId> hot);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "analysis/solid_key.hpp"
-#include "codegen/typed_solid.hpp"
+#include "codegen/module.hpp"
 
 namespace navjit {
 namespace {
@@ -32,13 +32,11 @@ double urgency(const Candidate& c) { return c.recent * c.gain_ns / c.compile_ms;
 double expected_compile_ms(const Geometry& geometry, const ScenePlan& plan) {
   const Scene& scene = geometry.scene(plan.volume);
   std::size_t numbers = solid_key(scene.solid).size() / 8;
-  std::size_t solids = codegen::solids_in(scene.solid) - 1;
   for (const DaughterClass& c : plan.classes) {
     for (const DaughterClass::Shape& s : c.shapes) numbers += solid_key(s.solid).size() / 8;
-    solids += codegen::solids_in(c.shapes[0].solid);
   }
   return leaf_ms + (plan.classes.empty() ? 0 : daughters_ms) +
-         class_ms * static_cast<double>(solids) +
+         class_ms * static_cast<double>(codegen::solids_of(geometry, plan) - 1) +
          std::min(most_numbers_ms, number_ms * static_cast<double>(numbers));
 }
 

@@ -70,7 +70,7 @@ TEST(Module, LargeTablesAreNoText) {
   EXPECT_LT(own_text(module).size(), 10000U);
 }
 
-/// A hall of boxes, each of its own size or cut out of another: the code for one of them.
+/// The code for a box in a hall, beside so many boxes with a hole, each of a size of its own.
 Module leaf_in_a_hall(int cut) {
   World world;
   world.top = tests::add_volume(world, "world", make_box("world", 1000, 1000, 1000));
