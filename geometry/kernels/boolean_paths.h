@@ -7,6 +7,13 @@ namespace navjit::kernels {
 /// How often the search along a ray may go on; real booleans need a handful.
 constexpr int boolean_search_limit = 256;
 
+/// The point, copied number by number. A copy of all at once loads what was just stored in parts,
+/// and has to wait for each of them.
+template <class Real>
+constexpr Vec3<Real> as_numbers(const Vec3<Real>& p) {
+  return {p.x, p.y, p.z};
+}
+
 // --- Parts of a union -----------------------------------------------------------------------
 
 /// The longest way out among the parts that contain the point; 0 if none does.
@@ -64,7 +71,7 @@ Real distance_to_nearest_part(const S& s, const Vec3<Real>& p, const Direction<R
 template <class Real, class S>
 Real distance_through_parts(const S& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   Real t = 0;
-  Vec3<Real> q = p;
+  Vec3<Real> q = as_numbers(p);
   for (int turn = 0; turn < boolean_search_limit; ++turn) {
     const Real further = furthest_out(s, q, v, tol);
     if (!(further > 0)) break;
@@ -144,7 +151,7 @@ bool come_into(const Boxed<Real, S>& s, Approach<Real>& way) {
 
 template <class Real, class S>
 Real distance_by_conditions(const S& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  Approach<Real> way{p, v, tol, Real(0), p, 0, -1, false};
+  Approach<Real> way{p, v, tol, Real(0), as_numbers(p), 0, -1, false};
   for (int turn = 0; turn < boolean_search_limit; ++turn) {
     if (!come_into(s, way)) return infinity<Real>();
     if (way.moved < 0) return distance_from_within(s, p, tol);

@@ -22,7 +22,7 @@ using UnionPair = Union<const AnyOperand<Real>&, const AnyOperand<Real>&>;
 
 /// ask(parts), or ask(the two operands).
 template <class Real, class Ask>
-auto ask_union(const AnyUnion<Real>& s, Real tol, Ask ask) {
+auto ask_union(const AnyUnion<Real>& s, Real tol, const Ask& ask) {
   if constexpr (std::is_same_v<Real, double>) {
     if (s.parts != nullptr && is_wide_enough(*s.parts, tol)) return ask(*s.parts);
   }

@@ -31,7 +31,7 @@ void add_group(std::vector<BoxBlock>& groups, std::size_t number, const BoxBlock
 
 /// ask(number) of the parts in lanes that `lanes(block)` gives, until it says that this is enough.
 template <class Lanes, class Ask>
-bool ask_parts(const UnionParts& s, Lanes lanes, Ask ask) {
+bool ask_parts(const UnionParts& s, const Lanes& lanes, const Ask& ask) {
   const auto ask_block = [&](std::size_t b) {
     for (unsigned met = lanes(s.blocks[b]); met != 0; met &= met - 1) {
       if (ask(b * box_lanes + static_cast<unsigned>(__builtin_ctz(met)))) return true;

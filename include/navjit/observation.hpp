@@ -148,10 +148,10 @@ class ObservedDetector {
   Step step(Navigator& navigator, const State& state, const Vec3& point, const Vec3& direction,
             double limit = std::numeric_limits<double>::infinity()) const {
     Step made = navigator.step(state, point, direction, limit);
-    if (!made.boundary || !made.next.inside() || counts(state.volume(), made.next.volume())) {
-      return made;
+    if (made.boundary && made.next.inside() && !counts(state.volume(), made.next.volume())) {
+      made = walk_on(navigator, made, point, direction, limit);
     }
-    return walk_on(navigator, made, point, direction, limit);
+    return made;
   }
 
   /// The touchable of the original that a state of detector() is: its path, its copy numbers. A
