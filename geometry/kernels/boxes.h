@@ -218,7 +218,7 @@ inline double safety_near_boxes(const NearBoxes& boxes, const Vec3<double>& p, d
 /// Calls visit(daughter) for those of a few blocks of boxes that may hold the point.
 template <class Index, class Visit>
 inline void visit_blocks_around(const BoxBlock* blocks, const Index (*daughters)[box_lanes],
-                                unsigned count, const Vec3<double>& p, Visit visit) {
+                                unsigned count, const Vec3<double>& p, const Visit& visit) {
   for (unsigned m = 0; m < count; ++m) {
     for (unsigned lanes = lanes_around(blocks[m], p); lanes != 0; lanes &= lanes - 1) {
       visit(static_cast<unsigned>(daughters[m][__builtin_ctz(lanes)]));
@@ -231,7 +231,7 @@ inline void visit_blocks_around(const BoxBlock* blocks, const Index (*daughters)
 template <class Index, class Visit, class Reach>
 inline void visit_blocks(const BoxBlock* blocks, const Index (*daughters)[box_lanes],
                          unsigned first, unsigned last, const FloatRay& ray, double from, double to,
-                         Visit visit, Reach reach) {
+                         const Visit& visit, const Reach& reach) {
   // Rounded, a number beyond single precision is infinite, which serves as well.
   float end = static_cast<float>(smaller(reach(), to));
   for (unsigned m = first; m < last; ++m) {
@@ -249,7 +249,7 @@ inline void visit_blocks(const BoxBlock* blocks, const Index (*daughters)[box_la
 /// Calls visit(daughter) for those whose box may hold the point, last in file order first, until it
 /// returns false.
 template <class Index, class Visit>
-inline void visit_blocks_at(const BlockGrid<Index>& g, const Vec3<double>& p, Visit visit) {
+inline void visit_blocks_at(const BlockGrid<Index>& g, const Vec3<double>& p, const Visit& visit) {
   const unsigned b = cell_at(g, p);
   for (unsigned m = g.first[b + 1]; m-- > g.first[b];) {
     for (unsigned lanes = lanes_around(g.blocks[m], p); lanes != 0;) {
@@ -264,7 +264,7 @@ inline void visit_blocks_at(const BlockGrid<Index>& g, const Vec3<double>& p, Vi
 /// length that visits may shorten.
 template <class Index, class Visit, class Reach>
 inline void walk_blocks(const BlockGrid<Index>& g, const Vec3<double>& p,
-                        const Direction<double>& v, Visit visit, Reach reach) {
+                        const Direction<double>& v, const Visit& visit, const Reach& reach) {
   const FloatRay ray = float_ray(p, v);
   walk_grid(
       g, p, v,

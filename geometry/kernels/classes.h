@@ -160,7 +160,7 @@ struct DaughterClass {
 
 /// ask(class) for the class of this number among several.
 template <class First, class... Others, class Ask>
-auto ask_class(unsigned kind, Ask ask) {
+auto ask_class(unsigned kind, const Ask& ask) {
   if constexpr (sizeof...(Others) == 0) {
     return ask(First{});
   } else {

@@ -118,7 +118,7 @@ struct SolidDaughters {
   template <class Ask>
   [[gnu::always_inline]] double distance_by(unsigned k, const Vec3<double>& p,
                                             const Direction<double>& v, double reach,
-                                            Ask ask) const {
+                                            const Ask& ask) const {
     const SolidDaughter<Solid>& d = at[k];
     const Vec3<double> q = local(d, p);
     if (d.rotation == nullptr) {

@@ -34,7 +34,7 @@ inline unsigned cell_at(const Grid& g, const Vec3<double>& p) {
 /// Calls visit(daughter) for those whose box may hold the point, last in file order first, until it
 /// returns false.
 template <class Index, class Visit>
-inline void visit_cell_at(const CellGrid<Index>& g, const Vec3<double>& p, Visit visit) {
+inline void visit_cell_at(const CellGrid<Index>& g, const Vec3<double>& p, const Visit& visit) {
   const unsigned b = cell_at(g, p);
   for (unsigned m = g.first[b + 1]; m-- > g.first[b];) {
     if (!visit(static_cast<unsigned>(g.members[m]))) return;
@@ -78,8 +78,8 @@ inline void next_cell(GridAxis& a, double p, double v, double inverse, double or
 /// it is in each, until it has passed `reach()`, a path length that visits may shorten. The last
 /// `to` is infinite. Cells hold what is listed from first[b] to first[b + 1].
 template <class Grid, class Visit, class Reach>
-inline void walk_grid(const Grid& g, const Vec3<double>& p, const Direction<double>& v, Visit visit,
-                      Reach reach) {
+inline void walk_grid(const Grid& g, const Vec3<double>& p, const Direction<double>& v,
+                      const Visit& visit, const Reach& reach) {
   const int i = cell_along(p.x, g.origin[0], g.per_mm[0], g.count[0]);
   const int j = cell_along(p.y, g.origin[1], g.per_mm[1], g.count[1]);
   const int k = cell_along(p.z, g.origin[2], g.per_mm[2], g.count[2]);
@@ -119,7 +119,7 @@ inline void walk_grid(const Grid& g, const Vec3<double>& p, const Direction<doub
 /// it has passed `reach()`.
 template <class Index, class Visit, class Reach>
 inline void walk_cells(const CellGrid<Index>& g, const Vec3<double>& p, const Direction<double>& v,
-                       Visit visit, Reach reach) {
+                       const Visit& visit, const Reach& reach) {
   walk_grid(
       g, p, v,
       [&](unsigned b, double, double) {

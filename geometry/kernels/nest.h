@@ -48,7 +48,7 @@ inline RadialRay radial_ray_from(const RadialRay& ray, double t) {
 /// them. Where a comparison meets what is not a number, the layer is offered.
 template <class Index, class Visit, class Reach>
 inline void walk_shells(const ShellNest<Index>& s, const RadialRay& whole, double from, double to,
-                        Visit visit, Reach reach) {
+                        const Visit& visit, const Reach& reach) {
   const RadialRay ray = s.ends ? radial_ray_from(whole, from) : whole;
   double end = smaller(reach(), to) - from;
   if (end < 0) return;
@@ -80,7 +80,7 @@ inline void walk_shells(const ShellNest<Index>& s, const RadialRay& whole, doubl
 
 /// Calls visit(daughter) for layers that may hold a point of this squared radius.
 template <class Index, class Visit>
-inline void visit_shells_at(const ShellNest<Index>& s, double r2, Visit visit) {
+inline void visit_shells_at(const ShellNest<Index>& s, double r2, const Visit& visit) {
   for (int i = 0; i < s.count && !(s.near2[i] > r2); ++i) {
     if (!(s.far2[i] < r2)) visit(static_cast<unsigned>(s.daughter[i]));
   }

@@ -53,7 +53,7 @@ inline bool is_near_edge(const RingSectors<Index>& g, int sector, bool upper, do
 /// Calls visit(daughter) for those that may hold a point.
 template <class Index, class Visit>
 inline void visit_sector_at(const RingSectors<Index>& g, double x, double y, double z,
-                            Visit visit) {
+                            const Visit& visit) {
   const double r2 = x * x + y * y;
   if ((r2 < g.near2) | (r2 > g.far2) | (z < g.low) | (z > g.high)) return;
   const int at = sector_at(g, x, y);
@@ -117,7 +117,8 @@ inline RingPart ring_part(const RingSectors<Index>& g, const AxialRay& ray, doub
 /// Calls visit(daughter) for those whose sectors the ray passes within `reach()`, a path length
 /// that visits may shorten.
 template <class Index, class Visit, class Reach>
-inline void walk_ring(const RingSectors<Index>& g, const AxialRay& ray, Visit visit, Reach reach) {
+inline void walk_ring(const RingSectors<Index>& g, const AxialRay& ray, const Visit& visit,
+                      const Reach& reach) {
   RingPart part = ring_part(g, ray, reach());
   const bool up = ray.x * ray.vy - ray.y * ray.vx >= 0;
   while (!(part.from > part.to)) {

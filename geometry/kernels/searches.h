@@ -198,13 +198,13 @@ struct Beside {
   unsigned block_count;
 
   template <class Visit>
-  [[gnu::always_inline]] void at(const Vec3<double>& p, Visit visit) const {
+  [[gnu::always_inline]] void at(const Vec3<double>& p, const Visit& visit) const {
     for (unsigned i = 0; i < few_count; ++i) visit(static_cast<unsigned>(few[i]));
     visit_blocks_around(blocks, in_block, block_count, p, visit);
   }
   template <class Visit, class Reach>
-  [[gnu::always_inline]] void along(const Vec3<double>& p, const Direction<double>& v, Visit visit,
-                                    Reach reach) const {
+  [[gnu::always_inline]] void along(const Vec3<double>& p, const Direction<double>& v,
+                                    const Visit& visit, const Reach& reach) const {
     for (unsigned i = 0; i < few_count; ++i) visit(static_cast<unsigned>(few[i]));
     if (block_count == 0) return;
     visit_blocks(blocks, in_block, 0, block_count, float_ray(p, v), 0, infinity<double>(), visit,

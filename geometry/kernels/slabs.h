@@ -55,7 +55,7 @@ inline bool slab_is_beyond(const SlabRow<Index>& s, int i, double p, double v, d
 /// it ends; but a ray along the faces may be on one that two share, and then both are offered.
 template <class Index, class Visit>
 inline void walk_slabs_from(const SlabRow<Index>& s, int i, double p, double v, double inverse,
-                            double reach, Visit visit) {
+                            double reach, const Visit& visit) {
   const int last = end_of_slabs(s, v), next = v < 0 ? -1 : 1;
   for (; i != last; i += next) {
     if (slab_is_beyond(s, i, p, v, inverse, reach)) return;
@@ -66,13 +66,13 @@ inline void walk_slabs_from(const SlabRow<Index>& s, int i, double p, double v, 
 /// The same from the first position on; `left`: see first_slab.
 template <class Index, class Visit>
 inline void walk_slabs(const SlabRow<Index>& s, double p, double v, double inverse, double reach,
-                       unsigned left, Visit visit) {
+                       unsigned left, const Visit& visit) {
   walk_slabs_from(s, first_slab<false>(s, p, v, left), p, v, inverse, reach, visit);
 }
 
 /// Calls visit(daughter) for those that may hold the point.
 template <class Index, class Visit>
-inline void visit_slabs_at(const SlabRow<Index>& s, double p, Visit visit) {
+inline void visit_slabs_at(const SlabRow<Index>& s, double p, const Visit& visit) {
   const int b = cell_along(p, s.origin, s.per_mm, s.cells);
   for (int i = static_cast<int>(s.ascending[b]); i < s.count && s.low[i] <= p; ++i) {
     visit(static_cast<unsigned>(s.daughter[i]));

@@ -69,8 +69,8 @@ inline RayAcross ray_across(const WireBundle<Index>& b, const Vec3<double>& p,
 /// Calls visit(daughter) for those of one row that the ray may meet between the path lengths `from`
 /// and `end()`, which visits may shorten, in the order of their places along the ray.
 template <class Index, class Visit, class End>
-inline void walk_wire_row(const WireRow<Index>& row, const RayAcross& ray, double from, Visit visit,
-                          End end) {
+inline void walk_wire_row(const WireRow<Index>& row, const RayAcross& ray, double from,
+                          const Visit& visit, End end) {
   const double dn = row.at - ray.n;
   double to = end(), low, high;
   if (ray.flat) {
@@ -110,7 +110,7 @@ inline void walk_wire_row(const WireRow<Index>& row, const RayAcross& ray, doubl
 /// visits may shorten, row by row as it comes to them.
 template <class Index, class Visit, class Reach>
 inline void walk_wires(const WireBundle<Index>& b, const Vec3<double>& p,
-                       const Direction<double>& v, Visit visit, Reach reach) {
+                       const Direction<double>& v, const Visit& visit, const Reach& reach) {
   double from = 0, to = 1e30;
   if (b.ends) {
     const double along = dot_row(b.along, v.x, v.y, v.z) + 0.0;
@@ -126,7 +126,7 @@ inline void walk_wires(const WireBundle<Index>& b, const Vec3<double>& p,
 
 /// Calls visit(daughter) for those that may hold the point.
 template <class Index, class Visit>
-inline void visit_wires_at(const WireBundle<Index>& b, const Vec3<double>& p, Visit visit) {
+inline void visit_wires_at(const WireBundle<Index>& b, const Vec3<double>& p, const Visit& visit) {
   const double u = dot_row(b.across, p.x, p.y, p.z), n = dot_row(b.normal, p.x, p.y, p.z);
   for (unsigned m = 0; m < b.count; ++m) {
     const WireRow<Index>& row = b.rows[m];
@@ -142,7 +142,7 @@ inline void visit_wires_at(const WireBundle<Index>& b, const Vec3<double>& p, Vi
 /// farther away than that.
 template <class Index, class Ask>
 inline double safety_among_wires(const WireBundle<Index>& b, const Vec3<double>& p, double safety,
-                                 Ask ask) {
+                                 const Ask& ask) {
   const double u = dot_row(b.across, p.x, p.y, p.z), n = dot_row(b.normal, p.x, p.y, p.z);
   for (unsigned m = 0; m < b.count; ++m) {
     const WireRow<Index>& row = b.rows[m];
