@@ -198,7 +198,7 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
       require_unit(direction);
       ++own.counts.within_safety;
       own.profile.count(own.sphere.state.volume());  // one that was checked
-      return {limit, false, own.sphere.state};
+      return {limit, false, {own.sphere.state.touchable(), own.sphere.state.volume()}};
     }
   }
   return step_of(own.stack, from, point, direction, limit);
@@ -240,7 +240,9 @@ inline double Navigator::safety(const State& from, const Vec3& point, double eno
     safety = entry->safety(&own.stack, context_, entry->data, point.x, point.y, point.z, enough);
     own.read_side->leave();
   }
-  own.sphere = {from, point, safety};
+  // Number by number, here and in step(): a copy of all at once loads what the caller, or this, has
+  // just stored in parts, and has to wait for each of them.
+  own.sphere = {{from.touchable(), from.volume()}, {point.x, point.y, point.z}, safety};
   return safety;
 }
 

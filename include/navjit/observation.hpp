@@ -147,6 +147,7 @@ class ObservedDetector {
   /// Navigator::step() as often as it takes. Throws as that.
   Step step(Navigator& navigator, const State& state, const Vec3& point, const Vec3& direction,
             double limit = std::numeric_limits<double>::infinity()) const {
+    // One place to return from, so that the step is made where it is returned.
     Step made = navigator.step(state, point, direction, limit);
     if (made.boundary && made.next.inside() && !counts(state.volume(), made.next.volume())) {
       made = walk_on(navigator, made, point, direction, limit);
