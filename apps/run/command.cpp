@@ -38,8 +38,8 @@ struct Options {
   std::string save_profile;  ///< file for `navjit specialise`; empty: none
 };
 
-/// The comparison takes a quarter of the run's time at the most, and no longer than so many s.
-constexpr double longest_comparison = 3;
+/// The comparison takes a quarter of the run's time, but no less and no more than so many s.
+constexpr double shortest_comparison = 0.1, longest_comparison = 3;
 
 /// What a run needs before it begins, and what it writes at its end.
 struct Run {
@@ -88,7 +88,7 @@ RunReport made_by(Run& all, const Options& options, const std::atomic<bool>& in_
   const bool in_haste = report.interrupted || in_vain;
   report.runtime = all.runtime.final_report(in_haste ? 0 : 1);
   if (report.any_specialised() && !in_haste && options.runtime.jit != JitMode::shadow) {
-    const double seconds = std::clamp(made.seconds / 4, 0.02, longest_comparison);
+    const double seconds = std::clamp(made.seconds / 4, shortest_comparison, longest_comparison);
     report.compared = compare_with_generic(all.runtime, all.seen, options.runtime, made.first_rays,
                                            seconds, options.basket);
   }

@@ -23,7 +23,6 @@ std::optional<Comparison> compare_with_generic(Runtime& specialised, const Obser
                                                const RuntimeOptions& options,
                                                const std::vector<Ray>& rays, double seconds,
                                                std::size_t basket) {
-  const double begun = thread_seconds();
   RuntimeOptions off = options;
   off.jit = JitMode::off;
   off.cache = {};
@@ -45,6 +44,8 @@ std::optional<Comparison> compare_with_generic(Runtime& specialised, const Obser
     side->seconds = 0;
     side->steps = 0;
   }
+  // A detector may take longer to make than all the time that the rays are given.
+  const double begun = thread_seconds();
   Comparison result;
   // Few rays at a time first, so that it ends in time where they are long. Then more: a turn has to
   // last long enough that it matters little what the other side left in caches and branch tables: a

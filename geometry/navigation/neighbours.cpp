@@ -41,6 +41,46 @@ bool meet(const Extent& a, const Extent& b) {
          a.min.z <= b.max.z && b.min.z <= a.max.z;
 }
 
+/// A box is not asked about in more parts, nor in parts of less than this of its radius: guesses.
+constexpr int most_parts = 512;
+constexpr double least_part = 1.0 / 64;
+
+Vec3 centre_of(const Extent& e) {
+  return {(e.min.x + e.max.x) / 2, (e.min.y + e.max.y) / 2, (e.min.z + e.max.z) / 2};
+}
+
+double radius_of(const Extent& e) {
+  return std::hypot(e.max.x - e.min.x, e.max.y - e.min.y, e.max.z - e.min.z) / 2;
+}
+
+/// Cuts the box in the middle of its longest edge: what is left of it, and the other half.
+Extent cut_in_half(Extent& box) {
+  Extent other = box;
+  double* const low[3] = {&other.min.x, &other.min.y, &other.min.z};
+  double* const high[3] = {&box.max.x, &box.max.y, &box.max.z};
+  const double edges[3] = {*high[0] - box.min.x, *high[1] - box.min.y, *high[2] - box.min.z};
+  const auto axis = std::max_element(edges, edges + 3) - edges;
+  *low[axis] = *high[axis] = (*low[axis] + *high[axis]) / 2;
+  return other;
+}
+
+/// Told by safeties at the centres of parts, which get smaller where one does not tell it.
+bool holds_parts_deep(const kernels::AnySolid<double>& mother, const Extent& box, double margin) {
+  const double least_radius = least_part * radius_of(box);
+  std::vector<Extent> parts{box};
+  for (int asked = 0; !parts.empty(); ++asked) {
+    Extent part = parts.back();
+    parts.pop_back();
+    const double safety = safety_to_out(mother, centre_of(part)), radius = radius_of(part);
+    if (safety > radius + margin) continue;
+    // Where the centre itself is not deep enough no division helps.
+    if (!(safety > margin) || radius < least_radius || asked == most_parts) return false;
+    parts.push_back(cut_in_half(part));
+    parts.push_back(part);
+  }
+  return true;
+}
+
 }  // namespace
 
 bool holds_deep(const Solid& mother, const Extent& box, double margin) {
@@ -49,11 +89,7 @@ bool holds_deep(const Solid& mother, const Extent& box, double margin) {
     return box.min.x > deep.min.x && box.max.x < deep.max.x && box.min.y > deep.min.y &&
            box.max.y < deep.max.y && box.min.z > deep.min.z && box.max.z < deep.max.z;
   }
-  const Vec3 centre{(box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2,
-                    (box.min.z + box.max.z) / 2};
-  const double radius =
-      std::hypot(box.max.x - centre.x, box.max.y - centre.y, box.max.z - centre.z);
-  return safety_to_out(mother.any(), centre) > radius + margin;
+  return holds_parts_deep(mother.any(), box, margin);
 }
 
 double search_margin(const Extent& extent, double tolerance) {

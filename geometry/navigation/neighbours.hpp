@@ -59,7 +59,7 @@ NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxe
                                const bvh::BoxTree* tree, double tolerance);
 
 /// Whether every point of the box is deeper in the solid than the margin; false where that is not
-/// known.
+/// known, which takes up to some hundred safeties.
 bool holds_deep(const Solid& mother, const Extent& box, double margin);
 
 /// How far boxes and cells of a scene reach beyond its daughters, mm: twice the tolerance and

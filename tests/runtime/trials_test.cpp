@@ -91,21 +91,32 @@ TEST(Trials, RareScenesAreJudgedWithThoseThatShareTheirCode) {
   }
 }
 
-TEST(Trials, WhatIsNeitherSlowerNorFasterStays) {
-  for (const VolumeId seen : {0U, 1U}) {
-    Trials trials;
-    Steps steps;
-    for (const VolumeId v : {0U, 1U}) trials.begin(v, trial(), 0);
-    for (int i = 0; i < 20; ++i) {
-      // A little slower, by less than the pairs differ among themselves; or never met.
-      trials.record(seen, &candidate, i % 2 == 0 ? 131 : 70);
-      trials.record(seen, &before, 100);
-      trials.decide(0.1);
+TEST(Trials, WhatIsNoFasterGoesThoughItMayBeChance) {
+  for (const double slower : {131.0, 129.0}) {
+    for (const VolumeId seen : {0U, 1U}) {
+      Trials trials;
+      for (const VolumeId v : {0U, 1U}) trials.begin(v, trial(), 0);
+      for (int i = 0; i < 20; ++i) {
+        // By less than the pairs differ among themselves; the other volume is never met.
+        trials.record(seen, &candidate, i % 2 == 0 ? slower : 70);
+        trials.record(seen, &before, 100);
+        trials.decide(0.1);
+      }
+      const auto decided = trials.decide(2 * Trials::most_s);
+      ASSERT_EQ(decided.size(), 2U);
+      for (const auto& d : decided) {
+        EXPECT_EQ(d.trial->verdict, slower > 130 ? Verdict::goes : Verdict::stays) << d.volume;
+      }
     }
-    const auto decided = trials.decide(2 * Trials::most_s);
-    ASSERT_EQ(decided.size(), 2U);
-    for (const auto& d : decided) EXPECT_EQ(d.trial->verdict, Verdict::stays) << d.volume;
   }
+}
+
+TEST(Trials, WhatNothingIsKnownOfStays) {
+  Trials trials;
+  trials.begin(1, trial(), 0);
+  const auto decided = trials.decide(2 * Trials::most_s);
+  ASSERT_EQ(decided.size(), 1U);
+  EXPECT_EQ(decided[0].trial->verdict, Verdict::stays);
 }
 
 TEST(Trials, InterruptionsOfTheThreadDecideNothing) {

@@ -102,6 +102,46 @@ TEST(NeighbourLists, KnowWhatTheMotherContains) {
   EXPECT_FALSE(contained(make_tube("m", 1, 5, 5, 0, 6.283185307179586)));
 }
 
+TEST(NeighbourLists, KnowWhatTheMotherContainsOfFlatBoxes) {
+  // The ball around a plate reaches far out of what holds the plate.
+  const auto contained = [&](const Solid& mother, const Extent& box) {
+    return find_neighbours(mother, std::span(&box, 1), nullptr, tolerance).of[0].mother_contains;
+  };
+  const Extent plate{{-6, -6, -0.5}, {6, 6, 0.5}};
+  const Solid vessel = make_tube("m", 0, 12, 1, 0, 6.283185307179586);
+  EXPECT_TRUE(contained(vessel, plate));
+  EXPECT_FALSE(contained(vessel, {{-6, -6, -0.5}, {9, 9, 0.5}})) << "its corners stick out";
+  EXPECT_FALSE(contained(vessel, {{-6, -6, -0.5}, {6, 6, 1}})) << "it is flush with the end";
+  const Solid shell = make_subtraction("m", vessel, make_box("b", 1, 1, 0.75));
+  EXPECT_FALSE(contained(shell, plate)) << "its middle is cut out";
+  EXPECT_TRUE(contained(shell, {{2, -6, -0.5}, {6, 6, 0.5}}));
+}
+
+TEST(NeighbourLists, ClaimOfMothersNoMoreThanTheyContain) {
+  std::mt19937_64 random(3);
+  const Solid mothers[] = {
+      make_tube("m", 2, 10, 10, 0, 6.283185307179586), make_orb("m", 10),
+      make_subtraction("m", make_box("a", 10, 10, 10), make_orb("b", 3)),
+      make_union("m", make_box("a", 10, 4, 4), make_tube("b", 0, 6, 9, 0, 6.283185307179586))};
+  std::size_t claimed = 0, by_parts = 0;
+  for (const Solid& mother : mothers) {
+    for (int i = 0; i < 3000; ++i) {
+      const Extent box = random_boxes(random, 1, i % 2 == 0 ? 6 : 1)[0];
+      if (!holds_deep(mother, box, 1e-3)) continue;
+      ++claimed;
+      const Vec3 c = 0.5 * (box.min + box.max), h = 0.5 * (box.max - box.min);
+      by_parts += safety_to_out(mother.any(), c) <= std::hypot(h.x, h.y, h.z) ? 1 : 0;
+      for (int k = 0; k < 64; ++k) {
+        const Vec3 p{uniform(random, box.min.x, box.max.x), uniform(random, box.min.y, box.max.y),
+                     uniform(random, box.min.z, box.max.z)};
+        ASSERT_EQ(inside(mother.any(), p, tolerance), Side::inside) << mother.name << ' ' << i;
+      }
+    }
+  }
+  EXPECT_GT(claimed, 1000U);
+  EXPECT_GT(by_parts, 300U);
+}
+
 TEST(NeighbourLists, DoNotListTooMany) {
   // A large daughter with a hundred small ones along its face.
   const Solid mother = make_box("mother", 200, 200, 200);
