@@ -9,6 +9,8 @@
 namespace navjit::gdml {
 namespace {
 
+constexpr double right_angle = 1.5707963267948966;
+
 /// Reads the dimensions of one element in its units; mm and rad where it names none. The unit of
 /// angles is looked at where there is an angle: a box may name any, as for Geant4.
 class Dimensions {
@@ -37,6 +39,16 @@ class Dimensions {
   }
   double angle(const char* attribute, double fallback) const {
     return file_.number(element_, attribute, fallback) * angle_unit();
+  }
+  /// An angle of which only the tangent matters: less half turns, as in Geant4. 0 where there is
+  /// none.
+  double slant(const char* attribute) const {
+    const double given = angle(attribute, 0);
+    if (!(std::abs(given) > right_angle) || !std::isfinite(given)) return given;
+    note((std::string(attribute) +
+          " is more than a right angle (check its unit): took off half turns")
+             .c_str());
+    return std::remainder(given, 2 * right_angle);
   }
   /// A number of sides, which cost memory as elements do.
   int sides(const char* attribute) const {
@@ -119,15 +131,15 @@ DivisibleShape read_para(const Dimensions& d) {
           .x1 = d.half("x"),
           .y1 = d.half("y"),
           .hz = d.half("z"),
-          .alpha = d.angle("alpha", 0),
-          .theta = d.angle("theta", 0),
+          .alpha = d.slant("alpha"),
+          .theta = d.slant("theta"),
           .phi = d.angle("phi", 0)};
 }
 
 Solid read_trap(const Dimensions& d, const std::string& name) {
-  Solid trap = make_trap(name, d.half("z"), d.angle("theta", 0), d.angle("phi", 0), d.half("y1"),
-                         d.half("x1"), d.half("x2"), d.angle("alpha1", 0), d.half("y2"),
-                         d.half("x3"), d.half("x4"), d.angle("alpha2", 0));
+  Solid trap = make_trap(name, d.half("z"), d.slant("theta"), d.angle("phi", 0), d.half("y1"),
+                         d.half("x1"), d.half("x2"), d.slant("alpha1"), d.half("y2"), d.half("x3"),
+                         d.half("x4"), d.slant("alpha2"));
   if (trap.kind != SolidKind::trap) {
     d.note("its sides are not planar: joined its corners by straight lines (arb8)");
   }

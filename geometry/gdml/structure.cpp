@@ -39,24 +39,26 @@ void read_daughters(FileContext& file, const XmlElement& section, Mother& mother
   }
 }
 
-std::uint32_t find_material(FileContext& file, const XmlElement& element) {
-  const std::string name = file.reference(element);
-  // Geant4 makes materials of these names from its NIST table.
-  if (name.starts_with("G4_") && file.find(&FileContext::materials, name) == nullptr) {
-    auto& materials = file.session.world.materials;
-    file.materials.emplace(name, static_cast<std::uint32_t>(materials.size()));
-    materials.push_back({.name = name});
-    file.skip("kept the name but no density of materials from Geant4's NIST table");
-  }
-  return file.look_up(&FileContext::materials, element, "material", name);
-}
-
-std::uint32_t nameless_material(FileContext& file) {
+/// One of which the name is all that is known: no step depends on more.
+std::uint32_t unknown_material(FileContext& file, const std::string& name) {
   auto& materials = file.session.world.materials;
   const auto [position, added] =
-      file.materials.try_emplace("", static_cast<std::uint32_t>(materials.size()));
-  if (added) materials.push_back({});
+      file.materials.try_emplace(name, static_cast<std::uint32_t>(materials.size()));
+  if (added) materials.push_back({.name = name});
   return position->second;
+}
+
+std::uint32_t find_material(FileContext& file, const XmlElement& element) {
+  const std::string name = file.reference(element);
+  if (const std::uint32_t* known = file.find(&FileContext::materials, name)) return *known;
+  // Geant4 makes materials of these names from its NIST table.
+  if (name.starts_with("G4_")) {
+    file.skip("kept the name but no density of materials from Geant4's NIST table");
+  } else {
+    file.note(element, "material '" + printable(name) +
+                           "' is not defined: kept its name; nothing else of it is known");
+  }
+  return unknown_material(file, name);
 }
 
 void read_volume(FileContext& file, const XmlElement& element) {
@@ -74,7 +76,7 @@ void read_volume(FileContext& file, const XmlElement& element) {
   volume.solid = *solid->solid;
   volume.auxiliaries = read_auxiliaries(file, element);
   if (!material) file.note(element, "it has no <materialref>: its material is unknown");
-  volume.material = material ? *material : nameless_material(file);
+  volume.material = material ? *material : unknown_material(file, "");
   file.open_name = name;
   Mother mother{volume.daughters, 1, solid};
   read_daughters(file, element, mother);
@@ -112,7 +114,7 @@ VolumeId box_around(FileContext& file, const XmlElement& element, const std::str
   const Vec3 half = half_lengths_around(file.session.world, assembly.placements);
   // Room around, so that no face is on the world's.
   box.solid = make_box(name, 1.01 * half.x + 1, 1.01 * half.y + 1, 1.01 * half.z + 1);
-  box.material = nameless_material(file);
+  box.material = unknown_material(file, "");
   file.note(element, "the world is an assembly, which Geant4 refuses: put it in a box");
   return add_volume(file.session, std::move(box), nullptr);
 }

@@ -187,8 +187,6 @@ TEST_F(GdmlErrors, Structure) {
   expect_in_structure("<volume name='W'/>", "<volume name='W'>", "it has no solid");
   expect_in_structure("<volume name='W'><solidref ref='x'/></volume>", "<solidref ref='x'>",
                       "solid 'x' is not defined; define it before its use");
-  expect_in_structure("<volume name='W'><materialref ref='x'/><solidref ref='b'/></volume>",
-                      "<materialref ref='x'>", "material 'x' is not defined");
   expect_in_structure(volume("W", physvol("x")), "<volumeref ref='x'>",
                       "volume 'x' is not defined");
   expect_in_structure(volume("W", physvol("W")), "<volumeref ref='W'>",

@@ -1,4 +1,6 @@
 // Materials by atoms, by fractions and by isotopes; their states and radiation lengths.
+#include <algorithm>
+
 #include "tests/geometry/gdml/gdml_files.hpp"
 
 namespace navjit::testing {
@@ -129,6 +131,31 @@ TEST_F(GdmlMaterials, CompositionIsKept) {
   EXPECT_EQ(element(lead.elements[0]).name, "Pb");
   EXPECT_EQ(element(lead.elements[0]).z, 82);
   EXPECT_EQ(lead.elements[0].fraction, 1);
+}
+
+TEST_F(GdmlMaterials, ThoseThatAreNotDefinedKeepTheirNames) {
+  GdmlReport report;
+  const World world = read(
+      Gdml{.structure = "<volume name='A'><materialref ref='Quartz'/><solidref ref='b'/></volume>"
+                        "<volume name='B'><materialref ref='Quartz'/><solidref ref='b'/></volume>"
+                        "<volume name='W'><materialref ref='G4_AIR'/><solidref ref='b'/>"
+                        "<physvol><volumeref ref='A'/></physvol>"
+                        "<physvol><volumeref ref='B'/></physvol></volume>"},
+      &report);
+  const auto material_of = [&](std::string_view volume) {
+    return std::find_if(world.volumes.begin(), world.volumes.end(),
+                        [&](const LogicalVolume& v) { return v.name == volume; })
+        ->material;
+  };
+  EXPECT_EQ(material_of("A"), material_of("B"));
+  EXPECT_NE(material_of("A"), material_of("W"));
+  const Material& quartz = world.materials[material_of("A")];
+  EXPECT_EQ(quartz.name, "Quartz");
+  EXPECT_EQ(quartz.density, 0);
+  EXPECT_EQ(quartz.radiation_length, 0);
+  EXPECT_TRUE(quartz.elements.empty());
+  ASSERT_EQ(report.notes.size(), 1U) << "once for each name";
+  EXPECT_HAS(report.notes[0], "<materialref ref='Quartz'>: material 'Quartz' is not defined");
 }
 
 TEST_F(GdmlMaterials, UnknownPartsAreNoted) {

@@ -39,6 +39,21 @@ TEST_F(GdmlOddSolids, TrapsThatAreNotPlanarJoinTheirCorners) {
   EXPECT_EQ(where(s, 2.9, 0.999, 0.999), Side::inside);
 }
 
+TEST_F(GdmlOddSolids, SlantsLoseHalfTurns) {
+  // 60 rad, where 60 degrees were meant: tan(60) = 0.32.
+  const char* const text = "<para name='s' x='2' y='2' z='10' alpha='0' theta='%' phi='0'/>";
+  const auto with = [&](const std::string& theta) {
+    return std::string(text).replace(std::string(text).find('%'), 1, theta);
+  };
+  const Solid s = noted(with("60"), ":5: <para name='s'>: theta is more than a right angle");
+  EXPECT_NEAR(s.extent.max.x, 1 + 5 * std::tan(60.0), 1e-9);
+  EXPECT_EQ(where(s, 5 * std::tan(60.0), 0, 4.999), Side::inside);
+  // The tangent of what is left of a right angle is still refused.
+  GdmlReport report;
+  EXPECT_THROW(read(world_of(with("pi/2")), &report), GdmlError);
+  EXPECT_TRUE(noted(with("0.5"), "").extent.max.x > 1);
+}
+
 TEST_F(GdmlOddSolids, TwistedTrapsTakeLinearSections) {
   const Solid s = noted(
       "<twistedtrap name='s' PhiTwist='0.5' z='2' Theta='0' Phi='0' y1='2' x1='2' x2='2' y2='2' "
