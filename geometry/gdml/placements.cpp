@@ -32,7 +32,9 @@ fs::path module_path(const Session& session, const XmlElement& element, std::str
   for (const fs::path* candidate : {&path, &beside, &beside_main}) {
     if (fs::exists(*candidate, error)) return *candidate;
   }
-  return beside;
+  fail(element,
+       "there is no such file in the working folder, beside the file that names it, or beside the "
+       "main file; start in the folder from which the name counts");
 }
 
 /// <file name='...' volname='...'>: the module's volume of that name, or its world.

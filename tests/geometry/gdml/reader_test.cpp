@@ -176,7 +176,7 @@ TEST_F(GdmlReader, RefusesBadModules) {
   write("b.gdml", place("<file name='a.gdml'/>"));
   EXPECT_HAS(error(folder_ / "a.gdml"), "b.gdml:7: <file name='a.gdml'>: file '");
   EXPECT_HAS(error_of(place("<file name='none.gdml'/>")),
-             "det.gdml:7: <file name='none.gdml'>: cannot be read");
+             "det.gdml:7: <file name='none.gdml'>: there is no such file in the working folder");
   EXPECT_HAS(error_of(place("<file/>")), "attribute 'name' is missing");
   EXPECT_HAS(error_of(place("<file name='http://x/y.gdml'/>")), "is not fetched");
   write("good.gdml", Gdml{.structure = volume("W")});
