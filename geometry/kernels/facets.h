@@ -24,6 +24,9 @@ struct FacetBox {
   int next;  ///< the box that follows those within this one
 };
 
+/// Each level of the boxes has half of the facets of the one above, so there are fewer than this.
+constexpr int most_facet_levels = 32;
+
 template <class Real>
 struct Facets {
   const Vec3<Real>* corners;
@@ -54,27 +57,49 @@ Real segment_distance2(const Vec3<Real>& u, const Vec3<Real>& w) {
   return dot(off, off);
 }
 
-/// The square of the distance to a triangle.
+/// More than the square of the rounding of a triple product: that of a sliver's normal with a way
+/// is mostly rounding.
 template <class Real>
-Real facet_distance2(const Facets<Real>& s, const Facet& f, const Vec3<Real>& p) {
+constexpr Real triple_rounding(const Vec3<Real>& u, const Vec3<Real>& v, const Vec3<Real>& w) {
+  return Real(1e-28) * dot(u, u) * dot(v, v) * dot(w, w);
+}
+
+/// What is nearest to a point.
+template <class Real>
+struct NearestFacet {
+  Real distance2;  ///< its square
+  int side;  ///< of the facet that it is within: 1 outside, -1 inside; 0 on an edge, or unclear
+};
+
+/// The point of a triangle that is nearest; where the triangle's plane alone is farther away than
+/// `limit`, the square of a distance, the result may be infinitely far.
+template <class Real>
+NearestFacet<Real> nearest_in_facet(const Facets<Real>& s, const Facet& f, const Vec3<Real>& p,
+                                    Real limit) {
   const Vec3<Real>&a = s.corners[f.a], &b = s.corners[f.b], &c = s.corners[f.c];
   const Vec3<Real> u = difference(b, a), v = difference(c, b), w = difference(a, c);
   const Vec3<Real> from_a = difference(p, a), from_b = difference(p, b), from_c = difference(p, c);
   const Vec3<Real> n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const Real n2 = dot(n, n), h = dot(n, from_a), rounding = 16 * triple_rounding(u, v, from_a);
+  if (h * h > Real(1.0001) * limit * n2 + rounding) return {infinity<Real>(), 0};
   // Left of an edge: the triple product of edge, way from its start, and normal.
   const auto left = [&n](const Vec3<Real>& edge, const Vec3<Real>& way) {
     return (edge.y * way.z - edge.z * way.y) * n.x + (edge.z * way.x - edge.x * way.z) * n.y +
                (edge.x * way.y - edge.y * way.x) * n.z >=
            0;
   };
-  const Real n2 = dot(n, n);
   if (n2 > 0 && left(u, from_a) && left(v, from_b) && left(w, from_c)) {
-    const Real h = dot(n, from_a);
-    return h * h / n2;
+    return {h * h / n2, !(h * h > rounding) ? 0 : h > 0 ? 1 : -1};
   }
   Real least = segment_distance2(u, from_a);
   least = smaller(segment_distance2(v, from_b), least);
-  return smaller(segment_distance2(w, from_c), least);
+  return {smaller(segment_distance2(w, from_c), least), 0};
+}
+
+/// The square of the distance to a triangle.
+template <class Real>
+Real facet_distance2(const Facets<Real>& s, const Facet& f, const Vec3<Real>& p) {
+  return nearest_in_facet(s, f, p, infinity<Real>()).distance2;
 }
 
 /// Is the point within `tol` of the triangle?
@@ -87,8 +112,7 @@ bool touches_facet(const Facets<Real>& s, const Facet& f, const Vec3<Real>& p, R
                    w = difference(p, a);
   const Vec3<Real> n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
   const Real h = dot(n, w);
-  const Real rounding = Real(1e-28) * dot(u, u) * dot(v, v) * dot(w, w);
-  if (h * h > 16 * (tol * tol * dot(n, n) + rounding)) return false;
+  if (h * h > 16 * (tol * tol * dot(n, n) + triple_rounding(u, v, w))) return false;
   return facet_distance2(s, f, p) <= tol * tol;
 }
 
@@ -100,21 +124,51 @@ Real box_distance2(const FacetBox<Real>& b, const Vec3<Real>& p) {
   return x * x + y * y + z * z;
 }
 
+/// What of the surface is nearest, or `limit`, the square of a distance, if that is not less. Of
+/// two boxes the nearer one first: what it holds mostly leaves out the other.
+template <class Real>
+NearestFacet<Real> nearest_in_surface(const Facets<Real>& s, const Vec3<Real>& p, Real limit) {
+  struct Waiting {
+    int box;
+    Real distance2;
+  };
+  Waiting waiting[most_facet_levels];  // of each level above one at the most
+  int count = 0;
+  Waiting at{0, box_distance2(s.boxes[0], p)};
+  NearestFacet<Real> nearest{limit, 0};
+  for (;;) {
+    if (at.distance2 < nearest.distance2) {
+      const FacetBox<Real>& box = s.boxes[at.box];
+      if (box.count == 0) {
+        const int second = s.boxes[at.box + 1].next;
+        Waiting near{at.box + 1, box_distance2(s.boxes[at.box + 1], p)};
+        Waiting far{second, box_distance2(s.boxes[second], p)};
+        if (far.distance2 < near.distance2) {
+          const Waiting other = near;
+          near = far;
+          far = other;
+        }
+        if (far.distance2 < nearest.distance2) waiting[count++] = far;
+        at = near;
+        continue;
+      }
+      for (int k = box.first; k < box.first + box.count; ++k) {
+        const NearestFacet<Real> facet = nearest_in_facet(s, s.facets[k], p, nearest.distance2);
+        if (facet.distance2 < nearest.distance2) {
+          nearest = facet;
+        } else if (facet.distance2 == nearest.distance2 && facet.side != nearest.side) {
+          nearest.side = 0;
+        }
+      }
+    }
+    if (count == 0) return nearest;
+    at = waiting[--count];
+  }
+}
 /// The square of the distance to the surface, or `limit` if that is not less.
 template <class Real>
 Real surface_distance2(const Facets<Real>& s, const Vec3<Real>& p, Real limit) {
-  for (int i = 0; i < s.box_count;) {
-    const FacetBox<Real>& box = s.boxes[i];
-    if (!(box_distance2(box, p) < limit)) {
-      i = box.next;
-      continue;
-    }
-    for (int k = box.first; k < box.first + box.count; ++k) {
-      limit = smaller(facet_distance2(s, s.facets[k], p), limit);
-    }
-    ++i;
-  }
-  return limit;
+  return nearest_in_surface(s, p, limit).distance2;
 }
 
 // --- Crossings of a ray -----------------------------------------------------------------------
@@ -333,17 +387,25 @@ Real distance_to_out(const Facets<Real>& s, const Vec3<Real>& p, const Direction
   return c.total < 0 ? path_until(s, p, v, tol, c, false) : Real(0);
 }
 
+/// The distance to the surface from its side `side`, 1 outside and -1 inside; 0 from the other one.
+/// Where the nearest point is within a facet that tells which it is; else a ray does, and where the
+/// facet says that it is the other side, since facets may be within the body.
+template <class Real>
+Real safety_from(const Facets<Real>& s, const Vec3<Real>& p, int side) {
+  const NearestFacet<Real> nearest = nearest_in_surface(s, p, infinity<Real>());
+  if (nearest.side != side &&
+      contains(s, p, make_direction<Real>(0, 0, 1), Real(0)) != (side < 0)) {
+    return Real(0);
+  }
+  return square_root(nearest.distance2);
+}
 template <class Real>
 Real safety_to_in(const Facets<Real>& s, const Vec3<Real>& p) {
-  const Direction<Real> up = make_direction<Real>(0, 0, 1);
-  if (contains(s, p, up, Real(0))) return Real(0);
-  return square_root(surface_distance2(s, p, infinity<Real>()));
+  return safety_from(s, p, 1);
 }
 template <class Real>
 Real safety_to_out(const Facets<Real>& s, const Vec3<Real>& p) {
-  const Direction<Real> up = make_direction<Real>(0, 0, 1);
-  if (!contains(s, p, up, Real(0))) return Real(0);
-  return square_root(surface_distance2(s, p, infinity<Real>()));
+  return safety_from(s, p, -1);
 }
 
 }  // namespace navjit::kernels
