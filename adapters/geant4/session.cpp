@@ -53,7 +53,7 @@ void Counts::add(const Counts& other) {
   differences.ties += d.ties;
   differences.safeties += d.safeties;
   differences.normals += d.normals;
-  differences.largest_length = std::max(differences.largest_length, d.largest_length);
+  differences.largest_length = std::max<double>(differences.largest_length, d.largest_length);
   zero_steps += other.zero_steps;
   pushed += other.pushed;
   abandoned += other.abandoned;

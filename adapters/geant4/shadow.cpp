@@ -85,7 +85,7 @@ G4double ShadowNavigator::step(const G4ThreeVector& point, const G4ThreeVector& 
           sentence("navjit ", ours, ", Geant4 ", theirs, " mm, along ", direction, ", limit ",
                    limit));
   } else {
-    differences.largest_length = std::max(differences.largest_length, difference);
+    differences.largest_length = std::max<double>(differences.largest_length, difference);
   }
   if (theirs <= limit && safety > theirs + most_length) {
     ++differences.safeties;

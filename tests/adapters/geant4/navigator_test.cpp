@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <thread>
 
 #include "navjit/geant4/use.hpp"
 
@@ -194,6 +195,23 @@ TEST_F(Calls, AWorldThatChangedIsConvertedAnew) {
   EXPECT_EQ(locate({60, 0, 0}, x_, false), "hall");
   session_->geometry_changed();
   EXPECT_EQ(locate({60, 0, 0}, x_, false), "late");
+}
+
+TEST_F(Calls, AreCountedForWhoeverReadsMeanwhile) {
+  const auto counted = [&] {
+    return std::uint64_t{session_->counts().calls[static_cast<int>(geant4::Call::locate)].calls};
+  };
+  constexpr std::uint64_t calls = 20000;
+  std::thread reader([&] {
+    for (std::uint64_t last = 0; last < calls;) {
+      const std::uint64_t now = counted();
+      EXPECT_GE(now, last);
+      last = now;
+    }
+  });
+  for (std::uint64_t i = 0; i < calls; ++i) locate({0, 0, 0}, x_, false);
+  reader.join();
+  EXPECT_EQ(counted(), calls);
 }
 
 TEST(Use, InstallsAndConvertsTheWorldOnce) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "navjit/geant4/geometry.hpp"
+#include "navjit/geant4/tally.hpp"
 #include "navjit/runtime.hpp"
 
 namespace navjit::geant4 {
@@ -36,11 +37,13 @@ constexpr std::size_t call_kinds = 6;
 /// In words.
 const char* call_name(Call call);
 
+using Count = Tally<std::uint64_t>;
+
 /// Calls of one kind, and the time that they took: of one in `sampled_calls` it is measured.
 struct CallCount {
-  std::uint64_t calls = 0;
-  std::uint64_t sampled = 0;
-  double sampled_seconds = 0;
+  Count calls;
+  Count sampled;
+  Tally<double> sampled_seconds;
   /// Of all calls, s; `clock`: what the clock itself adds to a sample, s.
   double seconds(double clock) const {
     if (sampled == 0) return 0;
@@ -53,14 +56,14 @@ double sampling_time();
 
 /// In shadow mode: how often the two navigators disagreed.
 struct Differences {
-  std::uint64_t steps = 0;    ///< compared
-  std::uint64_t lengths = 0;  ///< that differ by more than 1e-6 mm, or of which one has a boundary
-  std::uint64_t locates = 0;  ///< compared
-  std::uint64_t histories = 0;  ///< that differ in a volume or number
-  std::uint64_t ties = 0;       ///< likewise, with the point on a face: either is right
-  std::uint64_t safeties = 0;   ///< of navjit that reach farther than a step of Geant4's
-  std::uint64_t normals = 0;    ///< that differ by more than 1e-3
-  double largest_length = 0;    ///< mm, of those that agree
+  Count steps;      ///< compared
+  Count lengths;    ///< that differ by more than 1e-6 mm, or of which one has a boundary
+  Count locates;    ///< compared
+  Count histories;  ///< that differ in a volume or number
+  Count ties;       ///< likewise, with the point on a face: either is right
+  Count safeties;   ///< of navjit that reach farther than a step of Geant4's
+  Count normals;    ///< that differ by more than 1e-3
+  Tally<double> largest_length;  ///< mm, of those that agree
   std::uint64_t total() const { return lengths + histories + safeties + normals; }
 };
 
@@ -68,9 +71,9 @@ struct Differences {
 struct Counts {
   std::array<CallCount, call_kinds> calls{};
   Differences differences{};
-  std::uint64_t zero_steps = 0;
-  std::uint64_t pushed = 0;     ///< tracks that did not move for ten steps, and were moved on
-  std::uint64_t abandoned = 0;  ///< tracks that did not move for 25
+  Count zero_steps;
+  Count pushed;     ///< tracks that did not move for ten steps, and were moved on
+  Count abandoned;  ///< tracks that did not move for 25
 
   void add(const Counts& other);
 };
@@ -105,7 +108,7 @@ class Session {
 
   /// A navigator's, which adds to it. Counted in counts() as it is then.
   std::shared_ptr<Counts> new_counts();
-  /// Of all navigators so far. While threads navigate, what they counted last may be missing.
+  /// Of all navigators so far. Threads may navigate meanwhile; what they count then may be missing.
   Counts counts() const;
   /// Of the whole process since the session was made.
   double processor_seconds() const;
