@@ -65,7 +65,7 @@ Navigator* Transportation::navjit() {
 const G4TouchableHandle& Transportation::touchable_of(Navigator& navigator) {
   if (const std::uint64_t generation = navigator.session().generation();
       generation != generation_) {
-    table_.assign(places, {});
+    table_ = std::vector<Kept>(places);  // an empty handle cannot be copied into one that is not
     generation_ = generation;
   }
   const State& state = navigator.state();

@@ -25,11 +25,11 @@ constexpr const char* usage =
     "usage: shower [DETECTOR.gdml] [--navigator navjit|geant4|shadow] [--events N] [--threads T]\n"
     "              [--particle NAME] [--energy GEV] [--from X,Y,Z] [--along X,Y,Z] [--spread MM]\n"
     "              [--cone RAD] [--field TESLA] [--cut MM] [--seed N] [--out EVENTS.csv]\n"
-    "              [--touchables kept|made]\n";
+    "              [--touchables kept|made] [--runs N]\n";
 
 struct Arguments {
   std::string file{}, navigator = "navjit", out{};
-  int events = 10, threads = 1;
+  int events = 10, threads = 1, runs = 1;
   long seed = 1;
   double field = 0, cut = 0.7;
   navjit::geant4::Touchables touchables = navjit::geant4::Touchables::made;
@@ -84,6 +84,8 @@ Arguments read(int argc, char** argv) {
       a.seed = std::stol(value);
     else if (key == "--out")
       a.out = value;
+    else if (key == "--runs")
+      a.runs = std::stoi(value);
     else if (key == "--touchables")
       a.touchables = touchables_of(value);
     else
@@ -148,7 +150,11 @@ void run(const Arguments& arguments) {
   const navjit::geant4::Transportation* transportation =
       arguments.touchables == navjit::geant4::Touchables::kept ? navjit::geant4::keep_touchables()
                                                                : nullptr;
-  manager->BeamOn(arguments.events);
+  for (int run = 0; run < arguments.runs; ++run) {
+    // As where the detector was changed since the last run.
+    if (run > 0) session->geometry_changed();
+    manager->BeamOn(arguments.events);
+  }
   print(sums, arguments.out);
   if (transportation != nullptr && arguments.threads == 1) {
     std::printf("touchables: %llu kept, %llu made\n",
