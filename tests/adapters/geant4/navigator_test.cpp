@@ -235,6 +235,8 @@ TEST(Use, InstallsAndConvertsTheWorldOnce) {
   std::ostringstream report;
   geant4::print_report(*session, report);
   EXPECT_NE(report.str().find("LocateGlobalPointAndSetup"), std::string::npos) << report.str();
+  // As a run manager at its end: with its navigators goes the session, and the compiler's thread.
+  delete G4TransportationManager::GetTransportationManager();
 }
 
 TEST(Use, LeavesGeant4WhereTheWorldIsRefused) {
