@@ -41,9 +41,10 @@ bool meet(const Extent& a, const Extent& b) {
          a.min.z <= b.max.z && b.min.z <= a.max.z;
 }
 
-/// A box is not asked about in more parts, nor in parts of less than this of its radius: guesses.
-constexpr int most_parts = 512;
+/// Parts of a box are not divided that are less than this of its radius: a guess.
 constexpr double least_part = 1.0 / 64;
+/// Of all daughters' boxes in a scene, which takes a tenth of a second: a guess.
+constexpr std::size_t most_parts_of_all = 4'000'000;
 
 Vec3 centre_of(const Extent& e) {
   return {(e.min.x + e.max.x) / 2, (e.min.y + e.max.y) / 2, (e.min.z + e.max.z) / 2};
@@ -65,16 +66,17 @@ Extent cut_in_half(Extent& box) {
 }
 
 /// Told by safeties at the centres of parts, which get smaller where one does not tell it.
-bool holds_parts_deep(const kernels::AnySolid<double>& mother, const Extent& box, double margin) {
+bool holds_parts_deep(const kernels::AnySolid<double>& mother, const Extent& box, double margin,
+                      std::size_t most_parts) {
   const double least_radius = least_part * radius_of(box);
   std::vector<Extent> parts{box};
-  for (int asked = 0; !parts.empty(); ++asked) {
+  for (std::size_t asked = 1; !parts.empty(); ++asked) {
     Extent part = parts.back();
     parts.pop_back();
     const double safety = safety_to_out(mother, centre_of(part)), radius = radius_of(part);
     if (safety > radius + margin) continue;
     // Where the centre itself is not deep enough no division helps.
-    if (!(safety > margin) || radius < least_radius || asked == most_parts) return false;
+    if (!(safety > margin) || radius < least_radius || asked >= most_parts) return false;
     parts.push_back(cut_in_half(part));
     parts.push_back(part);
   }
@@ -83,13 +85,13 @@ bool holds_parts_deep(const kernels::AnySolid<double>& mother, const Extent& box
 
 }  // namespace
 
-bool holds_deep(const Solid& mother, const Extent& box, double margin) {
+bool holds_deep(const Solid& mother, const Extent& box, double margin, std::size_t most_parts) {
   if (mother.kind == SolidKind::box) {
     const Extent deep = inflated(mother.extent, -margin);
     return box.min.x > deep.min.x && box.max.x < deep.max.x && box.min.y > deep.min.y &&
            box.max.y < deep.max.y && box.min.z > deep.min.z && box.max.z < deep.max.z;
   }
-  return holds_parts_deep(mother.any(), box, margin);
+  return holds_parts_deep(mother.any(), box, margin, most_parts);
 }
 
 double search_margin(const Extent& extent, double tolerance) {
@@ -104,6 +106,8 @@ NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxe
   for (const Extent& box : boxes) margin = std::max(margin, search_margin(box, tolerance));
   if (!std::isfinite(margin)) return result;
   result.of.reserve(boxes.size());
+  const std::size_t most_parts =
+      std::min(most_parts_of_box, most_parts_of_all / std::max<std::size_t>(boxes.size(), 1));
   std::vector<std::uint32_t> found;
   for (std::uint32_t k = 0; k < boxes.size(); ++k) {
     const Extent box = inflated(boxes[k], margin);
@@ -124,7 +128,7 @@ NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxe
     result.of.push_back(
         {box, static_cast<std::uint32_t>(result.neighbours.size()),
          listed ? static_cast<std::uint16_t>(found.size()) : NeighbourLists::Of::unlisted,
-         holds_deep(mother, box, margin),
+         holds_deep(mother, box, margin, most_parts),
          in_blocks ? static_cast<std::uint32_t>(result.blocks.size())
                    : NeighbourLists::Of::no_block});
     if (listed) result.neighbours.insert(result.neighbours.end(), found.begin(), found.end());

@@ -58,9 +58,13 @@ struct NeighbourLists {
 NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxes,
                                const bvh::BoxTree* tree, double tolerance);
 
-/// Whether every point of the box is deeper in the solid than the margin; false where that is not
-/// known, which takes up to some hundred safeties.
-bool holds_deep(const Solid& mother, const Extent& box, double margin);
+/// In more parts a box is not asked about: a guess.
+constexpr std::size_t most_parts_of_box = 512;
+
+/// Whether every point of the box is deeper in the solid than the margin, told by the safeties of
+/// so many of its parts at the most, but by one at least; false where that is not known.
+bool holds_deep(const Solid& mother, const Extent& box, double margin,
+                std::size_t most_parts = most_parts_of_box);
 
 /// How far boxes and cells of a scene reach beyond its daughters, mm: twice the tolerance and
 /// 1e-9 of the largest coordinate, a million times the rounding of a position.
