@@ -43,7 +43,7 @@ bool meet(const Extent& a, const Extent& b) {
 
 /// Parts of a box are not divided that are less than this of its radius: a guess.
 constexpr double least_part = 1.0 / 64;
-/// Of all daughters' boxes in a scene, which takes a tenth of a second: a guess.
+/// Nor are the boxes of all daughters of a scene together, in more than this: a guess.
 constexpr std::size_t most_parts_of_all = 4'000'000;
 
 Vec3 centre_of(const Extent& e) {

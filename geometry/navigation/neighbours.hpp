@@ -58,7 +58,7 @@ struct NeighbourLists {
 NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxes,
                                const bvh::BoxTree* tree, double tolerance);
 
-/// In more parts a box is not asked about: a guess.
+/// A box is asked about in no more parts than this: a guess.
 constexpr std::size_t most_parts_of_box = 512;
 
 /// Whether every point of the box is deeper in the solid than the margin, told by the safeties of
