@@ -4,7 +4,6 @@
 #include <type_traits>
 
 namespace navjit {
-namespace {
 
 bool is_foreign(const kernels::AnySolid<double>& solid) {
   return kernels::visit(solid, [](const auto& shape) {
@@ -19,8 +18,6 @@ bool is_foreign(const kernels::AnySolid<double>& solid) {
     }
   });
 }
-
-}  // namespace
 
 bool holds_foreign(const Scene& scene) {
   return is_foreign(scene.solid) ||

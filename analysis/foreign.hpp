@@ -5,6 +5,9 @@
 
 namespace navjit {
 
+/// Whether the solid is a foreign one, or is made of such.
+bool is_foreign(const kernels::AnySolid<double>& solid);
+
 /// Whether the volume's own solid or a daughter's is a foreign one, or is made of such.
 bool holds_foreign(const Scene& scene);
 

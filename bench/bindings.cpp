@@ -105,6 +105,7 @@ void measure(const std::string& file, const bench::RayOptions& options, int repe
     o.jit = binding == 0 ? JitMode::off : JitMode::on;
     o.specialiser.structures = binding >= 2;
     o.specialiser.constants = binding == 3;
+    o.specialiser.solids = binding >= 2;
     o.specialiser.keep_only_faster = judged;
     if (log) {
       o.log = [](LogLevel, std::string_view line) {

@@ -146,6 +146,7 @@ int main(int argc, char** argv) try {
     wait.jit = JitMode::wait;
     wait.specialiser.instruction_set = set;
     wait.specialiser.constants = wait.specialiser.structures = !without_constants;
+    wait.specialiser.solids = !without_constants;
     Specialised& made = *specialised.emplace_back(std::make_unique<Specialised>(world, wait));
     const std::string name = bench::specialised_name(set, sets);
     engines.push_back({name, [] {}, [&] { return transport_all(made.navigator, *world, rays); }});

@@ -40,6 +40,26 @@ bool tree_may_be_faster(const Scene& scene, const ScenePlan& plan) {
   return scene.boxes && plan.candidates != Candidates::slabs;
 }
 
+/// How many shapes of the scene have code.
+std::size_t compiled_solids(const codegen::CodeOfSolids& code, const Scene& scene) {
+  std::set<const void*> shapes{scene.solid.shape};
+  for (const Daughter& d : scene.daughters) shapes.insert(d.solid.shape);
+  return static_cast<std::size_t>(
+      std::count_if(shapes.begin(), shapes.end(), [&](const void* s) { return code.contains(s); }));
+}
+
+/// Binds the plan, with the code that there is for its solids.
+const kernels::DispatchEntry* bind(Specialisation& spec, const ScenePlan& plan) {
+  const Geometry& geometry = spec.shared->geometry;
+  const kernels::DispatchEntry* entry =
+      codegen::bind_to_data(geometry, plan, *spec.arena, &spec.code_of_solids);
+  if (spec.code_of_solids.empty()) return entry;
+  const std::size_t compiled = compiled_solids(spec.code_of_solids, geometry.scene(plan.volume));
+  const std::lock_guard lock(spec.mutex);
+  if (compiled > 0) spec.compiled_solids[entry] = compiled;
+  return entry;
+}
+
 struct Bound {
   const kernels::DispatchEntry* entry;
   std::string structure;
@@ -58,7 +78,7 @@ std::vector<Bound> bind_in_all_ways(Specialisation& spec, VolumeId volume, bool 
   }
   std::vector<Bound> all;
   for (const ScenePlan& plan : plans) {
-    const kernels::DispatchEntry* entry = codegen::bind_to_data(geometry, plan, *spec.arena);
+    const kernels::DispatchEntry* entry = bind(spec, plan);
     all.push_back({entry, codegen::structure_of(geometry, plan),
                    time_per_step(geometry, spec.shared->table.context(), *entry, samples)});
   }
@@ -122,7 +142,7 @@ void bind_one_of_many(Specialisation& spec, VolumeId volume) {
   if (!spec.bound.insert(volume).second) return;
   const Geometry& geometry = spec.shared->geometry;
   const ScenePlan plan = plan_scene(geometry, spec.facts, volume);
-  const kernels::DispatchEntry* entry = codegen::bind_to_data(geometry, plan, *spec.arena);
+  const kernels::DispatchEntry* entry = bind(spec, plan);
   const std::vector<Sample> states =
       spec.sampler.states(volume, states_made_up_for_one_of_many, volume + 1);
   std::string problem = verify(geometry, spec.shared->table.context(), *entry, volume, states);

@@ -10,6 +10,7 @@
 #include "analysis/plan.hpp"
 #include "codegen/structure.hpp"
 #include "runtime/bind_to_data.hpp"
+#include "runtime/compiling.hpp"
 #include "runtime/gather.hpp"
 #include "runtime/install.hpp"
 #include "runtime/judge.hpp"
@@ -57,30 +58,6 @@ std::map<std::string, Structure> find_structures(Specialisation& spec, bool all)
   return structures;
 }
 
-/// While it lives its scenes are said to be compiled. They are left so where the run ends before.
-class Compiling {
- public:
-  Compiling(Specialisation& spec, const Structure& structure) : spec_(spec) {
-    const std::lock_guard lock(spec_.mutex);
-    for (const codegen::Module& scene : structure.scenes) {
-      SceneStatus& status = spec_.scenes[scene.entries[0].volume].status;
-      before_.emplace_back(scene.entries[0].volume, status);
-      status = SceneStatus::compiling;
-    }
-  }
-  Compiling(const Compiling&) = delete;
-  Compiling& operator=(const Compiling&) = delete;
-  ~Compiling() {
-    const std::lock_guard lock(spec_.mutex);
-    if (spec_.stopping()) return;
-    for (const auto& [volume, status] : before_) spec_.scenes[volume].status = status;
-  }
-
- private:
-  Specialisation& spec_;
-  std::vector<std::pair<VolumeId, SceneStatus>> before_{};
-};
-
 std::uint64_t all_steps(const Specialisation& spec) {
   return std::accumulate(spec.steps.begin(), spec.steps.end(), std::uint64_t{0});
 }
@@ -119,7 +96,10 @@ bool bind_to_structure(Specialisation& spec, bool all) {
   }
   Expected<CodeMaker::Made> made = stopped();
   {
-    const Compiling compiling(spec, structure);
+    std::vector<VolumeId> volumes;
+    for (const codegen::Module& scene : structure.scenes)
+      volumes.push_back(scene.entries[0].volume);
+    const Compiling compiling(spec, volumes);
     made = compile(spec, source);
   }
   if (!made) {

@@ -29,11 +29,15 @@ void apply_overrides(Specialisation& spec) {
     const VolumeId first = spec.facts.first_equal[volume];
     if (variant == Variant::off) {
       note(spec, first, SceneStatus::unprofitable, std::string("off by ") + overrides_variable);
-      for (const VolumeId equal : spec.facts.equals[first]) spec.bound.insert(equal);
+      for (const VolumeId equal : spec.facts.equals[first]) {
+        spec.bound.insert(equal);
+        spec.off.insert(equal);
+      }
     } else {
       for (const VolumeId equal : spec.facts.equals[first]) {
         spec.scenes.erase(equal);
         spec.bound.erase(equal);
+        spec.off.erase(equal);
       }
       spec.facts.forced_candidates[first] = *candidates_of(variant);
     }

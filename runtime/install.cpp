@@ -144,7 +144,8 @@ std::optional<SceneReport> install_entry(Specialisation& spec,
   return std::nullopt;
 }
 
-/// `start`: of making it.
+}  // namespace
+
 void count_module(Specialisation& spec, bool cached, std::size_t code_bytes, double start) {
   const std::lock_guard lock(spec.mutex);
   ++spec.totals.modules;
@@ -152,8 +153,6 @@ void count_module(Specialisation& spec, bool cached, std::size_t code_bytes, dou
   spec.totals.compile_ms += (steady_seconds() - start) * 1e3;
   spec.totals.code_bytes += code_bytes;
 }
-
-}  // namespace
 
 bool install(Specialisation& spec, const codegen::Module& module, jit::Code code, bool cached,
              double start) {

@@ -10,6 +10,9 @@
 
 namespace navjit {
 
+/// Adds a module to the report. `start`: of making it, steady_seconds().
+void count_module(Specialisation& spec, bool cached, std::size_t code_bytes, double start);
+
 /// Verifies and installs what is good of a module. False if something is not; where the code came
 /// from the cache it ends there, and notes no failure. `start`: of making it, steady_seconds().
 bool install(Specialisation& spec, const codegen::Module& module, jit::Code code, bool cached,

@@ -74,6 +74,8 @@ RuntimeReport report(const Specialisation& spec) {
       scene = known->second;
     scene.steps = counts.steps(volume);
     if (scene.steps == 0) continue;
+    const auto calls = spec.compiled_solids.find(spec.shared->table.at(volume));
+    if (calls != spec.compiled_solids.end()) scene.compiled_solids = calls->second;
     const double since = spec.shared->table.specialised_since(volume);
     if (since > 0) scene.specialised_at_s = std::max(since - spec.started_at, 1e-9);
     scene.volume_id = volume;

@@ -4,6 +4,7 @@
 
 #include "analysis/solid_key.hpp"
 #include "codegen/module.hpp"
+#include "codegen/typed_solid.hpp"
 
 namespace navjit {
 namespace {
@@ -16,6 +17,7 @@ constexpr double class_ms = 58;          // each daughters' solid, inlined into 
                                          // each that a boolean has beside its first
 constexpr double number_ms = 0.6;        // each number that the solids are made of
 constexpr double most_numbers_ms = 120;  // large solids are loops over tables
+constexpr double operand_ms = 25;        // each of a solid that is compiled alone
 
 // Medians over the scenes of the LHCb calorimeters, shashlik, testEm3 and ZNENV.
 constexpr double leaf_gain_ns = 20;
@@ -38,6 +40,10 @@ double expected_compile_ms(const Geometry& geometry, const ScenePlan& plan) {
   return leaf_ms + (plan.classes.empty() ? 0 : daughters_ms) +
          class_ms * static_cast<double>(codegen::solids_of(geometry, plan) - 1) +
          std::min(most_numbers_ms, number_ms * static_cast<double>(numbers));
+}
+
+double expected_compile_ms(const kernels::AnySolid<double>& solid) {
+  return operand_ms * static_cast<double>(codegen::solids_in(solid));
 }
 
 double expected_gain_ns(const ScenePlan& plan) {

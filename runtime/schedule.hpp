@@ -14,6 +14,9 @@ namespace navjit {
 /// was fitted on.
 double expected_compile_ms(const Geometry& geometry, const ScenePlan& plan);
 
+/// The same for the code of a solid alone.
+double expected_compile_ms(const kernels::AnySolid<double>& solid);
+
 /// What any module costs beside its scenes, ms: reading the kernels.
 constexpr double module_base_ms = 30;
 

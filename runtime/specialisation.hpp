@@ -7,13 +7,16 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <stop_token>
 
 #include "analysis/facts.hpp"
 #include "codegen/data/arena.hpp"
+#include "codegen/data/code_of_solids.hpp"
 #include "navjit/report.hpp"
 #include "runtime/code_maker.hpp"
+#include "runtime/composed_solids.hpp"
 #include "runtime/group_trial.hpp"
 #include "runtime/module_list.hpp"
 #include "runtime/schedule.hpp"
@@ -57,12 +60,15 @@ struct Specialisation {
   StateSampler sampler;
   std::shared_ptr<codegen::Arena> arena = std::make_shared<codegen::Arena>();  ///< bound data
   std::set<VolumeId> bound;  ///< volumes that need not, or must not, be bound to data (again)
+  std::set<VolumeId> off;    ///< volumes that must not be specialised in any way
   std::vector<VolumeId> leaves_due;  ///< rare ones that are to be bound together
   /// By volume: another way to bind it, to be tried once the first was judged.
   std::map<VolumeId, const kernels::DispatchEntry*> second_choices;
   std::uint64_t structures_again_at = 0;  ///< steps of the run before which no structure pays
   std::set<VolumeId> structure_tried;     ///< volumes whose structure was compiled, or need not be
   std::set<std::shared_ptr<const void>> structures;  ///< code of structures, with its tables
+  std::optional<std::vector<ComposedSolid>> composed_solids{};  ///< once they were looked for
+  codegen::CodeOfSolids code_of_solids;
   Trials trials;
   GroupTrial group;                    ///< of what was compiled, once its scenes were tried
   std::vector<VolumeId> group_judged;  ///< compiled scenes when a group of them was tried last
@@ -106,6 +112,8 @@ struct Specialisation {
   std::condition_variable wake;
   bool compiling = false;  ///< the thread is in the compiler, and uses nothing but `maker`
   std::map<VolumeId, SceneReport> scenes;
+  /// By record that is bound to data: how many solids of its scene have code that it calls.
+  std::map<const kernels::DispatchEntry*, std::size_t> compiled_solids;
   RuntimeReport totals;
 };
 

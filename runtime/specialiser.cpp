@@ -11,6 +11,7 @@
 #include "runtime/bind_to_data.hpp"
 #include "runtime/bind_to_structure.hpp"
 #include "runtime/choose.hpp"
+#include "runtime/compile_solids.hpp"
 #include "runtime/gather.hpp"
 #include "runtime/judge.hpp"
 #include "runtime/processor_time.hpp"
@@ -91,15 +92,16 @@ void Specialiser::look_until_stopped() {
     lock.unlock();
     gather(spec_);
     const bool more_to_bind = bind_hot_to_data(spec_);
-    const bool made_structure = !more_to_bind && bind_to_structure(spec_, false);
+    const bool made_solids = !more_to_bind && compile_solids(spec_);
+    const bool made_structure = !more_to_bind && !made_solids && bind_to_structure(spec_, false);
     const std::vector<VolumeId> batch =
-        more_to_bind || made_structure ? std::vector<VolumeId>{} : choose(spec_);
+        more_to_bind || made_solids || made_structure ? std::vector<VolumeId>{} : choose(spec_);
     if (!batch.empty()) {
       show_candidates(spec_);
       make_and_remember(spec_, batch);
     }
     // No stretch of a trial lasts as long as that took.
-    if (made_structure || !batch.empty()) spec_.looked_at = spec_.seconds();
+    if (made_solids || made_structure || !batch.empty()) spec_.looked_at = spec_.seconds();
     if (spec_.stopping()) return;
     watch(spec_);
     if (batch.empty()) judge(spec_);
@@ -107,7 +109,7 @@ void Specialiser::look_until_stopped() {
     lock.lock();
     spec_.totals.waiting_to_be_freed = waiting;
     ++looks_;
-    const bool idle = batch.empty() && !more_to_bind && !made_structure;
+    const bool idle = batch.empty() && !more_to_bind && !made_solids && !made_structure;
     if (idle) idle_look_ = looks_;
     spec_.wake.notify_all();
     // The longer nothing happens, the less often it looks.
@@ -136,7 +138,16 @@ void Specialiser::wait_until_idle() {
 void Specialiser::specialise_all() {
   bind_all_to_data(spec_);
   if (!spec_.maker) return;
+  const double started = thread_seconds();
+  const double wait_ms = spec_.shared->options.specialiser.wait_ms;
+  const auto spent_ms = [&] { return 1e3 * (thread_seconds() - started); };
+  std::set<VolumeId> compiled;  // or tried
+  const auto compile_solids_of_others = [&] {
+    compile_solids_of_all(spec_, compiled, wait_ms - spent_ms());
+    if (!spec_.stopping()) bind_all_to_data(spec_);
+  };
   if (!spec_.shared->options.specialiser.constants) {
+    compile_solids_of_others();
     // What constants will replace anyway need not have it.
     while (bind_to_structure(spec_, true)) {
     }
@@ -160,19 +171,19 @@ void Specialiser::specialise_all() {
     return spec_.facts.touchables[a] > spec_.facts.touchables[b];
   });
   double expected = 0;
-  const double started = thread_seconds();
   for (const VolumeId volume : volumes) {
     const double ms = expected_compile_ms(spec_.shared->geometry,
                                           plan_scene(spec_.shared->geometry, spec_.facts, volume));
     if (ms > most_scene_ms) continue;
     expected += ms;
-    const double spent = 1e3 * (thread_seconds() - started);
-    if (std::max(expected, spent) > spec_.shared->options.specialiser.wait_ms) break;
+    if (std::max(expected, spent_ms()) > wait_ms) break;
     batch.push_back(volume);
+    compiled.insert(spec_.facts.equals[volume].begin(), spec_.facts.equals[volume].end());
     if (batch.size() == spec_.shared->options.specialiser.batch) flush();
     if (spec_.hopeless || spec_.stopping()) return;
   }
   flush();
+  compile_solids_of_others();
 }
 
 }  // namespace navjit

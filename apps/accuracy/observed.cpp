@@ -33,7 +33,8 @@ struct Way {
     RuntimeOptions made;
     made.jit = jit;
     // What the library has compiled serves here; no compiler is waited for.
-    made.specialiser.constants = made.specialiser.structures = made.specialiser.safety = false;
+    made.specialiser.constants = made.specialiser.structures = false;
+    made.specialiser.solids = made.specialiser.safety = false;
     return made;
   }
   Way(const Detector& detector, const Observation& observation)

@@ -110,6 +110,7 @@ void ReportMerger::add_scenes(const json& report) {
     scene.specialised_at_s = std::max(scene.specialised_at_s, at);
     scene.swapped_at_s = std::max(scene.swapped_at_s, number(row, "swapped_at_s"));
     for (const char* key : {"code", "binding", "status", "note"}) text(row, key);
+    if (row.contains("compiled_solids")) whole(row, "compiled_solids");
     if (scene.of_most_steps.is_null() || steps > scene.most_steps) {
       scene.most_steps = steps;
       scene.of_most_steps = row;
@@ -200,6 +201,7 @@ nlohmann::ordered_json ReportMerger::merged() const {
          {"swapped_at_s", scene->swapped_at_s},
          {"code", like["code"]},
          {"binding", like["binding"]},
+         {"compiled_solids", like.value("compiled_solids", std::uint64_t{0})},
          {"status", like["status"]},
          {"note", like["note"]}});
   }

@@ -30,6 +30,7 @@ RuntimeOptions quick(const RuntimeOptions& asked) {
   options.cache = {};
   options.specialiser.constants = false;
   options.specialiser.structures = false;
+  options.specialiser.solids = false;
   options.specialiser.safety = false;
   return options;
 }

@@ -48,6 +48,7 @@ SceneReport scene_of(const ordered_json& row, const std::vector<SceneReport>& ow
   scene.binding = named(bindings, binding_name, row["binding"]);
   scene.status = named(statuses, status_name, row["status"]);
   scene.origin = named(origins, origin_name, row["code"]);
+  scene.compiled_solids = row["compiled_solids"];
   scene.note = row["note"];
   return scene;
 }

@@ -117,7 +117,9 @@ void print_table(const RunReport& report) {
                 100 * s.share, figure(s.generic_ns_per_step, "%.1f").c_str(),
                 figure(s.specialised_ns_per_step, "%.1f").c_str(),
                 figure(s.compile_ms, "%.1f").c_str(), figure(s.swapped_at_s, "%.2f").c_str(),
-                s.binding == Binding::data ? "bound to data" : status_name(s.status),
+                s.compiled_solids > 0        ? "bound to data, solids compiled"
+                : s.binding == Binding::data ? "bound to data"
+                                             : status_name(s.status),
                 s.note.empty() ? "" : ": ",
                 common::printable(s.note.substr(0, s.note.find('\n'))).c_str());
   }
@@ -219,6 +221,7 @@ std::string json_text(const RunReport& report) {
                       {"swapped_at_s", s.swapped_at_s},
                       {"code", origin_name(s.origin)},
                       {"binding", binding_name(s.binding)},
+                      {"compiled_solids", s.compiled_solids},
                       {"status", status_name(s.status)},
                       {"note", s.note}});
     if (s.budget) scenes.back()["budget"] = to_json(*s.budget);

@@ -2,9 +2,8 @@
 
 namespace navjit::codegen {
 
-const kernels::DispatchEntry* bind_any_frame(const Geometry& geometry, const ScenePlan& plan,
-                                             Arena& arena) {
-  return detail::bind_mother<kernels::AnyFrame>(geometry, plan, arena);
+const kernels::DispatchEntry* bind_any_frame(const Source& source) {
+  return detail::bind_mother<kernels::AnyFrame>(source);
 }
 
 }  // namespace navjit::codegen

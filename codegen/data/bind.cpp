@@ -21,10 +21,11 @@ bool all_of_kind(const Scene& scene, SolidKind kind) {
 kernels::SafetyFunction detail::generic_safety() { return generic::dispatch_entry.safety; }
 
 const kernels::DispatchEntry* bind_to_data(const Geometry& geometry, const ScenePlan& plan,
-                                           Arena& arena) {
-  if (plan.frame.never_rotated) return bind_unrotated(geometry, plan, arena);
-  if (plan.frame.only_rotation) return bind_turned(geometry, plan, arena);
-  return bind_any_frame(geometry, plan, arena);
+                                           Arena& arena, const CodeOfSolids* code) {
+  const Source source{geometry, plan, geometry.scene(plan.volume), arena, code};
+  if (plan.frame.never_rotated) return bind_unrotated(source);
+  if (plan.frame.only_rotation) return bind_turned(source);
+  return bind_any_frame(source);
 }
 
 std::string structure_of(const Geometry& geometry, const ScenePlan& plan) {

@@ -9,12 +9,9 @@
 namespace navjit::codegen {
 
 /// Binds the plan to the instance for its mother, daughters and search in this kind of frame.
-const kernels::DispatchEntry* bind_unrotated(const Geometry& geometry, const ScenePlan& plan,
-                                             Arena& arena);
-const kernels::DispatchEntry* bind_turned(const Geometry& geometry, const ScenePlan& plan,
-                                          Arena& arena);
-const kernels::DispatchEntry* bind_any_frame(const Geometry& geometry, const ScenePlan& plan,
-                                             Arena& arena);
+const kernels::DispatchEntry* bind_unrotated(const Source& source);
+const kernels::DispatchEntry* bind_turned(const Source& source);
+const kernels::DispatchEntry* bind_any_frame(const Source& source);
 
 /// Whether all daughters are boxes without rotation.
 bool all_boxes(const Scene& scene);
@@ -44,17 +41,16 @@ template <class S>
 kernels::SafetyFunction generic_safety();
 
 template <class Frame, class Mother, class Daughters, class Search>
-const kernels::DispatchEntry* bind(const Geometry& geometry, const ScenePlan& plan, Arena& arena) {
+const kernels::DispatchEntry* bind(const Source& source) {
   using S = kernels::Scene<Frame, Mother, Daughters, Search>;
   /// The record and the numbers that it is for, one after the other.
   struct Record {
     kernels::DispatchEntry entry;
     S scene;
   };
-  const Source source{geometry, plan, geometry.scene(plan.volume), arena};
-  Record& record = *arena.array<Record>(1);
+  Record& record = *source.arena.array<Record>(1);
   S& scene = record.scene;
-  scene.tolerance = geometry.tolerance();
+  scene.tolerance = source.geometry.tolerance();
   make(source, scene.frame);
   make(source, scene.mother);
   make(source, scene.daughters);
@@ -62,74 +58,69 @@ const kernels::DispatchEntry* bind(const Geometry& geometry, const ScenePlan& pl
   make_shared_tables(source, scene);
   // Another search may be bound in the place of the one that the plan's safety is for.
   const bool left_to_generic =
-      plan.safety == SafetyFrom::generic ||
-      (plan.safety == SafetyFrom::wires && plan.candidates != Candidates::wires);
+      source.plan.safety == SafetyFrom::generic ||
+      (source.plan.safety == SafetyFrom::wires && source.plan.candidates != Candidates::wires);
   const auto safety = left_to_generic ? generic_safety() : &safety_of<S>;
   record.entry = {&step_of<S>, &relocate_of<S>, safety, &scene};
   return &record.entry;
 }
 
 template <class Frame, class Mother, class Daughters>
-const kernels::DispatchEntry* bind_search(const Geometry& geometry, const ScenePlan& plan,
-                                          Arena& arena) {
-  switch (plan.candidates) {
+const kernels::DispatchEntry* bind_search(const Source& source) {
+  switch (source.plan.candidates) {
     case Candidates::none:
     case Candidates::all:
       break;
     case Candidates::lanes:
       if constexpr (std::is_same_v<Daughters, kernels::BoxDaughters>) {
-        return geometry.scene(plan.volume).daughters.size() <= kernels::lanes_of_four
-                   ? bind<Frame, Mother, Daughters, Lanes<1>>(geometry, plan, arena)
-                   : bind<Frame, Mother, Daughters, Lanes<2>>(geometry, plan, arena);
+        return source.scene.daughters.size() <= kernels::lanes_of_four
+                   ? bind<Frame, Mother, Daughters, Lanes<1>>(source)
+                   : bind<Frame, Mother, Daughters, Lanes<2>>(source);
       }
       break;
     case Candidates::slabs:
-      return bind<Frame, Mother, Daughters, kernels::SearchSlabs<Index>>(geometry, plan, arena);
+      return bind<Frame, Mother, Daughters, kernels::SearchSlabs<Index>>(source);
     case Candidates::grid:
-      return bind<Frame, Mother, Daughters, kernels::SearchGrid<Index>>(geometry, plan, arena);
+      return bind<Frame, Mother, Daughters, kernels::SearchGrid<Index>>(source);
     case Candidates::boxes:
-      return bind<Frame, Mother, Daughters, kernels::SearchBoxes<Index>>(geometry, plan, arena);
+      return bind<Frame, Mother, Daughters, kernels::SearchBoxes<Index>>(source);
     case Candidates::layers:
-      return bind<Frame, Mother, Daughters, kernels::SearchLayers<Index>>(geometry, plan, arena);
+      return bind<Frame, Mother, Daughters, kernels::SearchLayers<Index>>(source);
     case Candidates::tree:
-      return bind<Frame, Mother, Daughters, SearchTree>(geometry, plan, arena);
+      return bind<Frame, Mother, Daughters, SearchTree>(source);
     case Candidates::nest:
-      return bind<Frame, Mother, AnyDaughters, kernels::SearchNest<Index>>(geometry, plan, arena);
+      return bind<Frame, Mother, AnyDaughters, kernels::SearchNest<Index>>(source);
     case Candidates::wires: {
       using Wires =
           std::conditional_t<std::is_same_v<Daughters, TubeDaughters>, Daughters, AnyDaughters>;
-      return bind<Frame, Mother, Wires, kernels::SearchWires<Index>>(geometry, plan, arena);
+      return bind<Frame, Mother, Wires, kernels::SearchWires<Index>>(source);
     }
     case Candidates::rings:
-      return bind<Frame, Mother, AnyDaughters, kernels::SearchRings<Index>>(geometry, plan, arena);
+      return bind<Frame, Mother, AnyDaughters, kernels::SearchRings<Index>>(source);
   }
-  return bind<Frame, Mother, Daughters, kernels::SearchAll>(geometry, plan, arena);
+  return bind<Frame, Mother, Daughters, kernels::SearchAll>(source);
 }
 
 template <class Frame, class Mother>
-const kernels::DispatchEntry* bind_daughters(const Geometry& geometry, const ScenePlan& plan,
-                                             Arena& arena) {
-  const Scene& scene = geometry.scene(plan.volume);
+const kernels::DispatchEntry* bind_daughters(const Source& source) {
+  const Scene& scene = source.scene;
   if (scene.daughters.empty()) {
-    return bind<Frame, Mother, kernels::NoDaughters, kernels::NoSearch>(geometry, plan, arena);
+    return bind<Frame, Mother, kernels::NoDaughters, kernels::NoSearch>(source);
   }
-  if (all_boxes(scene))
-    return bind_search<Frame, Mother, kernels::BoxDaughters>(geometry, plan, arena);
-  if (all_of_kind(scene, SolidKind::tube))
-    return bind_search<Frame, Mother, TubeDaughters>(geometry, plan, arena);
-  return bind_search<Frame, Mother, AnyDaughters>(geometry, plan, arena);
+  if (all_boxes(scene)) return bind_search<Frame, Mother, kernels::BoxDaughters>(source);
+  if (all_of_kind(scene, SolidKind::tube)) return bind_search<Frame, Mother, TubeDaughters>(source);
+  return bind_search<Frame, Mother, AnyDaughters>(source);
 }
 
 template <class Frame>
-const kernels::DispatchEntry* bind_mother(const Geometry& geometry, const ScenePlan& plan,
-                                          Arena& arena) {
-  switch (geometry.scene(plan.volume).solid.kind) {
+const kernels::DispatchEntry* bind_mother(const Source& source) {
+  switch (source.scene.solid.kind) {
     case SolidKind::box:
-      return bind_daughters<Frame, kernels::Box<double>>(geometry, plan, arena);
+      return bind_daughters<Frame, kernels::Box<double>>(source);
     case SolidKind::tube:
-      return bind_daughters<Frame, kernels::Tube<double>>(geometry, plan, arena);
+      return bind_daughters<Frame, kernels::Tube<double>>(source);
     default:
-      return bind_daughters<Frame, kernels::QuickSolid>(geometry, plan, arena);
+      return bind_daughters<Frame, kernels::QuickSolid>(source);
   }
 }
 

@@ -38,6 +38,14 @@ kernels::AnySolid<double> nearby(const Source& source, const kernels::AnySolid<d
   });
 }
 
+QuickSolid quick_solid(const Source& source, const kernels::AnySolid<double>& solid) {
+  if (source.code != nullptr) {
+    const auto code = source.code->find(solid.shape);
+    if (code != source.code->end()) return quick(solid, code->second);
+  }
+  return quick(nearby(source, solid));
+}
+
 }  // namespace
 
 BoxBlock block_of(const std::function<const Extent*(std::size_t)>& box) {
@@ -116,7 +124,7 @@ void make(const Source& source, Tube<double>& mother) {
   mother = shape_of<Tube<double>>(source.scene.solid);
 }
 void make(const Source& source, QuickSolid& mother) {
-  mother.any = nearby(source, source.scene.solid);
+  mother = quick_solid(source, source.scene.solid);
 }
 
 void make(const Source&, NoDaughters&) {}
@@ -136,11 +144,11 @@ void make(const Source& source, BoxDaughters& daughters) {
 namespace {
 
 template <class Solid>
-Solid as(const kernels::AnySolid<double>& solid) {
+Solid as(const Source& source, const kernels::AnySolid<double>& solid) {
   if constexpr (std::is_same_v<Solid, QuickSolid>) {
-    return {solid};
+    return quick_solid(source, solid);
   } else {
-    return {static_cast<decltype(Solid::shape)>(solid.shape)};
+    return {static_cast<decltype(Solid::shape)>(nearby(source, solid).shape)};
   }
 }
 
@@ -150,9 +158,9 @@ void make_solids(const Source& source, SolidDaughters<Solid>& daughters) {
   auto* at = source.arena.array<SolidDaughter<Solid>>(from.size());
   const auto inner = inner_of_daughters(source.geometry, source.scene);
   navjit::Vec3(*boxes)[2] = nullptr;
-  std::map<const void*, kernels::AnySolid<double>> shapes;
+  std::map<const void*, Solid> solids;
   for (const Daughter& d : from) {
-    if (!shapes.contains(d.solid.shape)) shapes[d.solid.shape] = nearby(source, d.solid);
+    if (!solids.contains(d.solid.shape)) solids[d.solid.shape] = as<Solid>(source, d.solid);
   }
   for (std::size_t k = 0; k < from.size(); ++k) {
     const Daughter& d = from[k];
@@ -162,7 +170,7 @@ void make_solids(const Source& source, SolidDaughters<Solid>& daughters) {
              t.translation[1],
              t.translation[2],
              t.rotated ? t.rotation : nullptr,
-             as<Solid>(shapes.at(d.solid.shape)),
+             solids.at(d.solid.shape),
              d.offset,
              d.volume,
              inner[k],

@@ -5,6 +5,7 @@
 
 #include "analysis/scene_plan.hpp"
 #include "codegen/data/arena.hpp"
+#include "codegen/data/code_of_solids.hpp"
 #include "codegen/data/quick_solid.hpp"
 #include "geometry/bvh/box_tree_traversal.hpp"
 #include "geometry/navigation/geometry.hpp"
@@ -50,6 +51,7 @@ struct Source {
   const ScenePlan& plan;
   const Scene& scene;
   Arena& arena;
+  const CodeOfSolids* code = nullptr;  ///< null: no solid has any
 };
 
 // Each overload fills in one part.

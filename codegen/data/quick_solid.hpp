@@ -6,6 +6,18 @@
 
 namespace navjit::kernels {
 
+/// Code that was compiled for one solid; tolerance and, unless they are `data`, its numbers are in
+/// it. Gives the bits of the solid's own kernels, which answer where there is no code for safety.
+struct SolidCode {
+  AnySolid<double> solid;
+  bool (*contains)(const void* data, const Vec3<double>&, const Direction<double>&);
+  double (*distance_to_in)(const void* data, const Vec3<double>&, const Direction<double>&);
+  double (*distance_to_out)(const void* data, const Vec3<double>&, const Direction<double>&);
+  double (*safety_to_in)(const void* data, const Vec3<double>&);   ///< may be null
+  double (*safety_to_out)(const void* data, const Vec3<double>&);  ///< if that is
+  const void* data;
+};
+
 // Out of line: a switch over all kinds is much code, and instances inline all that they see.
 bool contains_any(const AnySolid<double>& s, const Vec3<double>& p, const Direction<double>& v,
                   double tol);
@@ -16,35 +28,57 @@ double distance_to_out_any(const AnySolid<double>& s, const Vec3<double>& p,
 double safety_to_in_any(const AnySolid<double>& s, const Vec3<double>& p);
 double safety_to_out_any(const AnySolid<double>& s, const Vec3<double>& p);
 
-/// Any solid; boxes, the commonest, go before the others.
+/// Any solid; boxes, the commonest, go before the others, and then those with code of their own.
 struct QuickSolid {
-  AnySolid<double> any;
+  SolidKind kind;
+  bool has_code;
+  const void* shape;  ///< of its kind; its SolidCode, if it has that
 
-  bool is_box() const { return any.kind == SolidKind::box; }
-  const Box<double>& box() const { return *static_cast<const Box<double>*>(any.shape); }
+  bool is_box() const { return kind == SolidKind::box; }
+  const Box<double>& box() const { return *static_cast<const Box<double>*>(shape); }
+  const SolidCode& code() const { return *static_cast<const SolidCode*>(shape); }
+  AnySolid<double> any() const { return {kind, shape}; }  ///< unless it has code
 };
+static_assert(sizeof(QuickSolid) == sizeof(AnySolid<double>));
+
+inline QuickSolid quick(const AnySolid<double>& solid) { return {solid.kind, false, solid.shape}; }
+/// `code`: of that solid, which is no box.
+inline QuickSolid quick(const AnySolid<double>& solid, const SolidCode* code) {
+  return {solid.kind, true, code};
+}
 
 inline bool contains(const QuickSolid& s, const Vec3<double>& p, const Direction<double>& v,
                      double tol) {
-  return s.is_box() ? contains(s.box(), p, v, tol) : contains_any(s.any, p, v, tol);
+  if (s.is_box()) return contains(s.box(), p, v, tol);
+  if (s.has_code) return s.code().contains(s.code().data, p, v);
+  return contains_any(s.any(), p, v, tol);
 }
 inline double distance_to_in(const QuickSolid& s, const Vec3<double>& p, const Direction<double>& v,
                              double tol) {
-  return s.is_box() ? distance_to_in(s.box(), p, v, tol) : distance_to_in_any(s.any, p, v, tol);
+  if (s.is_box()) return distance_to_in(s.box(), p, v, tol);
+  if (s.has_code) return s.code().distance_to_in(s.code().data, p, v);
+  return distance_to_in_any(s.any(), p, v, tol);
 }
 inline double distance_to_entry(const QuickSolid& s, const Vec3<double>& p,
                                 const Direction<double>& v, double tol) {
-  return s.is_box() ? distance_to_entry(s.box(), p, v, tol) : distance_to_in_any(s.any, p, v, tol);
+  return s.is_box() ? distance_to_entry(s.box(), p, v, tol) : distance_to_in(s, p, v, tol);
 }
 inline double distance_to_out(const QuickSolid& s, const Vec3<double>& p,
                               const Direction<double>& v, double tol) {
-  return distance_to_out_any(s.any, p, v, tol);
+  if (s.has_code) return s.code().distance_to_out(s.code().data, p, v);
+  return distance_to_out_any(s.any(), p, v, tol);
 }
 inline double safety_to_in(const QuickSolid& s, const Vec3<double>& p) {
-  return safety_to_in_any(s.any, p);
+  if (!s.has_code) return safety_to_in_any(s.any(), p);
+  const SolidCode& code = s.code();
+  return code.safety_to_in != nullptr ? code.safety_to_in(code.data, p)
+                                      : safety_to_in_any(code.solid, p);
 }
 inline double safety_to_out(const QuickSolid& s, const Vec3<double>& p) {
-  return safety_to_out_any(s.any, p);
+  if (!s.has_code) return safety_to_out_any(s.any(), p);
+  const SolidCode& code = s.code();
+  return code.safety_to_out != nullptr ? code.safety_to_out(code.data, p)
+                                       : safety_to_out_any(code.solid, p);
 }
 
 }  // namespace navjit::kernels

@@ -2,9 +2,8 @@
 
 namespace navjit::codegen {
 
-const kernels::DispatchEntry* bind_turned(const Geometry& geometry, const ScenePlan& plan,
-                                          Arena& arena) {
-  return detail::bind_mother<kernels::TurnedFrame>(geometry, plan, arena);
+const kernels::DispatchEntry* bind_turned(const Source& source) {
+  return detail::bind_mother<kernels::TurnedFrame>(source);
 }
 
 }  // namespace navjit::codegen

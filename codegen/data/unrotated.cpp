@@ -2,9 +2,8 @@
 
 namespace navjit::codegen {
 
-const kernels::DispatchEntry* bind_unrotated(const Geometry& geometry, const ScenePlan& plan,
-                                             Arena& arena) {
-  return detail::bind_mother<kernels::UnrotatedFrame>(geometry, plan, arena);
+const kernels::DispatchEntry* bind_unrotated(const Source& source) {
+  return detail::bind_mother<kernels::UnrotatedFrame>(source);
 }
 
 }  // namespace navjit::codegen

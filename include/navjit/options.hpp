@@ -34,11 +34,14 @@ struct SpecialiserOptions {
   /// What a ms of the compiler's thread counts beside one of navigation. Little: mostly it runs on
   /// idle cores, and runs go on for long.
   double compile_weight = 0.3;
-  /// Compile code for the hottest scenes. Without it and `structures` scenes are bound to data
-  /// alone.
+  /// Compile code for the hottest scenes. Without it, `structures` and `solids` nothing is
+  /// compiled: scenes are bound to data alone.
   bool constants = true;
   /// Compile navigators for structures that the library has no instance for, before constants.
   bool structures = true;
+  /// Compile code for hot solids that are made of several, for all scenes that hold them and are
+  /// bound to data.
+  bool solids = true;
   std::uint64_t min_steps = 2000;  ///< fewer steps in a scene tell nothing
   std::size_t batch = 24;          ///< scenes in one module at the most
   double module_ms = 900;  ///< expected time for a module at the most: the first scenes need

@@ -63,6 +63,8 @@ struct SceneReport {
   SceneStatus status = SceneStatus::generic;  ///< of its own code, compiled for it
   Binding binding = Binding::generic;
   CodeOrigin origin = CodeOrigin::none;
+  /// Bound to data: solids of the scene that have code of their own, which its navigator calls.
+  std::size_t compiled_solids = 0;
   std::string note{};                    ///< why it failed or does not pay
   std::optional<BudgetReport> budget{};  ///< of final_report() alone, where one is asked for
 };

@@ -31,6 +31,7 @@ py::dict dict_of(const SceneReport& s) {
   d["specialised_at_s"] = s.specialised_at_s;
   d["swapped_at_s"] = s.swapped_at_s;
   d["code"] = origin_name(s.origin);
+  d["compiled_solids"] = s.compiled_solids;
   d["binding"] = binding_name(s.binding);
   d["status"] = status_name(s.status);
   d["note"] = text(s.note);

@@ -17,6 +17,7 @@ Runtime runtime_of(JitMode mode) {
   RuntimeOptions options;
   options.jit = mode;
   options.specialiser.constants = options.specialiser.structures = false;
+  options.specialiser.solids = false;
   return Runtime(read_gdml(NAVJIT_DETECTORS_DIR "/shashlik.gdml"), options);
 }
 

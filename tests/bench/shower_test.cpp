@@ -61,6 +61,7 @@ TEST(Shower, SpecialisedNavigatorsMakeTheSameFlights) {
   RuntimeOptions options;
   options.jit = JitMode::wait;
   options.specialiser.constants = options.specialiser.structures = false;
+  options.specialiser.solids = false;
   Runtime wait(calorimeter(), options);
   Navigator one = off.navigator(), other = wait.navigator();
   const bench::Followed right = bench::follow(one, flights, bench::Asked::whole);

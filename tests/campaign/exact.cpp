@@ -90,6 +90,7 @@ struct Options {
   unsigned threads = 1;
   JitMode jit = JitMode::wait;
   Binding binding = Binding::constants;  ///< the furthest that scenes are bound
+  bool solids = false;                   ///< with code for their solids, even if to data
 };
 
 Counts run_file(const std::string& file, const Options& options,
@@ -100,6 +101,7 @@ Counts run_file(const std::string& file, const Options& options,
   with.specialiser.keep_only_faster = false;  // what is slower has to be right, too
   with.specialiser.structures = options.binding != Binding::data;
   with.specialiser.constants = options.binding == Binding::constants;
+  with.specialiser.solids = options.solids || options.binding != Binding::data;
   Runtime off(world, {.jit = JitMode::off}), specialising(world, with);
   std::atomic<std::uint64_t> next{0}, steps{0};
   Counts totals;
@@ -177,6 +179,7 @@ int main(int argc, char** argv) {
           std::map<std::string, Binding>{{"data", Binding::data},
                                          {"structure", Binding::structure},
                                          {"constants", Binding::constants}}));
+  app.add_flag("--solids", options.solids, "Bound to data, with code for solids");
   app.add_option("--json", json_file, "Where to write a report");
   CLI11_PARSE(app, argc, argv);
   options.steps = static_cast<std::uint64_t>(steps);

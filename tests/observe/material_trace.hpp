@@ -51,7 +51,8 @@ inline Compared compare(const ObservedDetector& seen, const std::vector<Ray>& ra
                         JitMode jit = JitMode::off) {
   RuntimeOptions options;
   options.jit = jit;
-  options.specialiser.constants = options.specialiser.structures = false;  // bound to data: at once
+  options.specialiser.constants = options.specialiser.structures = false;
+  options.specialiser.solids = false;  // bound to data: at once
   Runtime whole(seen.original(), {.jit = JitMode::off}), less(seen.detector(), options);
   Navigator every = whole.navigator(), left = less.navigator();
   ObservedNavigator observed(seen, left);

@@ -30,6 +30,7 @@ RuntimeOptions data_alone(JitMode jit) {
   RuntimeOptions options = tests::eager_options(jit);
   options.specialiser.constants = false;
   options.specialiser.structures = false;
+  options.specialiser.solids = false;
   options.specialiser.keep_only_faster = false;
   return options;
 }

@@ -112,6 +112,7 @@ TEST(InnerDaughters, ChangeNoTrace) {
     const Made made(c);
     RuntimeOptions options = tests::eager_options(JitMode::wait);
     options.specialiser.constants = options.specialiser.structures = false;
+    options.specialiser.solids = false;
     Runtime runtime(std::shared_ptr<const World>(made.world), options);
     const std::vector<Ray> rays = tests::rays_through(*made.world, 5, 400);
     EXPECT_EQ(tests::traces_that_differ(runtime, rays), 0U) << c.name;

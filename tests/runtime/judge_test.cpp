@@ -119,6 +119,7 @@ TEST(Judge, AllThatIsNotGenericIsTriedAgainstTheGenericNavigator) {
   FaultyOptions options{tests::eager_options(JitMode::on)};
   options.specialiser.keep_only_faster = true;
   options.specialiser.constants = options.specialiser.structures = false;
+  options.specialiser.solids = false;
   auto faults = std::make_shared<Faults>();
   faults->skip_replay = faults->pass_trials = true;
   faults->specialised_lasts = 3;
@@ -149,6 +150,7 @@ TEST(Judge, AMotherThatItsDaughtersFillIsJudgedByTheirSteps) {
   RuntimeOptions options = tests::eager_options(JitMode::on);
   options.specialiser.keep_only_faster = true;
   options.specialiser.constants = options.specialiser.structures = false;
+  options.specialiser.solids = false;
   std::mutex mutex;
   double judged_by = 0;
   options.log = [&](LogLevel, std::string_view line) {

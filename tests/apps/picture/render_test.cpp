@@ -169,8 +169,9 @@ TEST_P(Pixels, HaveTheSumsOfATrace) {
 
 TEST_P(Pixels, AreTheSameForAnyNumberOfThreadsAndWithSpecialisation) {
   const std::vector<Surface> one = surfaces(runtime_, visible_, frame_);
-  Runtime specialised(
-      world_, {.jit = JitMode::wait, .specialiser = {.constants = false, .structures = false}});
+  Runtime specialised(world_,
+                      {.jit = JitMode::wait,
+                       .specialiser = {.constants = false, .structures = false, .solids = false}});
   Frame frame = frame_;
   frame.threads = 1;
   const std::vector<Surface> other = surfaces(specialised, visible_, frame);

@@ -1,0 +1,20 @@
+// Code for hot solids that are made of several, wherever they occur. Private to runtime/.
+#pragma once
+
+#include <set>
+
+#include "runtime/specialisation.hpp"
+
+namespace navjit {
+
+/// Compiles the solids on which most was spent so far for what they cost, if that is worth it,
+/// verifies them, and has the scenes that hold them bound to data again, with their code. False if
+/// nothing is worth compiling.
+bool compile_solids(Specialisation& spec);
+
+/// Before a run: those of all volumes but these, what occurs most often first, until that has taken
+/// so much of the thread's time. Which they are does not depend on timings, so that another run
+/// finds them in the cache.
+void compile_solids_of_all(Specialisation& spec, const std::set<VolumeId>& but, double most_ms);
+
+}  // namespace navjit

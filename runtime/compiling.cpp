@@ -1,0 +1,20 @@
+#include "runtime/compiling.hpp"
+
+namespace navjit {
+
+Compiling::Compiling(Specialisation& spec, const std::vector<VolumeId>& volumes) : spec_(spec) {
+  const std::lock_guard lock(spec_.mutex);
+  for (const VolumeId volume : volumes) {
+    SceneStatus& status = spec_.scenes[volume].status;
+    before_.emplace_back(volume, status);
+    status = SceneStatus::compiling;
+  }
+}
+
+Compiling::~Compiling() {
+  const std::lock_guard lock(spec_.mutex);
+  if (spec_.stopping()) return;
+  for (const auto& [volume, status] : before_) spec_.scenes[volume].status = status;
+}
+
+}  // namespace navjit

@@ -1,0 +1,24 @@
+// Scenes that are waiting for the compiler. Private to runtime/.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "runtime/specialisation.hpp"
+
+namespace navjit {
+
+/// While it lives these scenes are said to be compiled. They are left so where the run ends before.
+class Compiling {
+ public:
+  Compiling(Specialisation& spec, const std::vector<VolumeId>& volumes);
+  Compiling(const Compiling&) = delete;
+  Compiling& operator=(const Compiling&) = delete;
+  ~Compiling();
+
+ private:
+  Specialisation& spec_;
+  std::vector<std::pair<VolumeId, SceneStatus>> before_{};
+};
+
+}  // namespace navjit

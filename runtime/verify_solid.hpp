@@ -1,0 +1,17 @@
+// Proof before use: code that was compiled for a solid against the solid's own kernels.
+#pragma once
+
+#include <string>
+
+#include "codegen/data/quick_solid.hpp"
+#include "geometry/solids/solid.hpp"
+
+namespace navjit {
+
+/// Compares all answers, bit for bit, on `points` made-up points in and around the box `extent`,
+/// and where the rays from them meet the solid. Returns an empty string, or the first that differs,
+/// in words.
+std::string verify_solid(const kernels::AnySolid<double>& solid, const kernels::SolidCode& code,
+                         const Extent& extent, double tolerance, int points, std::uint64_t seed);
+
+}  // namespace navjit
