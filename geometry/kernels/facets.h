@@ -35,6 +35,8 @@ struct Facets {
   int facet_count;
   const FacetBox<Real>* boxes;  ///< depth first
   int box_count;
+  const FacetGroup<Real>* groups;  ///< the same hierarchy, eight boxes wide; the first is the root
+  int group_count;
 };
 
 // --- Distances from a point -------------------------------------------------------------------
@@ -260,6 +262,26 @@ bool ray_meets(const FacetBox<Real>& box, const Vec3<Real>& p, const Direction<R
   return enter <= leave;
 }
 
+/// Calls visit(facet) for those within `margin` of whose boxes the ray may come.
+template <class Real, class Visit>
+void visit_met(const Facets<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real margin,
+               const Visit& visit) {
+  for (int i = 0; i < s.box_count;) {
+    const FacetBox<Real>& box = s.boxes[i];
+    if (!ray_meets(box, p, v, margin)) {
+      i = box.next;
+      continue;
+    }
+    for (int k = box.first; k < box.first + box.count; ++k) visit(k);
+    ++i;
+  }
+}
+template <class Visit>
+void visit_met(const Facets<double>& s, const Vec3<double>& p, const Direction<double>& v,
+               double margin, const Visit& visit) {
+  visit_met(s.groups, p, v, margin, visit);
+}
+
 /// The nearest crossings ahead, in order; those at one path are one.
 template <class Real>
 struct Crossings {
@@ -312,22 +334,14 @@ Crossings<Real> crossings_ahead(const Facets<Real>& s, const Vec3<Real>& p,
                            larger(larger(absolute(all.y_low), absolute(all.y_high)),
                                   larger(absolute(all.z_low), absolute(all.z_high))));
   const Real margin = 2 * tol + Real(1e-14) * size;
-  for (int i = 0; i < s.box_count;) {
-    const FacetBox<Real>& box = s.boxes[i];
-    if (!ray_meets(box, p, v, margin)) {
-      i = box.next;
-      continue;
-    }
-    for (int k = box.first; k < box.first + box.count; ++k) {
-      Real t = 0;
-      const int turn = facet_turn(s, frame, s.facets[k], t);
-      if (turn == 0 || !(t > 0)) continue;
-      if (touches_facet(s, s.facets[k], p, tol)) continue;
-      c.total += turn;
-      if (t >= from) keep_crossing(c, t, turn);
-    }
-    ++i;
-  }
+  visit_met(s, p, v, margin, [&](int k) {
+    Real t = 0;
+    const int turn = facet_turn(s, frame, s.facets[k], t);
+    if (turn == 0 || !(t > 0)) return;
+    if (touches_facet(s, s.facets[k], p, tol)) return;
+    c.total += turn;
+    if (t >= from) keep_crossing(c, t, turn);
+  });
   return c;
 }
 

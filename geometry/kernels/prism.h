@@ -94,22 +94,29 @@ template <class Real>
 }
 
 /// What has more corners is no prism, but facets.
-constexpr int most_corners_of_prism = 64;
+constexpr int most_corners_of_prism = 128;
 
 /// On which side of a ray a polygon's corners are. Which edges cross it no processor foresees, so
 /// that is told for all of them first, without branches; few do.
 template <class Real>
 struct CornerSides {
+  static constexpr int in_word = 64;
   Real of[most_corners_of_prism];
-  unsigned long long left = 0;  ///< bit i: corner i is to the left of the ray
-  int near = 0;                 ///< how many are nearly on it
+  /// Bit i, from word to word: corner i is to the left of the ray.
+  unsigned long long left[most_corners_of_prism / in_word];
+  int near = 0;  ///< how many are nearly on it
 
   CornerSides(const Prism<Real>& s, const PlanarRay<Real>& ray, Real close) {
-    for (int i = 0; i < s.count; ++i) {
-      const Real side = ray.u * (s.corners[i].y - ray.y) - ray.v * (s.corners[i].x - ray.x);
-      of[i] = side;
-      left |= static_cast<unsigned long long>(side > 0) << i;
-      near += absolute(side) <= close ? 1 : 0;
+    for (int first = 0; first < s.count; first += in_word) {
+      const int end = s.count - first < in_word ? s.count : first + in_word;
+      unsigned long long word = 0;
+      for (int i = first; i < end; ++i) {
+        const Real side = ray.u * (s.corners[i].y - ray.y) - ray.v * (s.corners[i].x - ray.x);
+        of[i] = side;
+        word |= static_cast<unsigned long long>(side > 0) << (i - first);
+        near += absolute(side) <= close ? 1 : 0;
+      }
+      left[first / in_word] = word;
     }
   }
 };
@@ -128,19 +135,25 @@ Crossings<Real> edges_ahead(const Prism<Real>& s, const PlanarRay<Real>& ray, Re
     return ray.u * (at.x - ray.x) + ray.v * (at.y - ray.y);
   };
   const int last = s.count - 1;
-  unsigned long long crossing = sides.left ^ (sides.left << 1 | sides.left >> last);
-  crossing &= ~0ULL >> (most_corners_of_prism - s.count);
-  for (; crossing != 0; crossing &= crossing - 1) {
-    const int edge = __builtin_ctzll(crossing), before = edge == 0 ? last : edge - 1;
-    const Real side = sides.of[edge], side_before = sides.of[before];
-    const Real begin = along(before), end = along(edge);
-    const Real path = begin + (end - begin) * (side_before / (side_before - side));
-    if (path > 0 && edge_distance2(s, edge, ray.x, ray.y) > tol * tol) {
-      // Leftwards of the ray: what is inside lies behind the edge.
-      const int turn = side > 0 ? -1 : 1;
-      c.total += turn;
-      const Real t = path / length2;
-      if (t >= from) keep_crossing(c, t, turn);
+  constexpr int in_word = CornerSides<Real>::in_word;
+  unsigned long long before_first = sides.left[last / in_word] >> (last % in_word) & 1;
+  for (int first = 0; first < s.count; first += in_word) {
+    const unsigned long long left = sides.left[first / in_word];
+    unsigned long long crossing = left ^ (left << 1 | before_first);
+    before_first = left >> (in_word - 1);
+    if (s.count - first < in_word) crossing &= ~0ULL >> (in_word - (s.count - first));
+    for (; crossing != 0; crossing &= crossing - 1) {
+      const int edge = first + __builtin_ctzll(crossing), before = edge == 0 ? last : edge - 1;
+      const Real side = sides.of[edge], side_before = sides.of[before];
+      const Real begin = along(before), end = along(edge);
+      const Real path = begin + (end - begin) * (side_before / (side_before - side));
+      if (path > 0 && edge_distance2(s, edge, ray.x, ray.y) > tol * tol) {
+        // Leftwards of the ray: what is inside lies behind the edge.
+        const int turn = side > 0 ? -1 : 1;
+        c.total += turn;
+        const Real t = path / length2;
+        if (t >= from) keep_crossing(c, t, turn);
+      }
     }
   }
   return c;

@@ -13,17 +13,20 @@ namespace {
 
 using kernels::Facet;
 using Box = kernels::FacetBox<double>;
+using Group = kernels::FacetGroup<double>;
 
 struct Holder {
   std::vector<Vec3> corners;
   std::vector<Facet> facets;
   std::vector<Box> boxes;
+  std::vector<Group> groups;
   kernels::Facets<double> shape{};
 
   void point() {
     shape = {corners.data(), static_cast<int>(corners.size()),
              facets.data(),  static_cast<int>(facets.size()),
-             boxes.data(),   static_cast<int>(boxes.size())};
+             boxes.data(),   static_cast<int>(boxes.size()),
+             groups.data(),  static_cast<int>(groups.size())};
   }
 };
 
@@ -66,6 +69,73 @@ void add_boxes(Holder& h, int first, int count) {
     add_boxes(h, first + count / 2, count - count / 2);
   }
   h.boxes[at].next = static_cast<int>(h.boxes.size());
+}
+
+/// Of one group, as arrays.
+struct Lanes {
+  static constexpr int count = 8;
+  double low[3][count], high[3][count];
+  int below[count];
+
+  Lanes() {
+    std::fill_n(&low[0][0], 3 * count, INFINITY);
+    std::fill_n(&high[0][0], 3 * count, -INFINITY);
+    std::fill_n(below, count, 0);
+  }
+  void set(std::size_t lane, const Box& box, int what) {
+    const double lows[3] = {box.x_low, box.y_low, box.z_low};
+    const double highs[3] = {box.x_high, box.y_high, box.z_high};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis][lane] = lows[axis];
+      high[axis][lane] = highs[axis];
+    }
+    below[lane] = what;
+  }
+  Group group() const {
+    const auto eight = [](const auto* x) {
+      return kernels::EightOf<std::decay_t<decltype(*x)>>{x[0], x[1], x[2], x[3],
+                                                          x[4], x[5], x[6], x[7]};
+    };
+    return {eight(low[0]),  eight(low[1]),  eight(low[2]), eight(high[0]),
+            eight(high[1]), eight(high[2]), eight(below)};
+  }
+};
+
+/// Facets that follow one another.
+struct Range {
+  int first, count;
+};
+
+/// A group of these facets, which are in the order of add_boxes; its number.
+int add_group(Holder& h, Range all) {
+  const auto number = static_cast<int>(h.groups.size());
+  h.groups.emplace_back();
+  Lanes lanes;
+  if (all.count <= Lanes::count) {
+    for (int i = 0; i < all.count; ++i) {
+      const int facet = all.first + i;
+      lanes.set(static_cast<std::size_t>(i), box_of(h, facet, 1), -1 - facet);
+    }
+  } else {
+    // Halves, as the boxes are, of the largest part, until there are enough.
+    std::vector<Range> parts{all};
+    while (parts.size() < Lanes::count) {
+      const auto largest =
+          std::max_element(parts.begin(), parts.end(),
+                           [](const Range& a, const Range& b) { return a.count < b.count; });
+      if (largest->count <= Lanes::count) break;
+      const int half = largest->count / 2;
+      const Range second{largest->first + half, largest->count - half};
+      largest->count = half;
+      parts.push_back(second);
+    }
+    for (std::size_t lane = 0; lane < parts.size(); ++lane) {
+      const int below = add_group(h, parts[lane]);
+      lanes.set(lane, box_of(h, parts[lane].first, parts[lane].count), below);
+    }
+  }
+  h.groups[static_cast<std::size_t>(number)] = lanes.group();
+  return number;
 }
 
 /// One corner for all that fall into the same cell of this size. Facets of which nothing is left
@@ -132,6 +202,7 @@ Solid make_facets(std::string name, std::vector<Vec3> corners, std::vector<Facet
     for (Facet& f : holder->facets) std::swap(f.b, f.c);
   }
   add_boxes(*holder, 0, static_cast<int>(holder->facets.size()));
+  add_group(*holder, {0, static_cast<int>(holder->facets.size())});
   holder->point();
   return {std::move(name), SolidKind::facets, std::shared_ptr<const void>(holder, &holder->shape),
           e};

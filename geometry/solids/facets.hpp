@@ -3,7 +3,10 @@
 
 #include "geometry/solids/facts.hpp"
 
+// clang-format off
+#include "geometry/kernels/facet_groups.h"
 #include "geometry/kernels/facets.h"
+// clang-format on
 
 namespace navjit {
 
@@ -11,7 +14,7 @@ template <>
 struct SolidFacts<kernels::Facets<double>> {
   using Shape = kernels::Facets<double>;
 
-  static constexpr std::array kernel_files{"convex", "facets"};
+  static constexpr std::array kernel_files{"convex", "facet_groups", "facets"};
   /// Negative if the triangles face inwards.
   static double volume(const Shape& s);
 };
@@ -22,5 +25,7 @@ template <>
 inline constexpr const char* element_name<kernels::Facet> = "Facet";
 template <>
 inline constexpr const char* element_name<kernels::FacetBox<double>> = "FacetBox<double>";
+template <>
+inline constexpr const char* element_name<kernels::FacetGroup<double>> = "FacetGroup<double>";
 
 }  // namespace navjit

@@ -49,6 +49,8 @@ class WideSolid {
   static Real wide(double x) { return static_cast<Real>(x); }
   static int wide(int n) { return n; }
   static kernels::Facet wide(const kernels::Facet& s) { return s; }
+  /// Read in double precision alone.
+  static kernels::FacetGroup<Real> wide(const kernels::FacetGroup<double>&) { return {}; }
 
   /// Field by field.
   template <template <class> class Shape>

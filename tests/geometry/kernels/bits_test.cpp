@@ -34,7 +34,15 @@ constexpr Hull<double> hull{planes, 5};
 constexpr V corners[] = {{-0.9, -0.8, -0.7}, {1.1, -0.6, -0.5}, {0.2, 1.2, -0.6}, {0.1, 0.1, 1.3}};
 constexpr Facet triangles[] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 constexpr FacetBox<double> boxes[] = {{-0.9, -0.8, -0.7, 1.1, 1.2, 1.3, 0, 4, 1}};
-constexpr Facets<double> facets{corners, 4, triangles, 4, boxes, 1};
+constexpr double no = __builtin_inf();
+constexpr FacetGroup<double> groups[] = {{{-0.9, -0.9, 0.1, -0.9, no, no, no, no},
+                                          {-0.8, -0.8, -0.6, -0.8, no, no, no, no},
+                                          {-0.7, -0.7, -0.6, -0.7, no, no, no, no},
+                                          {1.1, 1.1, 1.1, 0.2, -no, -no, -no, -no},
+                                          {1.2, 0.1, 1.2, 1.2, -no, -no, -no, -no},
+                                          {-0.5, 1.3, 1.3, 1.3, -no, -no, -no, -no},
+                                          {-1, -2, -3, -4, 0, 0, 0, 0}}};
+constexpr Facets<double> facets{corners, 4, triangles, 4, boxes, 1, groups, 1};
 constexpr PlanarCorner<double> outline[] = {
     {-0.9, -0.8}, {1.1, -0.6}, {0.9, 0.8}, {0.2, -0.1}, {-0.7, 0.9}};
 constexpr Prism<double> prism{outline, 5, -0.7, 0.9, -0.9, 1.1, -0.8, 0.9};

@@ -69,7 +69,8 @@ TEST_P(ManyCorners, AreWithinAsEdgesSayOneByOne) {
   EXPECT_GT(crossings, 1500);
 }
 
-INSTANTIATE_TEST_SUITE_P(Prism, ManyCorners, testing::Values(16, 17, 40, 62, 63, 64));
+INSTANTIATE_TEST_SUITE_P(Prism, ManyCorners,
+                         testing::Values(16, 17, 40, 62, 63, 64, 65, 66, 100, 127, 128));
 
 }  // namespace
 }  // namespace navjit
