@@ -77,7 +77,7 @@ bool bind_to_structure(Specialisation& spec, bool all) {
       });
   const auto pays = [&](const Structure& structure) {
     return structure.spent_ns * gain_over_data >=
-           options.compile_weight * structure.compile_ms * 1e6;
+           spec.compile_weight() * structure.compile_ms * 1e6;
   };
   if (best == structures.end() || !(all || pays(best->second))) {
     spec.structures_again_at = all_steps(spec) / 8 * 9;
@@ -96,9 +96,8 @@ bool bind_to_structure(Specialisation& spec, bool all) {
   }
   Expected<CodeMaker::Made> made = stopped();
   {
-    std::vector<VolumeId> volumes;
-    for (const codegen::Module& scene : structure.scenes)
-      volumes.push_back(scene.entries[0].volume);
+    std::set<VolumeId> volumes;
+    for (const codegen::Module& scene : structure.scenes) volumes.insert(scene.entries[0].volume);
     const Compiling compiling(spec, volumes);
     made = compile(spec, source);
   }

@@ -65,6 +65,7 @@ std::vector<VolumeId> choose(Specialisation& spec) {
   // Until the first module is there nothing is won: it is to be there soon.
   if (spec.totals.modules == 0) options.module_ms /= 2;
   options.module_ms /= spec.slower_than_expected();
+  options.compile_weight = spec.compile_weight();
   update_execution_counts(spec);
   std::vector<Candidate> candidates;
   for (std::size_t v = 0; v < spec.execution_counts.size(); ++v) {

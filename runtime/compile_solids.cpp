@@ -85,12 +85,13 @@ std::vector<ComposedSolid*> most_urgent(Specialisation& spec, std::vector<Wanted
 /// None unless one is due.
 std::vector<ComposedSolid*> due_solids(Specialisation& spec) {
   const SpecialiserOptions& options = spec.shared->options.specialiser;
+  const double weight = spec.compile_weight();
   std::vector<Wanted> wanted;
   bool any_due = false;
   for (ComposedSolid& solid : *spec.composed_solids) {
     if (solid.tried) continue;
     const double won = gain_of_code * spent_in(spec, solid);
-    const double cost = options.compile_weight * solid.compile_ms * 1e6;
+    const double cost = weight * solid.compile_ms * 1e6;
     if (won == 0 || won < soon * cost) continue;
     any_due = any_due || won >= cost;
     wanted.push_back({&solid, won / cost});
@@ -161,13 +162,13 @@ bool make(Specialisation& spec, const std::vector<ComposedSolid*>& solids) {
   show_candidates(spec);
   const double start = steady_seconds();
   std::vector<kernels::AnySolid<double>> shapes;
-  std::vector<VolumeId> volumes;
+  std::set<VolumeId> volumes;
   double expected = module_base_ms;
   for (const ComposedSolid* solid : solids) {
     shapes.push_back(solid->solid);
     expected += solid->compile_ms;
     for (const auto& [volume, share] : solid->scenes) {
-      if (spec.executions(volume) > 0 && may_be_bound(spec, volume)) volumes.push_back(volume);
+      if (spec.executions(volume) > 0 && may_be_bound(spec, volume)) volumes.insert(volume);
     }
   }
   codegen::SolidModule module =

@@ -2,7 +2,7 @@
 
 namespace navjit {
 
-Compiling::Compiling(Specialisation& spec, const std::vector<VolumeId>& volumes) : spec_(spec) {
+Compiling::Compiling(Specialisation& spec, const std::set<VolumeId>& volumes) : spec_(spec) {
   const std::lock_guard lock(spec_.mutex);
   for (const VolumeId volume : volumes) {
     SceneStatus& status = spec_.scenes[volume].status;

@@ -1,6 +1,7 @@
 // Scenes that are waiting for the compiler. Private to runtime/.
 #pragma once
 
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace navjit {
 /// While it lives these scenes are said to be compiled. They are left so where the run ends before.
 class Compiling {
  public:
-  Compiling(Specialisation& spec, const std::vector<VolumeId>& volumes);
+  Compiling(Specialisation& spec, const std::set<VolumeId>& volumes);
   Compiling(const Compiling&) = delete;
   Compiling& operator=(const Compiling&) = delete;
   ~Compiling();

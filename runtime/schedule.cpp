@@ -23,6 +23,11 @@ constexpr double operand_ms = 25;        // each of a solid that is compiled alo
 constexpr double leaf_gain_ns = 20;
 constexpr double daughters_gain_ns = 60;
 
+/// A choice. A processor that is left may be another program's.
+constexpr double where_processors_are_left = 1.0 / 3;
+/// Of a processor: threads that wait now and then are not quite busy.
+constexpr double nearly = 0.2;
+
 /// Scenes that have this part of what makes them due go along with one that is due.
 constexpr double soon = 0.3;
 
@@ -48,6 +53,10 @@ double expected_compile_ms(const kernels::AnySolid<double>& solid) {
 
 double expected_gain_ns(const ScenePlan& plan) {
   return plan.classes.empty() ? leaf_gain_ns : daughters_gain_ns;
+}
+
+double weight_of_compiling(double weight, double busy_threads, unsigned processors) {
+  return busy_threads + 1 > processors + nearly ? weight : weight * where_processors_are_left;
 }
 
 bool is_due(const Candidate& c, const SpecialiserOptions& options, double part) {

@@ -26,6 +26,10 @@ constexpr double most_scene_ms = 1000;
 /// Expected gain of a step or relocation, ns.
 double expected_gain_ns(const ScenePlan& plan);
 
+/// What a ms of the compiler's thread counts (SpecialiserOptions::compile_weight) where so many
+/// threads of the process are busy beside it, on average: where a processor is left for it, less.
+double weight_of_compiling(double weight, double busy_threads, unsigned processors);
+
 /// A scene that might be compiled.
 struct Candidate {
   VolumeId volume = 0;

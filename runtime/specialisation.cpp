@@ -2,7 +2,11 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <thread>
+
 #include "runtime/log_text.hpp"
+#include "runtime/processor_time.hpp"
 
 namespace navjit {
 
@@ -14,13 +18,20 @@ Specialisation::Specialisation(std::shared_ptr<detail::Shared> runtime)
       relocations(shared->geometry.size(), 0),
       execution_counts(shared->geometry.size(), 0),
       recent(shared->geometry.size(), 0),
-      started_at(steady_seconds()) {}
+      started_at(steady_seconds()),
+      process_s_before(process_seconds()) {}
 
 double Specialisation::seconds() const { return steady_seconds() - started_at; }
 
 bool Specialisation::allowance_is_used_up() const {
   const SpecialiserOptions& options = shared->options.specialiser;
   return totals.compile_ms > options.compile_first_ms + options.compile_share * 1e3 * seconds();
+}
+
+double Specialisation::compile_weight() const {
+  const double busy = (1e-9 * navigating_ns - process_s_before) / std::max(seconds(), 1e-3);
+  return weight_of_compiling(shared->options.specialiser.compile_weight, busy,
+                             std::thread::hardware_concurrency());
 }
 
 void note(Specialisation& spec, VolumeId volume, SceneStatus status, const std::string& why) {

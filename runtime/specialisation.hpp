@@ -55,6 +55,9 @@ struct Specialisation {
     return expected_ms > 0 ? std::max(1.0, compiled_ms / expected_ms) : 1.0;
   }
 
+  /// SpecialiserOptions::compile_weight, less where processors are left.
+  double compile_weight() const;
+
   std::shared_ptr<detail::Shared> shared;
   WorldFacts facts;
   StateSampler sampler;
@@ -105,6 +108,7 @@ struct Specialisation {
   std::map<VolumeId, Seen> seen;  ///< of installed scenes, at the last look
   double reconsidered_at = 0;
   double started_at;
+  double process_s_before;  ///< processor time of the process when this was made
 
   std::stop_source stop;
 

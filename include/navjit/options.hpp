@@ -31,8 +31,8 @@ enum class InstructionSet : std::uint8_t {
 /// When a scene is worth compiling, and how. Reasons in docs/decisions.md.
 struct SpecialiserOptions {
   double poll_ms = 5;  ///< between looks at the profile
-  /// What a ms of the compiler's thread counts beside one of navigation. Little: mostly it runs on
-  /// idle cores, and runs go on for long.
+  /// What a ms of the compiler's thread counts beside one of navigation. Little: runs go on for
+  /// long. A third of it counts while fewer threads of the process are busy than it has processors.
   double compile_weight = 0.3;
   /// Compile code for the hottest scenes. Without it, `structures` and `solids` nothing is
   /// compiled: scenes are bound to data alone.

@@ -154,5 +154,15 @@ TEST(CostModel, MoreCostsMore) {
   EXPECT_LT(expected_of({polycone(500)}).compile_ms, 2 * expected_of({polycone(50)}).compile_ms);
 }
 
+TEST(Schedule, CompilingCountsLessWhereAProcessorIsLeft) {
+  EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 1, 2), 0.1);
+  EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 1.1, 2), 0.1);
+  EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 2, 2), 0.3);
+  EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 1, 1), 0.3);
+  EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 63, 64), 0.1);
+  EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 64, 64), 0.3);
+  EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 0, 0), 0.3) << "how many there are is not known";
+}
+
 }  // namespace
 }  // namespace navjit
