@@ -71,7 +71,8 @@ void conclude(Specialisation& spec, VolumeId volume, Trial& trial) {
   spec.second_choices.erase(second);
   if (trial.candidate_owner != spec.arena) return;  // compiled code came first
   spec.shared->table.install(volume, candidate, spec.arena);
-  try_out(spec, volume, candidate, spec.arena);
+  // On recorded states it was the slower one.
+  try_out(spec, volume, candidate, spec.arena, true);
   const std::lock_guard lock(spec.mutex);
   spec.scenes[volume].binding = Binding::data;
 }
@@ -79,7 +80,7 @@ void conclude(Specialisation& spec, VolumeId volume, Trial& trial) {
 }  // namespace
 
 void try_out(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry* candidate,
-             const std::shared_ptr<const void>& owner) {
+             const std::shared_ptr<const void>& owner, bool to_be_proved) {
   if (!spec.shared->options.specialiser.keep_only_faster ||
       spec.facts.forced_candidates.contains(spec.facts.first_equal[volume])) {
     spec.trials.end(volume);
@@ -98,6 +99,7 @@ void try_out(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry
     }
   }
   if (owner != spec.arena) trial.allowed = unforeseen_ticks;
+  trial.to_be_proved = to_be_proved;
   spec.trials.begin(volume, std::move(trial), spec.active_s);
 }
 

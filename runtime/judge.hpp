@@ -6,9 +6,9 @@
 namespace navjit {
 
 /// The volume's new navigator is on trial against what it had before. Volumes that are forced to
-/// something are not judged.
+/// something are not judged. `to_be_proved`: it goes, too, if the run tells nothing of it.
 void try_out(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry* candidate,
-             const std::shared_ptr<const void>& owner);
+             const std::shared_ptr<const void>& owner, bool to_be_proved = false);
 
 /// The volume has no candidate any more.
 void forget_trial(Specialisation& spec, VolumeId volume);

@@ -22,8 +22,9 @@ bool is_rare(const Trial& t) {
 }
 
 /// What was no faster goes, though chance may have brought it: more code is slower for all others.
-Verdict at_last(const PairedDifference& lost, double allowed) {
-  return lost.mean() > allowed ? Verdict::goes : Verdict::stays;
+Verdict at_last(const PairedDifference& lost, const Trial& t) {
+  const bool slower = lost.mean() > t.allowed, faster = lost.mean() < 0;
+  return slower || (t.to_be_proved && !faster) ? Verdict::goes : Verdict::stays;
 }
 
 Verdict verdict_on(const Trial& t) {
@@ -32,7 +33,7 @@ Verdict verdict_on(const Trial& t) {
   if (lost < -errors_apart * error) return Verdict::stays;
   if (lost > errors_apart * error) return Verdict::goes;
   if (std::min(t.with.count, t.without.count) < enough_count) return Verdict::open;
-  return at_last(t.lost, t.allowed);
+  return at_last(t.lost, t);
 }
 
 }  // namespace
@@ -121,7 +122,7 @@ std::vector<Trials::Of> Trials::decide(double now) {
       if (is_rare(trial)) {
         few.push_back(&trial);
       } else {
-        trial.verdict = at_last(trial.lost, trial.allowed);
+        trial.verdict = at_last(trial.lost, trial);
       }
     }
     decided.push_back({volume, &trial});
@@ -134,9 +135,13 @@ std::vector<Trials::Of> Trials::decide(double now) {
 
 void Trials::judge_as_others(const std::vector<Trial*>& few) {
   if (few.empty()) return;
-  std::map<kernels::StepFunction, PairedDifference> lost;
-  for (const auto& [volume, trial] : trials_) lost[trial.candidate->step].add(trial.lost);
-  for (Trial* trial : few) trial->verdict = at_last(lost[trial->candidate->step], trial->allowed);
+  // Both sides have to be the same: what is faster than the generic navigator need not be faster
+  // than another way to bind the scene.
+  using Sides = std::pair<kernels::StepFunction, kernels::StepFunction>;
+  const auto sides = [](const Trial& t) { return Sides{t.candidate->step, t.before->step}; };
+  std::map<Sides, PairedDifference> lost;
+  for (const auto& [volume, trial] : trials_) lost[sides(trial)].add(trial.lost);
+  for (Trial* trial : few) trial->verdict = at_last(lost[sides(*trial)], *trial);
 }
 
 std::vector<Trials::Of> Trials::begin_again(double now) {

@@ -56,6 +56,7 @@ struct Trial {
   TickSum with_now{}, without_now{};  ///< of the present pair of stretches
   PairedDifference lost{};            ///< by the candidate
   double allowed = 0;                 ///< that it may lose, ticks
+  bool to_be_proved = false;          ///< it goes, too, if nothing is known of it
 };
 
 /// The trials of a run. Scenes are tried at the same time, as in the end they are used together.

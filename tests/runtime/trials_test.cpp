@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <random>
 
 #include "navjit/navigator.hpp"
@@ -117,6 +118,30 @@ TEST(Trials, WhatNothingIsKnownOfStays) {
   const auto decided = trials.decide(2 * Trials::most_s);
   ASSERT_EQ(decided.size(), 1U);
   EXPECT_EQ(decided[0].trial->verdict, Verdict::stays);
+}
+
+/// Of a scene of wires: bound to the hierarchy of boxes, after its rows of wires had won.
+TEST(Trials, AnotherWayGoesUnlessItIsKnownToBeFaster) {
+  const auto step = [](int n) {
+    return reinterpret_cast<kernels::StepFunction>(static_cast<std::uintptr_t>(n));
+  };
+  const kernels::DispatchEntry tree{step(1), nullptr, nullptr}, rows{step(2), nullptr, nullptr},
+      generic{step(3), nullptr, nullptr};
+  Trials trials;
+  trials.begin(1, {&tree, &generic}, 0);
+  Trial another{&tree, &rows};
+  another.to_be_proved = true;
+  trials.begin(2, another, 0);
+  trials.begin(3, {&tree, &generic}, 0);
+  for (int i = 0; i < 20; ++i) {
+    trials.record(1, &tree, 70);
+    trials.record(1, &generic, 100);
+    trials.decide(0.1);
+  }
+  trials.decide(2 * Trials::most_s);
+  EXPECT_EQ(trials.all().at(1).verdict, Verdict::stays);
+  EXPECT_EQ(trials.all().at(2).verdict, Verdict::goes) << "faster than generic is not faster";
+  EXPECT_EQ(trials.all().at(3).verdict, Verdict::stays) << "as the first, which shares both sides";
 }
 
 TEST(Trials, InterruptionsOfTheThreadDecideNothing) {
