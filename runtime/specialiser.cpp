@@ -42,10 +42,13 @@ void Specialiser::stop() {
     scene.status = SceneStatus::generic;
     scene.note = "the run ended before it was compiled";
   }
+  judged_ = true;
   lock.unlock();
   if (ended) {
     thread_.join();
   } else {
+    // The thread is in the compiler, and uses nothing of this but that until it ends.
+    judge_finally(spec_);
     jit::outlast_activities();
     thread_.detach();
   }
@@ -77,8 +80,13 @@ void Specialiser::run() {
     if (!spec_.stopping())
       spec_.shared->log->warn("nothing more is specialised in this run: {}", error.what());
   }
-  judge_finally(spec_);
-  const std::lock_guard lock(spec_.mutex);
+  std::unique_lock lock(spec_.mutex);
+  if (!judged_) {
+    judged_ = true;
+    lock.unlock();
+    judge_finally(spec_);
+    lock.lock();
+  }
   ended_ = true;
   spec_.wake.notify_all();
 }
@@ -100,9 +108,9 @@ void Specialiser::look_until_stopped() {
       show_candidates(spec_);
       make_and_remember(spec_, batch);
     }
+    if (spec_.stopping()) return;
     // No stretch of a trial lasts as long as that took.
     if (made_solids || made_structure || !batch.empty()) spec_.looked_at = spec_.seconds();
-    if (spec_.stopping()) return;
     watch(spec_);
     if (batch.empty()) judge(spec_);
     const std::size_t waiting = spec_.shared->table.reclaim();

@@ -36,6 +36,7 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
 
   // Guarded by the mutex of `spec_`:
   bool ended_ = false;           ///< the thread uses nothing any more
+  bool judged_ = false;          ///< trials are decided for good, or being so
   std::uint64_t looks_ = 0;      ///< completed passes over the profile
   std::uint64_t idle_look_ = 0;  ///< the last that found nothing to do
   int waiting_for_idle_ = 0;     ///< threads
