@@ -100,8 +100,11 @@ void Specialiser::look_until_stopped() {
     lock.unlock();
     gather(spec_);
     const bool more_to_bind = bind_hot_to_data(spec_);
+    // Whoever stops this does not wait for the compiler: nothing may be used behind it.
     const bool made_solids = !more_to_bind && compile_solids(spec_);
+    if (spec_.stopping()) return;
     const bool made_structure = !more_to_bind && !made_solids && bind_to_structure(spec_, false);
+    if (spec_.stopping()) return;
     const std::vector<VolumeId> batch =
         more_to_bind || made_solids || made_structure ? std::vector<VolumeId>{} : choose(spec_);
     if (!batch.empty()) {
