@@ -15,17 +15,11 @@ namespace {
 /// Up to so many daughters are spelled out, each with numbers of its own.
 constexpr std::size_t most_listed = 8;
 
-/// Solids with more numbers are in tables: the compiler would take longer than folding gains. A
-/// guess.
-constexpr std::size_t most_constants = 200;
-
 /// Each class is a branch and code of its own: beyond so many, solids of one type share theirs.
 constexpr std::size_t most_classes = 24;
 
 /// Of a scene's daughters, so many solids are inlined where they are asked. A guess.
 constexpr std::size_t most_inlined = 12;
-
-bool is_large(const kernels::AnySolid<double>& solid) { return numbers_of(solid) > most_constants; }
 
 PartClass of_plan(const DaughterClass& c, Shapes& shapes) {
   PartClass part;

@@ -8,9 +8,6 @@
 namespace navjit::codegen {
 namespace {
 
-/// Solids with more numbers have them in memory: the compiler would take longer than folding gains.
-constexpr std::size_t most_constants = 200;
-
 std::string function(const std::string& type, const std::string& name, bool with_direction,
                      const std::string& call) {
   return "extern \"C\" " + type + " " + name + "([[maybe_unused]] const void* data, " +
@@ -33,7 +30,7 @@ SolidModule generate_solids(std::span<const kernels::AnySolid<double>> solids, d
   for (const kernels::AnySolid<double>& solid : solids) {
     SolidEntry entry;
     std::string numbers;
-    if (numbers_of(solid) > most_constants) {
+    if (is_large(solid)) {
       numbers = "*static_cast<const " + shapes.type(solid) + "*>(data)";
       entry.data = typed_shape(solid, *arena);
     } else {

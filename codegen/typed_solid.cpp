@@ -90,8 +90,9 @@ std::size_t solids_in(const AnySolid<double>& solid) {
   });
 }
 
-std::size_t numbers_of(const AnySolid<double>& solid) {
-  return solid_key(solid).size() / sizeof(double);
+bool is_large(const AnySolid<double>& solid) {
+  constexpr std::size_t most_constants = 200;  // a guess
+  return solid_key(solid).size() / sizeof(double) > most_constants;
 }
 
 }  // namespace navjit::codegen

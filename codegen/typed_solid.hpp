@@ -26,7 +26,8 @@ std::size_t solids_in(const kernels::AnySolid<double>& solid);
 /// each level.
 inline bool is_apart(const kernels::AnySolid<double>& operand) { return solids_in(operand) > 2; }
 
-/// How many numbers there are in a solid.
-std::size_t numbers_of(const kernels::AnySolid<double>& solid);
+/// Whether there are so many numbers in a solid that they are not made constants: the compiler
+/// would take longer than folding gains.
+bool is_large(const kernels::AnySolid<double>& solid);
 
 }  // namespace navjit::codegen

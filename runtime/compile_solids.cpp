@@ -3,7 +3,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "codegen/solids.hpp"
@@ -47,14 +46,19 @@ bool may_be_bound(const Specialisation& spec, VolumeId volume) {
   return !is_compiled(spec, volume) && !spec.off.contains(volume);
 }
 
-/// ns, of the run so far.
-double spent_in(const Specialisation& spec, const ComposedSolid& solid) {
-  double spent = 0;
-  for (const auto& [volume, share] : solid.scenes) {
-    const double executions = spec.executions(volume);
-    if (executions == 0 || is_compiled(spec, volume)) continue;
-    const double ns = bound_ns(spec, volume);
-    spent += share * executions * (std::isfinite(ns) ? ns : usual_ns);
+/// By volume, ns, of the run so far; nothing where code for solids would not be called.
+std::vector<double> spent_in_scenes(const Specialisation& spec) {
+  std::vector<double> spent(spec.steps.size());
+  for (std::size_t v = 0; v < spent.size(); ++v) {
+    spent[v] = usual_ns * spec.executions(static_cast<VolumeId>(v));
+  }
+  const std::lock_guard lock(spec.mutex);
+  for (const auto& [volume, scene] : spec.scenes) {
+    if (scene.binding == Binding::constants) {
+      spent[volume] = 0;
+    } else if (scene.binding != Binding::generic && scene.specialised_ns_per_step > 0) {
+      spent[volume] = scene.specialised_ns_per_step * spec.executions(volume);
+    }
   }
   return spent;
 }
@@ -86,11 +90,13 @@ std::vector<ComposedSolid*> most_urgent(Specialisation& spec, std::vector<Wanted
 std::vector<ComposedSolid*> due_solids(Specialisation& spec) {
   const SpecialiserOptions& options = spec.shared->options.specialiser;
   const double weight = spec.compile_weight();
+  const std::vector<double> spent = spent_in_scenes(spec);
   std::vector<Wanted> wanted;
   bool any_due = false;
   for (ComposedSolid& solid : *spec.composed_solids) {
     if (solid.tried) continue;
-    const double won = gain_of_code * spent_in(spec, solid);
+    double won = 0;
+    for (const auto& [volume, share] : solid.scenes) won += gain_of_code * share * spent[volume];
     const double cost = weight * solid.compile_ms * 1e6;
     if (won == 0 || won < soon * cost) continue;
     any_due = any_due || won >= cost;
