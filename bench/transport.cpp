@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "bench/choices.hpp"
@@ -53,6 +54,32 @@ Totals transport_all(Basket& basket, const World& world, const std::vector<Ray>&
   const auto each = transport_in_basket(
       basket, rays, world.tolerance, [](std::size_t, const State&, double) {}, [] { return true; });
   for (const RayTotals& ray : each) add(totals, ray);
+  return totals;
+}
+
+/// As transport(), by Navigator::steps(): up to so many boundaries in a call.
+Totals transport_all(Navigator& navigator, const World& world, const std::vector<Ray>& rays,
+                     std::size_t at_once) {
+  std::vector<Step> buffer(at_once);
+  Totals totals;
+  for (const Ray& ray : rays) {
+    Vec3 point = ray.position;
+    double limit = std::numeric_limits<double>::infinity();
+    int standing = 0;
+    for (State state = navigator.locate(point, ray.direction); state.inside();) {
+      for (const Step& step : navigator.steps(state, point, ray.direction, limit, buffer)) {
+        standing = step.length > world.tolerance ? 0 : standing + 1;
+        if (standing == stuck_after) break;
+        ++totals.steps;
+        totals.length += step.length;
+        state = step.next;
+      }
+      if (standing == stuck_after) {
+        ++totals.stuck;
+        break;
+      }
+    }
+  }
   return totals;
 }
 
@@ -109,7 +136,7 @@ int main(int argc, char** argv) try {
   int repetitions = 9;
   bool without_peers = false, without_jit = false, without_constants = false;
   std::vector<InstructionSet> sets{InstructionSet::native};
-  std::vector<std::size_t> baskets;
+  std::vector<std::size_t> baskets, at_once;
   app.add_option("detector", detector, "GDML file")->required();
   bench::add_ray_options(app, ray_options);
   app.add_option("--repetitions", repetitions, "of each engine, in turn");
@@ -119,6 +146,10 @@ int main(int argc, char** argv) try {
   app.add_flag("--without-constants", without_constants, "scenes are bound to data alone");
   app.add_option("--basket", baskets,
                  "also so many rays at once, from a basket; several with commas")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber);
+  app.add_option("--steps", at_once,
+                 "also up to so many boundaries in a call (Navigator::steps); several with commas")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
   bench::add_isa_option(app, sets);
@@ -134,6 +165,13 @@ int main(int argc, char** argv) try {
   std::vector<Engine> engines;
   engines.push_back(
       {"navjit generic", [] {}, [&] { return transport_all(generic_navigator, *world, rays); }});
+  const auto add_several = [&](const std::string& name, Navigator& navigator) {
+    for (const std::size_t room : at_once) {
+      engines.push_back({name + ", " + std::to_string(room) + " boundaries a call", [] {},
+                         [&, room] { return transport_all(navigator, *world, rays, room); }});
+    }
+  };
+  add_several("navjit generic", generic_navigator);
   struct Specialised {
     Runtime runtime;
     Navigator navigator;
@@ -150,6 +188,7 @@ int main(int argc, char** argv) try {
     Specialised& made = *specialised.emplace_back(std::make_unique<Specialised>(world, wait));
     const std::string name = bench::specialised_name(set, sets);
     engines.push_back({name, [] {}, [&] { return transport_all(made.navigator, *world, rays); }});
+    add_several(name, made.navigator);
     for (const std::size_t places : baskets) {
       const auto basket = std::make_shared<Basket>(made.runtime.basket(places));
       engines.push_back({name + ", basket of " + std::to_string(places), [] {},

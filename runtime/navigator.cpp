@@ -137,6 +137,48 @@ double Navigator::recorded_safety(const Vec3& point, double enough) {
   return safety;
 }
 
+std::span<Step> Navigator::steps(const State& from, Vec3& point, const Vec3& direction,
+                                 double& limit, std::span<Step> buffer) {
+  if (buffer.empty()) throw UsageError("the buffer has no room for a step");
+  std::size_t made = 0;
+  const Step first = step(from, point, direction, limit);  // which looks at all arguments
+  Vec3 at = point;
+  double left = limit;
+  const auto take = [&](double length, bool boundary, const State& next) {
+    buffer[made++] = {length, boundary, next};
+    at.x += length * direction.x;
+    at.y += length * direction.y;
+    at.z += length * direction.z;
+    left -= length;
+  };
+  take(first.length, first.boundary, first.next);
+  // From here on the stack is where the ray is, and along it.
+  Own& own = *own_;
+  NavigationStack& stack = own.stack;
+  bool boundary = first.boundary;
+  while (boundary && stack.depth >= 0 && left > 0 && made < buffer.size()) {
+    const VolumeId volume = stack.levels[stack.depth].volume;
+    own.profile.count(volume);
+    if (own.profile.due()) [[unlikely]] {
+      const Step step = recorded_step(stack, at, direction, left);
+      take(step.length, step.boundary, step.next);
+      boundary = step.boundary;
+      continue;
+    }
+    own.read_side->enter();
+    const kernels::DispatchEntry* entry = kernels::dispatch_entry_of(context_, volume);
+    double length = entry->step(&stack, context_, entry->data, at.x, at.y, at.z, left);
+    if (length < 0) [[unlikely]]
+      length = bail_out(stack, at, direction, left);
+    own.read_side->leave();
+    boundary = stack.boundary != 0;
+    take(length, boundary, state_of(stack));
+  }
+  point = {at.x, at.y, at.z};
+  limit = left;
+  return buffer.first(made);
+}
+
 State Navigator::relocate(const State& hint, const Vec3& point, const Vec3& direction) {
   require_finite(point, "the point");
   require_finite(direction, "the direction");

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "geometry/gdml/structure.hpp"
+#include "geometry/gdml/units.hpp"
 
 namespace navjit::gdml {
 namespace {
@@ -189,7 +191,17 @@ void read_replica(FileContext& file, const XmlElement& element, Mother& mother) 
   const bool outwards = axis == 3, around = axis == 4;
   const Dimension dimension = around ? Dimension::angle : Dimension::length;
   const auto quantity = [&](const XmlElement& q) {
-    return file.length(q, "value", file.unit(q, "unit", dimension));
+    // Geant4 takes a unit of either kind here, as a number of mm or rad, and there are programs
+    // that write angles in mm.
+    const auto text = q.find("unit");
+    const auto unit = text ? find_unit(*text) : std::nullopt;
+    const Dimension other = around ? Dimension::length : Dimension::angle;
+    if (!unit || unit->dimension != other) {
+      return file.length(q, "value", file.unit(q, "unit", dimension));
+    }
+    file.note(q, around ? "an angle with a unit of length: took millimetres for radians, as Geant4"
+                        : "a length with a unit of angle: took radians for millimetres, as Geant4");
+    return file.length(q, "value", unit->value);
   };
   const double width = quantity(child(along, "width"));
   double offset = 0;

@@ -59,6 +59,17 @@ class Navigator {
   Step step(const State& state, const Vec3& point, const Vec3& direction,
             double limit = std::numeric_limits<double>::infinity());
 
+  /// All steps of a straight ray in one call, for rays that only look (pictures, scans of
+  /// materials): from boundary to boundary until the ray leaves the world, until `limit` mm are
+  /// gone in all, or until the buffer is full. Returns those that were made, at the front of the
+  /// buffer; there is at least one. Each is the step() from where the one before ended, bit for
+  /// bit, with `point = point + length * direction`, number by number, and `limit = limit -
+  /// length`. The point and the limit are moved on to where the last one ended, so that the same
+  /// call with its `next` goes on. Throws as step(), and UsageError if the buffer is empty; then
+  /// nothing was moved.
+  std::span<Step> steps(const State& state, Vec3& point, const Vec3& direction, double& limit,
+                        std::span<Step> buffer);
+
   /// A lower bound of the distance to the nearest boundary, mm; `enough` if that is less. Throws
   /// UsageError if the state is outside the world or of another world, if a coordinate is not
   /// finite, or if `enough` is negative or not a number. The answer depends on the arguments alone,

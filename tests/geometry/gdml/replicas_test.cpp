@@ -70,6 +70,28 @@ TEST_F(GdmlReplicas, ReplicateAlongAndAroundAxes) {
   EXPECT_EQ(p.z, 1);
 }
 
+TEST_F(GdmlReplicas, TakeUnitsOfTheOtherKindAsGeant4Does) {
+  // Programs write quarter turns so.
+  GdmlReport report;
+  const World around =
+      read(replicated("4",
+                      "<direction phi='1'/><width value='1.5707963267948966' unit='mm'/>"
+                      "<offset value='-pi/4' unit='mm'/>"),
+           &report);
+  ASSERT_EQ(report.notes.size(), 2u);
+  EXPECT_HAS(report.notes[0], "took millimetres for radians, as Geant4");
+  ASSERT_EQ(top(around).daughters.size(), 4u);
+  const Vec3 p = to_local(top(around).daughters[1].transformation, Vec3{0, 5, 1});
+  EXPECT_EQ(p.x, 5);
+  EXPECT_EQ(p.y, 0);
+  GdmlReport of_lengths;
+  const World along =
+      read(replicated("3", "<direction x='1'/><width value='20' unit='rad'/>"), &of_lengths);
+  ASSERT_EQ(of_lengths.notes.size(), 1u);
+  EXPECT_HAS(of_lengths.notes[0], "took radians for millimetres, as Geant4");
+  EXPECT_EQ(top(along).daughters[2].transformation.translation[0], 20);
+}
+
 TEST_F(GdmlReplicas, RefusesWhatTheyCannotBe) {
   EXPECT_HAS(error_of(divided("")), "it needs a number or a width");
   EXPECT_HAS(error_of(divided("number='-1'")), "must not be negative");
@@ -88,7 +110,7 @@ TEST_F(GdmlReplicas, RefusesWhatTheyCannotBe) {
   EXPECT_HAS(error_of(replicated("2", "<direction r='1'/><width value='1'/>")),
              "unsupported direction");
   EXPECT_HAS(error_of(replicated("2", "<direction x='1'/>")), "no <width>");
-  EXPECT_HAS(error_of(replicated("2", "<direction x='1'/><width value='1' unit='deg'/>")),
+  EXPECT_HAS(error_of(replicated("2", "<direction x='1'/><width value='1' unit='g'/>")),
              "is not a unit of length");
 }
 
