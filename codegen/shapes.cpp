@@ -63,11 +63,20 @@ void Shapes::need(SolidKind kind) {
   for (const char* kernel : kernels_of(kind)) kernels_.insert(kernel);
 }
 
+void Shapes::begin(const AnySolid<double>& solid) {
+  if (alone_) apart_ = apart_in(solid);
+}
+
 std::string Shapes::type(const AnySolid<double>& solid) {
+  begin(solid);
+  return type_of(solid);
+}
+
+std::string Shapes::type_of(const AnySolid<double>& solid) {
   need(solid.kind);
   const auto operand = [&](const kernels::AnyOperand<double>& s) {
-    std::string of = type(s.solid);
-    if (is_apart(s.solid)) of = "SolidApart<" + of + ">";
+    std::string of = type_of(s.solid);
+    if (is_apart(s.solid, apart_)) of = "SolidApart<" + of + ">";
     return keeps_box(s) ? "Boxed<double, " + of + ">" : of;
   };
   const auto pair = [&](const char* name, const auto& a, const auto& b) {
@@ -76,10 +85,10 @@ std::string Shapes::type(const AnySolid<double>& solid) {
   switch (solid.kind) {
     case SolidKind::placed:
       return "Placed<double, " +
-             type(static_cast<const kernels::AnyPlaced<double>*>(solid.shape)->solid) + ">";
+             type_of(static_cast<const kernels::AnyPlaced<double>*>(solid.shape)->solid) + ">";
     case SolidKind::scaled:
       return "Scaled<double, " +
-             type(static_cast<const kernels::AnyScaled<double>*>(solid.shape)->solid) + ">";
+             type_of(static_cast<const kernels::AnyScaled<double>*>(solid.shape)->solid) + ">";
     case SolidKind::union_of: {
       const auto& s = *static_cast<const kernels::AnyUnion<double>*>(solid.shape);
       return pair("Union", s.a, s.b);
@@ -127,7 +136,7 @@ std::string Shapes::literal(const AnySolid<double>& solid) {
 
 std::string Shapes::operand_literal(const kernels::AnyOperand<double>& operand) {
   std::string solid = literal(operand.solid);
-  if (is_apart(operand.solid)) solid = "{" + solid + "}";
+  if (is_apart(operand.solid, apart_)) solid = "{" + solid + "}";
   if (!keeps_box(operand)) return solid;
   std::string text = "{" + solid + ", 1, {";
   for (const double x : operand.low) text += number(x) + ", ";

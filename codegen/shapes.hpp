@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "codegen/typed_solid.hpp"
 #include "geometry/solids/solid.hpp"
 
 namespace navjit::codegen {
@@ -12,6 +13,10 @@ namespace navjit::codegen {
 /// Collects the constants of a module's solids; equal shapes are written once.
 class Shapes {
  public:
+  Shapes() = default;
+  /// `alone`: each has functions of its own, which are not part of a scene's (apart_in()).
+  explicit Shapes(bool alone) : alone_(alone) {}
+
   /// The name of a constant that holds the shape; defines it on first use.
   std::string constant(const kernels::AnySolid<double>& solid);
   /// The type of a solid, in namespace navjit::kernels.
@@ -23,6 +28,8 @@ class Shapes {
 
  private:
   void need(SolidKind kind);
+  void begin(const kernels::AnySolid<double>& solid);
+  std::string type_of(const kernels::AnySolid<double>& solid);
   std::string literal(const kernels::AnySolid<double>& solid);
   std::string operand_literal(const kernels::AnyOperand<double>& operand);
 
@@ -30,6 +37,8 @@ class Shapes {
   std::set<std::string> kernels_{"convex", "box"};  ///< boxes are in the tables of daughters
   std::string definitions_;
   int arrays_ = 0;
+  bool alone_ = false;
+  Apart apart_ = Apart::large;  ///< in the solid at hand
 };
 
 }  // namespace navjit::codegen

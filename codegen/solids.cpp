@@ -1,5 +1,7 @@
 #include "codegen/solids.hpp"
 
+#include <set>
+
 #include "analysis/foreign.hpp"
 #include "codegen/module_text.hpp"
 #include "codegen/text.hpp"
@@ -17,6 +19,27 @@ std::string function(const std::string& type, const std::string& name, bool with
 
 }  // namespace
 
+SolidTypes types_in(const kernels::AnySolid<double>& solid) {
+  Shapes shapes(true);
+  std::set<std::string> composed;
+  std::set<SolidKind> plain;
+  const auto look = [&](const auto& again, const kernels::AnySolid<double>& s) -> void {
+    kernels::visit(s, [&](const auto& shape) {
+      if constexpr (requires { shape.a.boxed; }) {
+        composed.insert(shapes.type(s));
+        again(again, shape.a.solid);
+        again(again, shape.b.solid);
+      } else if constexpr (requires { shape.solid.kind; }) {
+        again(again, shape.solid);
+      } else if (s.kind != SolidKind::box) {
+        plain.insert(s.kind);
+      }
+    });
+  };
+  look(look, solid);
+  return {composed.size(), plain.size()};
+}
+
 bool gains_from_code(const kernels::AnySolid<double>& solid) {
   return is_composed(solid.kind) && solids_in(solid) > 1 && !is_foreign(solid);
 }
@@ -25,7 +48,7 @@ SolidModule generate_solids(std::span<const kernels::AnySolid<double>> solids, d
                             bool with_safety) {
   SolidModule module;
   const auto arena = std::make_shared<Arena>();
-  Shapes shapes;
+  Shapes shapes(true);
   std::string functions;
   for (const kernels::AnySolid<double>& solid : solids) {
     SolidEntry entry;

@@ -3,6 +3,7 @@
 // have it, and costs a fraction of what they would, compiled each.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -28,6 +29,14 @@ struct SolidModule {
 
 /// Whether the solid is made of several, so that code for it has fewer branches than the library's.
 bool gains_from_code(const kernels::AnySolid<double>& solid);
+
+/// What the code of a solid is made of, which is what it costs to compile: types that occur again
+/// share their functions.
+struct SolidTypes {
+  std::size_t composed = 0;  ///< different types of booleans in it, itself among them
+  std::size_t plain = 0;     ///< different kinds of solids, but for boxes
+};
+SolidTypes types_in(const kernels::AnySolid<double>& solid);
 
 /// `tolerance` is a constant of the code, mm.
 SolidModule generate_solids(std::span<const kernels::AnySolid<double>> solids, double tolerance,

@@ -57,6 +57,21 @@ void add(Bytes& bytes, const AnySolid<double>& solid) {
   });
 }
 
+/// Whether one of what it is made of is more than a box or a round one.
+bool has_much_code(const AnySolid<double>& solid) {
+  return kernels::visit(solid, [&](const auto& shape) {
+    if constexpr (requires { shape.a.boxed; }) {
+      return has_much_code(shape.a.solid) || has_much_code(shape.b.solid);
+    } else if constexpr (requires { shape.solid.kind; }) {
+      return has_much_code(shape.solid);
+    } else {
+      return solid.kind != SolidKind::box && solid.kind != SolidKind::tube &&
+             solid.kind != SolidKind::cone && solid.kind != SolidKind::trd &&
+             solid.kind != SolidKind::orb;
+    }
+  });
+}
+
 }  // namespace
 
 bool keeps_box(const kernels::AnyOperand<double>& operand) {
@@ -88,6 +103,22 @@ std::size_t solids_in(const AnySolid<double>& solid) {
       return 1;
     }
   });
+}
+
+bool is_apart(const AnySolid<double>& operand, Apart which) {
+  if (solids_in(operand) > 2) return true;
+  if (which == Apart::large) return false;
+  const AnySolid<double>* solid = &operand;
+  while (solid->kind == SolidKind::placed) {
+    solid = &static_cast<const kernels::AnyPlaced<double>*>(solid->shape)->solid;
+  }
+  return solid->kind != SolidKind::box;
+}
+
+Apart apart_in(const AnySolid<double>& solid) {
+  constexpr std::size_t few = 4, many = 8;
+  const std::size_t solids = solids_in(solid);
+  return solids > many || (solids > few && has_much_code(solid)) ? Apart::all : Apart::large;
 }
 
 bool is_large(const AnySolid<double>& solid) {

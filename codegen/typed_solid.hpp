@@ -2,6 +2,8 @@
 // just these, with the same numbers.
 #pragma once
 
+#include <cstdint>
+
 #include "codegen/data/arena.hpp"
 #include "geometry/solids/any_solid.hpp"
 
@@ -21,10 +23,18 @@ const void* typed_shape(const kernels::AnySolid<double>& solid, Arena& arena);
 /// How many solids it is composed of; one if it is not.
 std::size_t solids_in(const kernels::AnySolid<double>& solid);
 
-/// Whether an operand of a boolean has kernels that are functions of their own. Each kernel of a
+/// Which operands of a boolean have kernels that are functions of their own. Each kernel of a
 /// boolean calls several of its operands': inlined in one another, they would be multiplied with
 /// each level.
-inline bool is_apart(const kernels::AnySolid<double>& operand) { return solids_in(operand) > 2; }
+enum class Apart : std::uint8_t {
+  large,  ///< those of three solids and more
+  all,    ///< all but boxes; those of one type share functions
+};
+bool is_apart(const kernels::AnySolid<double>& operand, Apart which);
+
+/// For a solid that is compiled alone: of more than eight solids, or more than four with one that
+/// is much code itself, compiling takes longer than inlining gains (docs/experiments.md).
+Apart apart_in(const kernels::AnySolid<double>& solid);
 
 /// Whether there are so many numbers in a solid that they are not made constants: the compiler
 /// would take longer than folding gains.

@@ -37,12 +37,12 @@ llvm::OptimizationLevel pipeline_level(int level) {
 /// be emptied.
 class StopGate : public llvm::OptPassGate {
  public:
-  StopGate(llvm::Module& module, std::stop_token stop) : module_(module), stop_(std::move(stop)) {}
+  StopGate(llvm::Module& module, const Bound& bound) : module_(module), bound_(bound) {}
 
   bool isEnabled() const override { return true; }
   bool shouldRunPass(llvm::StringRef, llvm::StringRef unit) override {
     outlast_static_objects();
-    if (!stop_.stop_requested()) return true;
+    if (!bound_.is_reached()) return true;
     // "function (NAME)"
     if (!emptied_ && unit.consume_front("function (") && unit.consume_back(")")) {
       if (const llvm::Function* current = module_.getFunction(unit)) {
@@ -57,7 +57,7 @@ class StopGate : public llvm::OptPassGate {
 
  private:
   llvm::Module& module_;
-  std::stop_token stop_;
+  const Bound& bound_;
   bool emptied_ = false;
 };
 
@@ -83,7 +83,7 @@ struct Emitter {
   llvm::legacy::PassManager passes;
   StopGate gate;
 
-  Emitter(llvm::Module& module, const std::stop_token& stop) : gate(module, stop) {}
+  Emitter(llvm::Module& module, const Bound& bound) : gate(module, bound) {}
 };
 
 }  // namespace
@@ -102,17 +102,16 @@ void make_floating_point_strict(llvm::Module& module) {
   }
 }
 
-void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level,
-              const std::stop_token& stop) {
+void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level, const Bound& bound) {
   llvm::PipelineTuningOptions tuning;
   tuning.LoopVectorization = level >= 2;
   // Packing neighbouring numbers into vectors made navigators slower, and compiling them too
   // (docs/experiments.md).
   tuning.SLPVectorization = false;
   leave_wreck(std::make_unique<Optimiser>(machine, tuning), [&](Optimiser& o) {
-    o.callbacks.registerShouldRunOptionalPassCallback([stop](llvm::StringRef, const llvm::Any&) {
+    o.callbacks.registerShouldRunOptionalPassCallback([&bound](llvm::StringRef, const llvm::Any&) {
       outlast_static_objects();
-      return !stop.stop_requested();
+      return !bound.is_reached();
     });
     o.function_analyses.registerPass([&] { return llvm::TargetLibraryAnalysis(o.library); });
     o.builder.registerModuleAnalyses(o.module_analyses);
@@ -128,8 +127,8 @@ void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level,
 }
 
 Expected<std::vector<char>> emit_object(llvm::Module& module, llvm::TargetMachine& machine,
-                                        const std::stop_token& stop) {
-  return leave_wreck(std::make_unique<Emitter>(module, stop),
+                                        const Bound& bound) {
+  return leave_wreck(std::make_unique<Emitter>(module, bound),
                      [&](Emitter& e) -> Expected<std::vector<char>> {
                        const llvm::TargetLibraryInfoImpl library(machine.getTargetTriple());
                        e.passes.add(new llvm::TargetLibraryInfoWrapperPass(library));
@@ -140,7 +139,7 @@ Expected<std::vector<char>> emit_object(llvm::Module& module, llvm::TargetMachin
                        }
                        module.getContext().setOptPassGate(e.gate);
                        e.passes.run(module);
-                       if (stop.stop_requested()) return stopped();
+                       if (bound.is_reached()) return bound.failure();
                        return std::vector<char>(e.bytes.begin(), e.bytes.end());
                      });
 }

@@ -92,9 +92,10 @@ struct Compiler::Impl {
 
   Expected<Object> compile(std::string_view source, const std::string& unit_name,
                            const std::stop_token& stop) const {
-    if (stop.stop_requested()) return stopped();
+    const detail::Bound bound(stop, options.most_ms);
+    if (bound.is_reached()) return bound.failure();
     return detail::leave_wreck(std::make_unique<Work>(), [&](Work& work) {
-      return compile_with(work, source, unit_name, stop);
+      return compile_with(work, source, unit_name, bound);
     });
   }
 
@@ -113,7 +114,7 @@ struct Compiler::Impl {
   };
 
   Expected<Object> compile_with(Work& work, std::string_view source, const std::string& unit_name,
-                                const std::stop_token& stop) const {
+                                const detail::Bound& bound) const {
     Stopwatch stopwatch;
     work.context.setDiagnosticHandlerCallBack(collect, &work.diagnostics, /*RespectFilters=*/true);
     Expected<detail::ParsedUnit> unit =
@@ -128,14 +129,14 @@ struct Compiler::Impl {
     object.report.frontend_ms = stopwatch.lap_ms();
 
     detail::make_floating_point_strict(module);
-    detail::optimise(module, *machine, options.optimisation, stop);
-    if (stop.stop_requested()) return stopped();
+    detail::optimise(module, *machine, options.optimisation, bound);
+    if (bound.is_reached()) return bound.failure();
     if (needs_initialisation(module)) {
       return Failure{unit_name + ": a global variable is not initialised by a constant"};
     }
     object.report.optimise_ms = stopwatch.lap_ms();
 
-    Expected<std::vector<char>> bytes = detail::emit_object(module, *machine, stop);
+    Expected<std::vector<char>> bytes = detail::emit_object(module, *machine, bound);
     if (!bytes) return bytes.failure();
     if (!work.diagnostics.errors.empty()) {
       return Failure{unit_name + ": " + work.diagnostics.errors};

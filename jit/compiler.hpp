@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -25,6 +26,8 @@ struct CompileOptions {
   bool debug_info = false;
   /// Longer sources are refused: parsing cannot be interrupted, so this is what bounds it.
   std::size_t max_source_bytes = std::size_t{8} << 20;
+  /// Processor time, ms: what takes longer is given up, at the pass or the function that it is at.
+  double most_ms = std::numeric_limits<double>::infinity();
 };
 
 /// What one compilation cost (wall time, milliseconds) and made.
@@ -77,7 +80,8 @@ class Compiler {
   /// behind, since LLVM cannot be taken down in the middle of its work: the `Compiler` may only be
   /// destroyed then.
   /// Once `stop` is requested it fails as `stopped` as soon as it can: after the parsing, or after
-  /// the pass or the function that the code generator is at.
+  /// the pass or the function that the code generator is at. It fails in the same way, not as
+  /// `stopped`, once it has taken CompileOptions::most_ms.
   Expected<Object> compile(std::string_view source, std::string_view unit_name,
                            const std::stop_token& stop = {});
 

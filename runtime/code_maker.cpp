@@ -31,10 +31,15 @@ const char* processor(InstructionSet set, spdlog::logger& log) {
   return "";
 }
 
+/// Processor time for a module, several times as long as any is expected to take: what the cost
+/// model knows nothing of must not keep all others waiting.
+constexpr double most_module_ms = 4000;
+
 jit::CompileOptions compile_options(const SpecialiserOptions& options, spdlog::logger& log) {
   jit::CompileOptions result;
   result.optimisation = options.optimisation;
   result.debug_info = options.debug_info;
+  result.most_ms = most_module_ms;
   result.cpu = processor(options.instruction_set, log);
   return result;
 }

@@ -29,6 +29,7 @@ struct Found {
         fresh.solid = solid;
         fresh.extent = extent;
         fresh.compile_ms = expected_compile_ms(solid);
+        fresh.tried = fresh.compile_ms > most_scene_ms;
       }
       solids[at->second].shapes.push_back(solid.shape);
     }

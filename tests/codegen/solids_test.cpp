@@ -57,5 +57,42 @@ TEST(Solids, NumbersOfLargeOnesAreData) {
   EXPECT_EQ(module.source.find("constexpr Union"), std::string::npos);
 }
 
+/// A chain: each boolean holds the one before.
+Solid chain(int count, const Solid& piece) {
+  Solid solid = box;
+  for (int i = 1; i < count; ++i) {
+    SolidFrame at;
+    at.translation[1] = 3.0 * i;
+    const Solid next = make_placed("at", piece, at);
+    solid = i % 2 == 0 ? make_union("u", solid, next) : make_subtraction("s", solid, next);
+  }
+  return solid;
+}
+
+TEST(Solids, TypesThatOccurAgainCountOnce) {
+  const SolidTypes two = types_in(pierced.any());
+  EXPECT_EQ(two.composed, 1U);
+  EXPECT_EQ(two.plain, 1U) << "boxes do not count";
+  const SolidTypes twice =
+      types_in(make_union("two", pierced, make_placed("p", pierced, {})).any());
+  EXPECT_EQ(twice.composed, 2U);
+  EXPECT_EQ(twice.plain, 1U);
+  EXPECT_LT(types_in(row(64).any()).composed, 20U) << "balanced, and alike at each level";
+  EXPECT_GE(types_in(chain(9, tube).any()).composed, 5U);
+}
+
+TEST(Solids, OperandsShareFunctionsWhereThereAreMany) {
+  const auto shares = [](const Solid& solid) {
+    const std::vector solids{solid.any()};
+    const std::string source = generate_solids(solids, 1e-9, false).source;
+    return source.find("SolidApart<Placed<double, Tube<double>>>") != std::string::npos ||
+           source.find("SolidApart<Placed<double, Ellipsoid") != std::string::npos;
+  };
+  EXPECT_FALSE(shares(chain(4, tube)));
+  EXPECT_FALSE(shares(chain(8, tube)));
+  EXPECT_TRUE(shares(chain(9, tube)));
+  EXPECT_TRUE(shares(chain(40, tube)));
+}
+
 }  // namespace
 }  // namespace navjit::codegen

@@ -43,6 +43,31 @@ TEST(Stop, WhatIsAskedToStopAtOnceFailsAsStopped) {
   EXPECT_FALSE(object.failure().exhausted);
 }
 
+TEST(Stop, WhatTakesTooLongIsGivenUp) {
+  auto unbounded = Compiler::create({});
+  ASSERT_TRUE(unbounded);
+  const std::string source = long_source(200);
+  const auto start = std::chrono::steady_clock::now();
+  const auto whole = unbounded->compile(source, "unit.cpp");
+  const auto took = std::chrono::steady_clock::now() - start;
+  ASSERT_TRUE(whole) << whole.failure().message;
+  CompileOptions options;
+  options.most_ms = std::chrono::duration<double, std::milli>(took).count() / 20;
+  auto compiler = Compiler::create(options);
+  ASSERT_TRUE(compiler);
+  const auto object = compiler->compile(source, "unit.cpp");
+  ASSERT_FALSE(object);
+  EXPECT_NE(object.failure().message.find("ms to compile"), std::string::npos);
+  EXPECT_FALSE(object.failure().stopped) << "the run goes on";
+  EXPECT_FALSE(object.failure().exhausted) << "the next may take less";
+  options.most_ms = 1e9;
+  auto patient = Compiler::create(options);
+  ASSERT_TRUE(patient);
+  const auto again = patient->compile(source, "unit.cpp");
+  ASSERT_TRUE(again) << again.failure().message;
+  EXPECT_EQ(again->bytes, whole->bytes);
+}
+
 TEST(Stop, MayComeAtAnyMomentAndSpoilsNothing) {
   auto compiler = Compiler::create({});
   ASSERT_TRUE(compiler);

@@ -15,6 +15,7 @@
 #include "runtime/verify.hpp"
 #include "runtime/verify_solid.hpp"
 #include "tests/support/folder.hpp"
+#include "tests/support/random_solids.hpp"
 #include "tests/support/traces.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -95,6 +96,45 @@ TEST(CompiledSolids, AnswerAsTheGenericNavigator) {
   // Both halls and both beams: all but the world, which holds boxes.
   EXPECT_EQ(scenes_with_compiled_solids(bound.report()), 4U);
   EXPECT_GE(bound.report().modules, 1U);
+}
+
+/// A boolean of so many solids, some of which are much code.
+Solid random_boolean(std::mt19937_64& random, int solids) {
+  const auto piece = [&] {
+    const Solid one =
+        random() % 4 == 0 ? make_ellipsoid("e", 2, 3, 4, -3, 4) : random_primitive(random);
+    return make_placed("p", one, random_frame(random));
+  };
+  Solid made = make_box("b", 4, 4, 4);
+  for (int i = 1; i < solids; ++i) {
+    const Solid next =
+        random() % 3 == 0 && i + 1 < solids ? (++i, make_union("u", piece(), piece())) : piece();
+    made = random() % 2 == 0 ? make_union("u", made, next) : make_subtraction("s", made, next);
+  }
+  return made;
+}
+
+TEST(CompiledSolids, OfManySolidsAnswerAsTheGenericNavigator) {
+  std::mt19937_64 random(17);
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 90, 90, 20));
+  for (int i = 0; i < 6; ++i) {
+    const VolumeId leaf =
+        tests::add_volume(world, "leaf" + std::to_string(i), random_boolean(random, 3 + 3 * i));
+    tests::place(world, world.top, leaf, {-40.0 + 40 * (i % 3), -20.0 + 40 * (i / 3), 0});
+  }
+  finish(world);
+  const auto shared = std::make_shared<const World>(std::move(world));
+  Runtime bound(shared, solids_alone(JitMode::wait));
+  std::vector<Ray> rays;
+  for (int i = 0; i < 6000; ++i) {
+    const Vec3 near{-40.0 + 40 * static_cast<double>(random() % 3) + uniform(random, -6, 6),
+                    -20.0 + 40 * static_cast<double>(random() % 2) + uniform(random, -6, 6),
+                    uniform(random, -6, 6)};
+    rays.push_back({near, tests::random_direction(random)});
+  }
+  EXPECT_EQ(tests::traces_that_differ(bound, rays), 0U);
+  EXPECT_GE(scenes_with_compiled_solids(bound.report()), 5U);
 }
 
 TEST(CompiledSolids, ComeWhileARunGoesOn) {

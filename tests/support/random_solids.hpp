@@ -5,13 +5,10 @@
 #include <cstring>
 #include <random>
 
+#include "geometry/model/random.hpp"
 #include "geometry/solids/solid.hpp"
 
 namespace navjit {
-
-inline double uniform(std::mt19937_64& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
 
 inline Solid random_primitive(std::mt19937_64& random) {
   const auto size = [&] { return uniform(random, 0.5, 4); };
