@@ -28,7 +28,7 @@ constexpr double leaf_gain_ns = 20;
 constexpr double daughters_gain_ns = 60;
 
 /// A choice. A processor that is left may be another program's.
-constexpr double where_processors_are_left = 1.0 / 3;
+constexpr double where_processors_are_left = 1.0 / 30;
 /// Of a processor: threads that wait now and then are not quite busy.
 constexpr double nearly = 0.2;
 

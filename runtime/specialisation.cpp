@@ -30,8 +30,6 @@ bool Specialisation::allowance_is_used_up() const {
 
 double Specialisation::compile_weight() const {
   const double weight = shared->options.specialiser.compile_weight;
-  // Nothing is tried while the compiler works.
-  if (!trials.nearly_all_decided()) return weight;
   const double busy = (1e-9 * navigating_ns - process_s_before) / std::max(seconds(), 1e-3);
   return weight_of_compiling(weight, busy, std::thread::hardware_concurrency());
 }

@@ -32,7 +32,7 @@ enum class InstructionSet : std::uint8_t {
 struct SpecialiserOptions {
   double poll_ms = 5;  ///< between looks at the profile
   /// What a ms of the compiler's thread counts beside one of navigation. Little: runs go on for
-  /// long. A third of it counts while fewer threads of the process are busy than it has processors.
+  /// long. A thirtieth counts while fewer threads of the process are busy than it has processors.
   double compile_weight = 0.3;
   /// Compile code for the hottest scenes. Without it, `structures` and `solids` nothing is
   /// compiled: scenes are bound to data alone.

@@ -155,11 +155,11 @@ TEST(CostModel, MoreCostsMore) {
 }
 
 TEST(Schedule, CompilingCountsLessWhereAProcessorIsLeft) {
-  EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 1, 2), 0.1);
-  EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 1.1, 2), 0.1);
+  EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 1, 2), 0.01);
+  EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 1.1, 2), 0.01);
   EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 2, 2), 0.3);
   EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 1, 1), 0.3);
-  EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 63, 64), 0.1);
+  EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 63, 64), 0.01);
   EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 64, 64), 0.3);
   EXPECT_DOUBLE_EQ(weight_of_compiling(0.3, 0, 0), 0.3) << "how many there are is not known";
 }
