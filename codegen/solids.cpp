@@ -1,6 +1,7 @@
 #include "codegen/solids.hpp"
 
-#include <set>
+#include <array>
+#include <map>
 
 #include "analysis/foreign.hpp"
 #include "codegen/module_text.hpp"
@@ -20,24 +21,29 @@ std::string function(const std::string& type, const std::string& name, bool with
 }  // namespace
 
 SolidTypes types_in(const kernels::AnySolid<double>& solid) {
-  Shapes shapes(true);
-  std::set<std::string> composed;
-  std::set<SolidKind> plain;
-  const auto look = [&](const auto& again, const kernels::AnySolid<double>& s) -> void {
-    kernels::visit(s, [&](const auto& shape) {
+  // Each type by its kind and those of its operands, so that deep chains take no more than their
+  // length.
+  std::map<std::array<std::size_t, 5>, std::size_t> numbers;
+  SolidTypes types;
+  const auto number = [&](const auto& again, const kernels::AnySolid<double>& s) -> std::size_t {
+    return kernels::visit(s, [&](const auto& shape) {
+      std::array<std::size_t, 5> type{static_cast<std::size_t>(s.kind), 0, 0, 0, 0};
+      std::size_t* count = s.kind == SolidKind::box ? nullptr : &types.plain;
       if constexpr (requires { shape.a.boxed; }) {
-        composed.insert(shapes.type(s));
-        again(again, shape.a.solid);
-        again(again, shape.b.solid);
+        type = {type[0], again(again, shape.a.solid), keeps_box(shape.a),
+                again(again, shape.b.solid), keeps_box(shape.b)};
+        count = &types.composed;
       } else if constexpr (requires { shape.solid.kind; }) {
-        again(again, shape.solid);
-      } else if (s.kind != SolidKind::box) {
-        plain.insert(s.kind);
+        type[1] = again(again, shape.solid);
+        count = nullptr;
       }
+      const auto [found, is_new] = numbers.try_emplace(type, numbers.size());
+      if (is_new && count != nullptr) ++*count;
+      return found->second;
     });
   };
-  look(look, solid);
-  return {composed.size(), plain.size()};
+  number(number, solid);
+  return types;
 }
 
 bool gains_from_code(const kernels::AnySolid<double>& solid) {

@@ -140,43 +140,24 @@ double Navigator::recorded_safety(const Vec3& point, double enough) {
 std::span<Step> Navigator::steps(const State& from, Vec3& point, const Vec3& direction,
                                  double& limit, std::span<Step> buffer) {
   if (buffer.empty()) throw UsageError("the buffer has no room for a step");
-  std::size_t made = 0;
-  const Step first = step(from, point, direction, limit);  // which looks at all arguments
   Vec3 at = point;
   double left = limit;
-  const auto take = [&](double length, bool boundary, const State& next) {
-    buffer[made++] = {length, boundary, next};
-    at.x += length * direction.x;
-    at.y += length * direction.y;
-    at.z += length * direction.z;
-    left -= length;
+  std::size_t count = 0;
+  // Whether the ray goes on. Steps are handed on number by number: a copy of all at once would load
+  // what was just stored in parts, and wait for it.
+  const auto take = [&](const Step& made) {
+    buffer[count++] = {made.length, made.boundary, {made.next.touchable(), made.next.volume()}};
+    at.x += made.length * direction.x;
+    at.y += made.length * direction.y;
+    at.z += made.length * direction.z;
+    left -= made.length;
+    return made.boundary && made.next.inside() && left > 0 && count < buffer.size();
   };
-  take(first.length, first.boundary, first.next);
-  // From here on the stack is where the ray is, and along it.
-  Own& own = *own_;
-  NavigationStack& stack = own.stack;
-  bool boundary = first.boundary;
-  while (boundary && stack.depth >= 0 && left > 0 && made < buffer.size()) {
-    const VolumeId volume = stack.levels[stack.depth].volume;
-    own.profile.count(volume);
-    if (own.profile.due()) [[unlikely]] {
-      const Step step = recorded_step(stack, at, direction, left);
-      take(step.length, step.boundary, step.next);
-      boundary = step.boundary;
-      continue;
-    }
-    own.read_side->enter();
-    const kernels::DispatchEntry* entry = kernels::dispatch_entry_of(context_, volume);
-    double length = entry->step(&stack, context_, entry->data, at.x, at.y, at.z, left);
-    if (length < 0) [[unlikely]]
-      length = bail_out(stack, at, direction, left);
-    own.read_side->leave();
-    boundary = stack.boundary != 0;
-    take(length, boundary, state_of(stack));
-  }
+  bool goes_on = take(step(from, point, direction, limit));  // which looks at all arguments
+  while (goes_on) goes_on = take(step_on(own_->stack, at, direction, left));
   point = {at.x, at.y, at.z};
   limit = left;
-  return buffer.first(made);
+  return buffer.first(count);
 }
 
 State Navigator::relocate(const State& hint, const Vec3& point, const Vec3& direction) {

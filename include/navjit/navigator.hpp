@@ -177,6 +177,9 @@ class Navigator {
   /// A step of a track whose stack this is; its arguments are good.
   Step step_of(kernels::NavigationStack& stack, const State& from, const Vec3& point,
                const Vec3& direction, double limit);
+  /// As step_of(), where the stack is along the direction and at the state already.
+  Step step_on(kernels::NavigationStack& stack, const Vec3& point, const Vec3& direction,
+               double limit);
   /// The step, recorded for the specialiser; with shadow mode on, all steps are made here.
   Step recorded_step(kernels::NavigationStack& stack, const Vec3& point, const Vec3& direction,
                      double limit);
@@ -217,12 +220,17 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
 
 inline Step Navigator::step_of(kernels::NavigationStack& stack, const State& from,
                                const Vec3& point, const Vec3& direction, double limit) {
-  Own& own = *own_;
   const double* ray = stack.ray.given;
   if (!(kernels::same_bits(ray[0], direction.x) && kernels::same_bits(ray[1], direction.y) &&
         kernels::same_bits(ray[2], direction.z))) [[unlikely]]
     begin_ray(stack, direction);
   if (!is_at(stack, from)) restore(stack, from);
+  return step_on(stack, point, direction, limit);
+}
+
+inline Step Navigator::step_on(kernels::NavigationStack& stack, const Vec3& point,
+                               const Vec3& direction, double limit) {
+  Own& own = *own_;
   const VolumeId volume = stack.levels[stack.depth].volume;
   own.profile.count(volume);
   if (own.profile.due()) [[unlikely]]

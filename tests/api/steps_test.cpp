@@ -86,13 +86,6 @@ TEST_F(SeveralSteps, AreThoseOfOneByOneGenerically) {
 
 TEST_F(SeveralSteps, AreThoseOfOneByOneSpecialised) {
   Runtime runtime(world_, tests::eager_options(JitMode::wait));
-  {
-    // What is hot has to be known before it is specialised.
-    Navigator navigator = runtime.navigator();
-    for (const Ray& ray : tests::rays_through(*world_, 7, 3000)) {
-      tests::trace(navigator, ray, world_->tolerance);
-    }
-  }
   expect_as_one_by_one(runtime);
   EXPECT_GT(tests::share_specialised(runtime), 0.5);
 }
