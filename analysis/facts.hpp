@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "analysis/known_plans.hpp"
 #include "analysis/scene_plan.hpp"
 
 namespace navjit {
@@ -23,6 +24,8 @@ struct WorldFacts {
   /// Volumes (each the first of its equals) whose navigators have to take steps along faces or from
   /// within daughters.
   std::set<VolumeId> along_faces;
+  /// Of this world; copies of the facts share them.
+  std::shared_ptr<KnownPlans> known_plans = std::make_shared<KnownPlans>();
 };
 
 WorldFacts analyse_world(const Geometry& geometry);

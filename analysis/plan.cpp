@@ -97,6 +97,9 @@ void merge_classes(std::vector<DaughterClass>& classes, SolidKind kind, bool rot
 /// With more daughters than this the tables of what is around each would be most of the code.
 constexpr std::size_t most_with_neighbours = 2048;
 
+/// Plans of scenes with fewer daughters are made anew faster than they are kept and copied.
+constexpr std::size_t fewest_to_keep = 16;
+
 /// The volume's own solid, or daughters that are not turned.
 bool has_boxes_along_axes(const Scene& scene, const ScenePlan& plan) {
   return scene.solid.kind == SolidKind::box ||
@@ -105,13 +108,9 @@ bool has_boxes_along_axes(const Scene& scene, const ScenePlan& plan) {
          });
 }
 
-}  // namespace
-
-bool is_costly(SolidKind kind) {
-  return kind != SolidKind::box && kind != SolidKind::tube && kind != SolidKind::cone;
-}
-
-ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId volume) {
+ScenePlan make_plan(const Geometry& geometry, const WorldFacts& facts,
+                    const KnownPlans::Question& question) {
+  const VolumeId volume = question.volume;
   const Scene& scene = geometry.scene(volume);
   ScenePlan plan;
   plan.volume = volume;
@@ -123,14 +122,31 @@ ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId
   }
   plan.neighbour_lists =
       !scene.neighbour_lists.of.empty() && scene.neighbour_lists.of.size() <= most_with_neighbours;
-  plan.bail_out_rare = !facts.along_faces.contains(volume);
+  plan.bail_out_rare = !question.along_faces;
   plan.oblique_only = plan.bail_out_rare && has_boxes_along_axes(scene, plan);
+  choose_candidates(geometry, question.forced, plan);
+  if (question.with_safety) choose_safety(geometry, plan);
+  return plan;
+}
+
+}  // namespace
+
+bool is_costly(SolidKind kind) {
+  return kind != SolidKind::box && kind != SolidKind::tube && kind != SolidKind::cone;
+}
+
+ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId volume) {
   const auto forced = facts.forced_candidates.find(volume);
-  choose_candidates(geometry,
-                    forced == facts.forced_candidates.end() ? std::optional<Candidates>()
-                                                            : std::optional(forced->second),
-                    plan);
-  if (facts.with_safety) choose_safety(geometry, plan);
+  const KnownPlans::Question question{
+      volume,
+      forced == facts.forced_candidates.end() ? std::nullopt : std::optional(forced->second),
+      facts.along_faces.contains(volume), facts.with_safety};
+  if (geometry.scene(volume).daughters.size() < fewest_to_keep) {
+    return make_plan(geometry, facts, question);
+  }
+  if (const auto known = facts.known_plans->find(question)) return *known;
+  ScenePlan plan = make_plan(geometry, facts, question);
+  facts.known_plans->keep(question, plan);
   return plan;
 }
 

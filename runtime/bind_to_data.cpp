@@ -209,7 +209,11 @@ bool bind_hot_to_data(Specialisation& spec) {
     bind_to_data(spec, volume);
   }
   // Once it is due, all of it is, though less and less of it is left.
-  if (spec.leaves_due.empty()) spec.leaves_due = many_rare_leaves(spec, least);
+  if (spec.leaves_due.empty() && all >= spec.leaves_again_at) {
+    spec.leaves_due = many_rare_leaves(spec, least);
+    // It looks at every daughter of all that is bound.
+    if (spec.leaves_due.empty()) spec.leaves_again_at = all / 8 * 9;
+  }
   while (!spec.leaves_due.empty()) {
     if (spec.stopping() || steady_seconds() > until) return true;
     bind_one_of_many(spec, spec.leaves_due.back());

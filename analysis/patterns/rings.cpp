@@ -25,6 +25,10 @@ constexpr double alike = 1e-6;
 constexpr std::size_t fewest = 3;
 constexpr int most_steps = 1024;
 
+/// Among so many different radii, heights and spans there are no rings: each daughter is compared
+/// with all of these.
+constexpr std::size_t most_groups = 256;
+
 /// A ray may be on the other side of a ring's surface if the mother reaches that much farther, in
 /// units of the ring's own thickness; what is less is not worth a square root.
 constexpr double worth_clipping = 0.1;
@@ -166,10 +170,12 @@ std::optional<Rings> find_rings(const World& world, const Solid& mother,
       });
       if (group == groups.end()) {
         groups.push_back({k});
+        if (groups.size() > most_groups) break;
       } else {
         group->push_back(k);
       }
     }
+    if (groups.size() > most_groups) continue;
     for (const auto& group : groups) {
       std::optional<Ring> ring;
       if (group.size() >= fewest) ring = make_ring(extents, group, outer, margin);
