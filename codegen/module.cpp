@@ -126,9 +126,7 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
   if (!data.empty()) std::memcpy(place, data.data(), data.size());
   module.data = place;
   module.owner = arena;
-  module.source = "// Navigators for " + std::to_string(hot.size()) +
-                  " scenes. Generated: do not edit.\n" +
-                  module_text(shapes,
+  module.source = module_text("Navigators for " + std::to_string(hot.size()) + " scenes.", shapes,
                               "using Tolerance = ConstantNumber<" + number(geometry.tolerance()) +
                                   ">;\n" + shapes.definitions() + declarations + types,
                               functions);

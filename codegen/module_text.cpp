@@ -10,20 +10,23 @@ constexpr const char* inlined =
     "#pragma clang attribute push(__attribute__((always_inline)), apply_to = function)\n";
 constexpr const char* as_it_is = "#pragma clang attribute pop\n";
 
-/// The text of all kernels that scenes of these shapes are made of.
-std::string kernels_for(const Shapes& shapes) {
+void add_kernel(std::string& text, std::string_view kernel, bool small) {
+  text += (small ? inlined : "") + std::string(kernel_text(kernel)) + (small ? as_it_is : "");
+}
+
+/// Of solids, those that most detectors have.
+bool is_common(std::string_view kernel) {
+  return kernel == "convex" || kernel == "box" || kernel == "wedge" || kernel == "tube";
+}
+
+std::string make_common_text() {
   std::string text = "#pragma clang diagnostic ignored \"-Winvalid-offsetof\"\n";
-  const auto add = [&](std::string_view kernel, bool small) {
-    text += (small ? inlined : "") + std::string(kernel_text(kernel)) + (small ? as_it_is : "");
-  };
-  for (const char* head : {"vectors", "prelude"}) add(head, true);
+  for (const char* head : {"vectors", "prelude"}) add_kernel(text, head, true);
   for (const std::string_view kernel : kernel_order()) {
-    // Constants fold only into kernels that are inlined; the large ones would be inlined into each
-    // other again and again.
-    if (shapes.kernels().contains(std::string(kernel))) add(kernel, inlines_everywhere(kernel));
+    if (is_common(kernel)) add_kernel(text, kernel, true);
   }
-  for (const char* kernel : scene_kernels()) add(kernel, true);
-  add("scene", false);
+  for (const char* kernel : scene_kernels()) add_kernel(text, kernel, true);
+  add_kernel(text, "scene", false);
   return text;
 }
 
@@ -43,9 +46,23 @@ std::string entry_functions(const Entry& entry, const std::string& scene) {
          ">(data, stack, x, y, z, enough);\n}\n";
 }
 
-std::string module_text(const Shapes& shapes, const std::string& types,
+const std::string& common_text() {
+  static const std::string text = make_common_text();
+  return text;
+}
+
+std::string module_text(const std::string& title, const Shapes& shapes, const std::string& types,
                         const std::string& functions) {
-  return kernels_for(shapes) + "\nnamespace navjit::kernels {\nnamespace {\n\n" + types +
+  std::string text = common_text();
+  for (const std::string_view kernel : kernel_order()) {
+    // Constants fold only into kernels that are inlined; the large ones would be inlined into each
+    // other again and again.
+    if (!is_common(kernel) && shapes.kernels().contains(std::string(kernel))) {
+      add_kernel(text, kernel, inlines_everywhere(kernel));
+    }
+  }
+  return text + "\n// " + title +
+         " Generated: do not edit.\n\nnamespace navjit::kernels {\nnamespace {\n\n" + types +
          "\n}  // namespace\n\n" + functions + "\n}  // namespace navjit::kernels\n";
 }
 

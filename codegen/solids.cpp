@@ -82,12 +82,10 @@ SolidModule generate_solids(std::span<const kernels::AnySolid<double>> solids, d
     module.entries.push_back(std::move(entry));
   }
   module.owner = arena;
-  module.source =
-      "// Code for " + std::to_string(solids.size()) + " solids. Generated: do not edit.\n" +
-      module_text(
-          shapes,
-          "constexpr double tolerance = " + number(tolerance) + ";\n" + shapes.definitions(),
-          functions);
+  module.source = module_text(
+      "Code for " + std::to_string(solids.size()) + " solids.", shapes,
+      "constexpr double tolerance = " + number(tolerance) + ";\n" + shapes.definitions(),
+      functions);
   return module;
 }
 

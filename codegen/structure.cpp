@@ -59,8 +59,8 @@ Module generate_structure(const Geometry& geometry, const WorldFacts& facts,
   module.entries.push_back(entry);
   module.data = tables.data;
   module.owner = arena;
-  module.source = "// A navigator for all scenes of a structure. Generated: do not edit.\n" +
-                  module_text(shapes, types, entry_functions(entry, name));
+  module.source = module_text("A navigator for all scenes of a structure.", shapes, types,
+                              entry_functions(entry, name));
   return module;
 }
 

@@ -17,14 +17,13 @@
 #include "jit/detail/frontend.hpp"
 #include "jit/detail/large_stack.hpp"
 #include "jit/detail/leave_wreck.hpp"
+#include "jit/detail/preamble.hpp"
 #include "jit/detail/source_check.hpp"
 #include "jit/detail/target.hpp"
+#include "jit/detail/thread_time.hpp"
 
 namespace navjit::jit {
 namespace {
-
-// Parsing and code generation recurse with the nesting of expressions. Only touched pages cost.
-constexpr std::size_t stack_bytes = std::size_t{256} << 20;
 
 class Stopwatch {
  public:
@@ -84,6 +83,8 @@ struct Compiler::Impl {
   CompileOptions options;
   detail::Target target;
   std::vector<std::string> flags;
+  detail::ProcessorTime compiling{};
+  std::unique_ptr<detail::Preamble> preamble;
   std::shared_ptr<llvm::TargetMachine> machine;
   std::string description;
 
@@ -118,7 +119,7 @@ struct Compiler::Impl {
     Stopwatch stopwatch;
     work.context.setDiagnosticHandlerCallBack(collect, &work.diagnostics, /*RespectFilters=*/true);
     Expected<detail::ParsedUnit> unit =
-        detail::parse(source, unit_name, flags, target, work.context);
+        detail::parse(source, unit_name, flags, target, *preamble, work.context);
     if (!unit) return unit.failure();
     work.module = unit->module;
     llvm::Module& module = *work.module;
@@ -126,6 +127,7 @@ struct Compiler::Impl {
       return Failure{unit_name + ": no function visible from outside is defined"};
     }
     Object object;
+    object.report.kept_preamble = unit->kept_preamble;
     object.report.frontend_ms = stopwatch.lap_ms();
 
     detail::make_floating_point_strict(module);
@@ -165,6 +167,7 @@ Expected<Compiler> Compiler::create(const CompileOptions& options) {
   if (!machine) return machine.failure();
   impl->machine = *std::move(machine);
   impl->flags = detail::frontend_flags(options);
+  impl->preamble = std::make_unique<detail::Preamble>(options.preamble);
   impl->description = navjit::jit::target_description(options);
   return Compiler(std::move(impl));
 }
@@ -180,7 +183,8 @@ Expected<Object> Compiler::compile(std::string_view source, std::string_view uni
   }
   if (std::optional<Failure> failure = detail::too_deep(source, name)) return *failure;
   Expected<Object> result = Failure{name + ": compilation did not finish"};
-  const std::optional<Failure> not_run = detail::run_on_large_stack(stack_bytes, [&] {
+  const std::optional<Failure> not_run = detail::run_on_large_stack(detail::stack_bytes, [&] {
+    const detail::ProcessorTime::Watched time(impl_->compiling);
     try {
       result = impl_->compile(source, name, stop);
     } catch (const std::bad_alloc&) {
@@ -193,6 +197,8 @@ Expected<Object> Compiler::compile(std::string_view source, std::string_view uni
   if (not_run) return *not_run;
   return result;
 }
+
+double Compiler::processor_seconds() const { return impl_->compiling.seconds(); }
 
 const std::string& Compiler::target_description() const { return impl_->description; }
 

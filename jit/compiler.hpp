@@ -24,6 +24,9 @@ struct CompileOptions {
   /// Emit DWARF line tables, types and variables and keep frame pointers, so that a debugger shows
   /// source lines. The debugger finds the source if `unit_name` is the path of a file holding it.
   bool debug_info = false;
+  /// Whole declarations, to the end of a line, with which sources may begin: from the second of
+  /// those that do on, all of one `unit_name`, it is kept parsed. The code is the same.
+  std::string preamble = {};
   /// Longer sources are refused: parsing cannot be interrupted, so this is what bounds it.
   std::size_t max_source_bytes = std::size_t{8} << 20;
   /// Processor time, ms: what takes longer is given up, at the pass or the function that it is at.
@@ -35,6 +38,7 @@ struct CompileReport {
   double frontend_ms = 0;      ///< Parsing, semantic analysis and generation of IR.
   double optimise_ms = 0;      ///< The IR pass pipeline.
   double codegen_ms = 0;       ///< Instruction selection to object bytes.
+  bool kept_preamble = false;  ///< The source began with it, and it was parsed before.
   std::size_t code_bytes = 0;  ///< Machine code in the object, without constants and symbols.
 };
 
@@ -84,6 +88,9 @@ class Compiler {
   /// `stopped`, once it has taken CompileOptions::most_ms.
   Expected<Object> compile(std::string_view source, std::string_view unit_name,
                            const std::stop_token& stop = {});
+
+  /// Processor time that it has taken so far, s; those that are under way included. Thread-safe.
+  double processor_seconds() const;
 
   /// Everything but the source that determines the code: see the function of the same name.
   const std::string& target_description() const;

@@ -101,6 +101,22 @@ std::vector<std::string> target_flags(const Target& target) {
   return flags;
 }
 
+/// False, with diagnostics, if flags are not understood.
+bool fill_invocation(clang::CompilerInvocation& invocation, const std::string& unit_name,
+                     const std::vector<std::string>& flags, const Target& target,
+                     clang::DiagnosticsEngine& diagnostics) {
+  std::vector<std::string> arguments = target_flags(target);
+  arguments.insert(arguments.end(), flags.begin(), flags.end());
+  arguments.insert(arguments.end(),
+                   {"-main-file-name", unit_name.substr(unit_name.rfind('/') + 1)});
+  std::vector<const char*> pointers;
+  pointers.reserve(arguments.size());
+  for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
+  if (!clang::CompilerInvocation::CreateFromArgs(invocation, pointers, diagnostics)) return false;
+  invocation.getFrontendOpts().Inputs = {clang::FrontendInputFile(unit_name, clang::Language::CXX)};
+  return true;
+}
+
 }  // namespace
 
 std::vector<std::string> frontend_flags(const CompileOptions& options) {
@@ -135,33 +151,28 @@ std::vector<std::string> frontend_flags(const CompileOptions& options) {
 
 Expected<ParsedUnit> parse(std::string_view source, std::string_view unit_name,
                            const std::vector<std::string>& flags, const Target& target,
-                           llvm::LLVMContext& context) {
+                           Preamble& preamble, llvm::LLVMContext& context) {
   const std::string name(unit_name);
   return leave_wreck(std::make_unique<Frontend>(context), [&](Frontend& f) -> Expected<ParsedUnit> {
     // The source is the only file there is to include.
-    llvm::IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem> files(
+    llvm::IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem> memory(
         new llvm::vfs::InMemoryFileSystem());
-    if (const std::error_code error = files->setCurrentWorkingDirectory("/")) {
+    if (const std::error_code error = memory->setCurrentWorkingDirectory("/")) {
       return Failure{"no root of files in memory: " + error.message()};
     }
-    files->addFile(
+    memory->addFile(
         name, 0,
         llvm::MemoryBuffer::getMemBufferCopy(llvm::StringRef(source.data(), source.size()), name));
     f.instance.createDiagnostics(&f.printer, /*ShouldOwnClient=*/false);
     // The count of errors would go to stderr otherwise.
     f.instance.setVerboseOutputStream(std::make_unique<llvm::raw_null_ostream>());
 
-    std::vector<std::string> arguments = target_flags(target);
-    arguments.insert(arguments.end(), flags.begin(), flags.end());
-    arguments.insert(arguments.end(), {"-main-file-name", name.substr(name.rfind('/') + 1)});
-    std::vector<const char*> pointers;
-    pointers.reserve(arguments.size());
-    for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
-    if (!clang::CompilerInvocation::CreateFromArgs(f.instance.getInvocation(), pointers,
-                                                   f.instance.getDiagnostics())) {
+    if (!fill_invocation(f.instance.getInvocation(), name, flags, target,
+                         f.instance.getDiagnostics())) {
       return Failure{"compiler flags not understood:\n" + f.printer.all()};
     }
-    f.instance.getFrontendOpts().Inputs = {clang::FrontendInputFile(name, clang::Language::CXX)};
+    llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> files(memory);
+    const bool kept = preamble.use(source, f.instance.getInvocation(), files);
     f.instance.createFileManager(files);
 
     const bool succeeded = f.instance.ExecuteAction(f.action);
@@ -170,7 +181,7 @@ Expected<ParsedUnit> parse(std::string_view source, std::string_view unit_name,
       const std::string messages = f.printer.all();
       return Failure{messages.empty() ? name + ": compilation failed" : messages};
     }
-    return ParsedUnit{std::move(module), f.printer.all()};
+    return ParsedUnit{std::move(module), f.printer.all(), kept};
   });
 }
 

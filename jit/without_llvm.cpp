@@ -22,6 +22,7 @@ Expected<Compiler> Compiler::create(const CompileOptions&) { return absent(); }
 Expected<Object> Compiler::compile(std::string_view, std::string_view, const std::stop_token&) {
   return absent();
 }
+double Compiler::processor_seconds() const { return 0; }
 const std::string& Compiler::target_description() const { return impl_->description; }
 
 Expected<Object> compile(std::string_view, std::string_view, const CompileOptions&) {

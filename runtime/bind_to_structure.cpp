@@ -10,6 +10,7 @@
 #include "analysis/plan.hpp"
 #include "codegen/structure.hpp"
 #include "runtime/bind_to_data.hpp"
+#include "runtime/compile.hpp"
 #include "runtime/compiling.hpp"
 #include "runtime/gather.hpp"
 #include "runtime/install.hpp"
@@ -28,16 +29,10 @@ constexpr double solid_ms = 100;
 /// Fewer steps in a scene are not worth a place in a structure.
 constexpr double least_steps = 500;
 
-struct Structure {
-  std::vector<codegen::Module> scenes{};
-  double compile_ms = 0;  ///< expected
-  double spent_ns = 0;    ///< steps and relocations in them, by the time of a step
-};
-
 /// Scenes that are bound to data by an instance that takes any solid, by structure.
-std::map<std::string, Structure> find_structures(Specialisation& spec, bool all) {
+std::map<std::string, DueStructure> find_structures(Specialisation& spec, bool all) {
   const Geometry& geometry = spec.shared->geometry;
-  std::map<std::string, Structure> structures;
+  std::map<std::string, DueStructure> structures;
   for (std::size_t v = 0; v < geometry.size(); ++v) {
     const auto volume = static_cast<VolumeId>(v);
     const double executions = spec.executions(volume);
@@ -49,7 +44,7 @@ std::map<std::string, Structure> find_structures(Specialisation& spec, bool all)
       continue;
     }
     codegen::Module module = codegen::generate_structure(geometry, spec.facts, plan);
-    Structure& structure = structures[module.source];
+    DueStructure& structure = structures[module.source];
     structure.spent_ns += executions * (all ? 1 : bound_ns(spec, volume));
     structure.compile_ms =
         solid_ms * static_cast<double>(codegen::solids_of_structure(geometry, plan));
@@ -62,28 +57,43 @@ std::uint64_t all_steps(const Specialisation& spec) {
   return std::accumulate(spec.steps.begin(), spec.steps.end(), std::uint64_t{0});
 }
 
-}  // namespace
-
-bool bind_to_structure(Specialisation& spec, bool all) {
-  const SpecialiserOptions& options = spec.shared->options.specialiser;
-  if (!options.structures || !spec.maker || spec.hopeless || spec.stopping()) return false;
-  if (!all && (spec.group_lost || spec.allowance_is_used_up())) return false;
-  // Plans take their time: where none paid, it looks again after a few more steps.
-  if (!all && all_steps(spec) < spec.structures_again_at) return false;
-  std::map<std::string, Structure> structures = find_structures(spec, all);
+std::optional<DueStructure> best_of(std::map<std::string, DueStructure> structures) {
   const auto best =
       std::max_element(structures.begin(), structures.end(), [](const auto& a, const auto& b) {
         return a.second.spent_ns * b.second.compile_ms < b.second.spent_ns * a.second.compile_ms;
       });
-  const auto pays = [&](const Structure& structure) {
-    return structure.spent_ns * gain_over_data >=
-           spec.compile_weight() * structure.compile_ms * 1e6;
-  };
-  if (best == structures.end() || !(all || pays(best->second))) {
-    spec.structures_again_at = all_steps(spec) / 8 * 9;
-    return false;
+  if (best == structures.end()) return {};
+  best->second.source = best->first;
+  return std::move(best->second);
+}
+
+bool may_compile(const Specialisation& spec) {
+  return spec.shared->options.specialiser.structures && spec.maker && !spec.hopeless &&
+         !spec.stopping();
+}
+
+}  // namespace
+
+std::optional<DueStructure> due_structure(Specialisation& spec) {
+  if (!may_compile(spec) || spec.group_lost || spec.allowance_is_used_up()) return {};
+  // Plans take their time: where none paid, it looks again after a few more steps.
+  if (all_steps(spec) < spec.structures_again_at) return {};
+  std::optional<DueStructure> best = best_of(find_structures(spec, false));
+  if (best) {
+    best->paid = best->spent_ns * gain_over_data / (spec.compile_weight() * best->compile_ms * 1e6);
+    if (best->paid >= 1) return best;
   }
-  const auto& [source, structure] = *best;
+  spec.structures_again_at = all_steps(spec) / 8 * 9;
+  return {};
+}
+
+std::optional<DueStructure> any_structure(Specialisation& spec) {
+  if (!may_compile(spec)) return {};
+  return best_of(find_structures(spec, true));
+}
+
+bool bind_to_structure(Specialisation& spec, const DueStructure& structure) {
+  const std::string& source = structure.source;
   for (const codegen::Module& scene : structure.scenes) {
     spec.structure_tried.insert(scene.entries[0].volume);
   }

@@ -58,16 +58,14 @@ bool may_be_tried(Specialisation& spec, VolumeId volume) {
   return again != spec.try_again_at.end() && spec.execution_counts[volume] >= again->second;
 }
 
-std::vector<VolumeId> choose(Specialisation& spec) {
-  if (spec.hopeless || !spec.shared->options.specialiser.constants) return {};
-  SpecialiserOptions options = spec.shared->options.specialiser;
-  if (spec.group_lost || spec.allowance_is_used_up()) return {};
-  // Until the first module is there nothing is won: it is to be there soon.
-  if (spec.totals.modules == 0) options.module_ms /= 2;
-  options.module_ms /= spec.slower_than_expected();
+DueScenes due_scenes(Specialisation& spec) {
+  DueScenes due{{}, spec.shared->options.specialiser};
+  SpecialiserOptions& options = due.options;
+  if (spec.hopeless || !options.constants) return due;
+  if (spec.group_lost || spec.allowance_is_used_up()) return due;
+  options.module_ms = most_module_ms(spec.seconds(), options) / spec.slower_than_expected();
   options.compile_weight = spec.compile_weight();
   update_execution_counts(spec);
-  std::vector<Candidate> candidates;
   for (std::size_t v = 0; v < spec.execution_counts.size(); ++v) {
     const auto volume = static_cast<VolumeId>(v);
     if (spec.execution_counts[v] * 10 < static_cast<double>(options.min_steps) ||
@@ -92,13 +90,18 @@ std::vector<VolumeId> choose(Specialisation& spec) {
     }
     candidate.executions = spec.execution_counts[v];
     candidate.recent = spec.recent[v];
-    candidates.push_back(candidate);
+    due.candidates.push_back(candidate);
+    if (is_due(candidate, options)) due.paid = std::max(due.paid, times_paid(candidate, options));
   }
-  std::vector<VolumeId> module = next_module(candidates, options);
+  return due;
+}
+
+std::vector<VolumeId> choose(const Specialisation& spec, const DueScenes& due, double least) {
+  std::vector<VolumeId> module = next_module(due.candidates, due.options, least);
   if (!module.empty()) {
     spec.shared->log->debug(
         "event=chosen at_s={:.3f} scenes={} first={} candidates={}", spec.seconds(), module.size(),
-        quoted(spec.shared->geometry.world().volumes[module[0]].name), candidates.size());
+        quoted(spec.shared->geometry.world().volumes[module[0]].name), due.candidates.size());
   }
   return module;
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "runtime/schedule.hpp"
 #include "runtime/specialisation.hpp"
 
 namespace navjit {
@@ -10,8 +11,16 @@ namespace navjit {
 /// What the environment forces scenes to (runtime/overrides.hpp).
 void apply_overrides(Specialisation& spec);
 
-/// The scenes of the next module; none if nothing is due.
-std::vector<VolumeId> choose(Specialisation& spec);
+/// Scenes that might be compiled now.
+struct DueScenes {
+  std::vector<Candidate> candidates;
+  SpecialiserOptions options;  ///< as they are at this time of the run
+  double paid = 0;             ///< times_paid of the best that is due; 0 if none is
+};
+DueScenes due_scenes(Specialisation& spec);
+
+/// The scenes of the next module: next_module().
+std::vector<VolumeId> choose(const Specialisation& spec, const DueScenes& due, double least);
 
 /// Not tried yet, or long enough ago that trying again may pay.
 bool may_be_tried(Specialisation& spec, VolumeId volume);

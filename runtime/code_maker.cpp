@@ -4,6 +4,8 @@
 
 #include <exception>
 
+#include "codegen/module_text.hpp"
+
 namespace navjit {
 namespace {
 
@@ -35,11 +37,15 @@ const char* processor(InstructionSet set, spdlog::logger& log) {
 /// model knows nothing of must not keep all others waiting.
 constexpr double most_module_ms = 4000;
 
+constexpr const char* unit_name = "navjit_module";
+
 jit::CompileOptions compile_options(const SpecialiserOptions& options, spdlog::logger& log) {
   jit::CompileOptions result;
   result.optimisation = options.optimisation;
   result.debug_info = options.debug_info;
   result.most_ms = most_module_ms;
+  // A debugger shows the lines of the source, from its beginning.
+  if (!options.debug_info) result.preamble = codegen::common_text();
   result.cpu = processor(options.instruction_set, log);
   return result;
 }
@@ -135,7 +141,7 @@ std::optional<CodeMaker::Made> CodeMaker::find(std::string_view source) {
 Expected<CodeMaker::Made> CodeMaker::compile(std::string_view source, const std::stop_token& stop) {
   if (linker() == nullptr) return Failure{no_linker_};
   if (compiler() == nullptr) return Failure{no_compiler_};
-  auto object = compiler()->compile(source, "navjit_module", stop);
+  auto object = compiler()->compile(source, unit_name, stop);
   if (!object) return object.failure();
   auto code = linker()->link(*object);
   if (!code) return code.failure();

@@ -34,6 +34,10 @@ class CodeMaker {
   std::optional<Made> find(std::string_view source);
   /// Fails as stopped, soon, once that is requested.
   Expected<Made> compile(std::string_view source, const std::stop_token& stop);
+  /// Makes the compiler, before one thread compiles and another asks for its time.
+  void make_compiler() { compiler(); }
+  /// Processor time that compiling has taken so far, s. For any thread, once the compiler is made.
+  double processor_seconds() const { return compiler_ ? compiler_->processor_seconds() : 0; }
   /// Puts what was compiled from this source into the cache.
   void keep(std::string_view source, std::string_view label, const jit::Object& object);
   /// Code from the cache was no good: it shall not be found again.

@@ -7,6 +7,7 @@
 
 #include "codegen/solids.hpp"
 #include "runtime/bind_to_data.hpp"
+#include "runtime/compile.hpp"
 #include "runtime/compiling.hpp"
 #include "runtime/install.hpp"
 #include "runtime/judge.hpp"
@@ -22,7 +23,7 @@ namespace {
 constexpr double gain_of_code = 0.5;
 /// Expected time for a module at the most, unless one solid takes longer: modules cost little
 /// beside their solids, and the first need not wait for the last.
-constexpr double most_module_ms = 250;
+constexpr double most_solids_ms = 250;
 /// Where nothing was timed yet, a step in a scene that holds such solids, ns. A guess.
 constexpr double usual_ns = 100;
 /// Solids on which this part of what makes them due was spent go along with one that is due.
@@ -65,13 +66,13 @@ std::vector<double> spent_in_scenes(const Specialisation& spec) {
 
 struct Wanted {
   ComposedSolid* solid;
-  double urgency;
+  double urgency;  ///< how many times it has paid, or what stands for that
 };
 
 /// Those of the next module, the most urgent first. With a cache each solid has a module of its
 /// own, which other runs find there, whatever else is hot in them.
 std::vector<ComposedSolid*> most_urgent(Specialisation& spec, std::vector<Wanted> wanted,
-                                        double most_ms) {
+                                        double most_ms, double least = 0) {
   std::stable_sort(wanted.begin(), wanted.end(),
                    [](const Wanted& a, const Wanted& b) { return a.urgency > b.urgency; });
   const std::size_t most = spec.maker->has_cache() ? 1 : wanted.size();
@@ -79,16 +80,17 @@ std::vector<ComposedSolid*> most_urgent(Specialisation& spec, std::vector<Wanted
   double expected = module_base_ms;
   for (const Wanted& c : wanted) {
     if (chosen.size() == most) break;
-    if (!chosen.empty() && expected + c.solid->compile_ms > most_ms) continue;
+    if (!chosen.empty() && (expected + c.solid->compile_ms > most_ms || c.urgency < least)) {
+      continue;
+    }
     expected += c.solid->compile_ms;
     chosen.push_back(c.solid);
   }
   return chosen;
 }
 
-/// None unless one is due.
-std::vector<ComposedSolid*> due_solids(Specialisation& spec) {
-  const SpecialiserOptions& options = spec.shared->options.specialiser;
+/// Those that are due, or soon will be; none unless one is due.
+std::vector<Wanted> due_solids(Specialisation& spec) {
   const double weight = spec.compile_weight();
   const std::vector<double> spent = spent_in_scenes(spec);
   std::vector<Wanted> wanted;
@@ -97,14 +99,13 @@ std::vector<ComposedSolid*> due_solids(Specialisation& spec) {
     if (solid.tried) continue;
     double won = 0;
     for (const auto& [volume, share] : solid.scenes) won += gain_of_code * share * spent[volume];
-    const double cost = weight * solid.compile_ms * 1e6;
-    if (won == 0 || won < soon * cost) continue;
-    any_due = any_due || won >= cost;
-    wanted.push_back({&solid, won / cost});
+    const double paid = won / (weight * solid.compile_ms * 1e6);
+    if (won == 0 || paid < soon) continue;
+    any_due = any_due || paid >= 1;
+    wanted.push_back({&solid, paid});
   }
-  if (!any_due) return {};
-  return most_urgent(spec, std::move(wanted),
-                     std::min(options.module_ms, most_module_ms) / spec.slower_than_expected());
+  if (!any_due) wanted.clear();
+  return wanted;
 }
 
 /// Nothing if a function is missing.
@@ -226,9 +227,19 @@ bool may_compile(Specialisation& spec) {
 
 }  // namespace
 
-bool compile_solids(Specialisation& spec) {
-  if (spec.group_lost || spec.allowance_is_used_up() || !may_compile(spec)) return false;
-  const std::vector<ComposedSolid*> solids = due_solids(spec);
+double solids_paid(Specialisation& spec) {
+  if (spec.group_lost || spec.allowance_is_used_up() || !may_compile(spec)) return 0;
+  double most = 0;
+  for (const Wanted& wanted : due_solids(spec)) most = std::max(most, wanted.urgency);
+  return most;
+}
+
+bool compile_solids(Specialisation& spec, double least) {
+  const double most_ms =
+      std::min(most_module_ms(spec.seconds(), spec.shared->options.specialiser), most_solids_ms) /
+      spec.slower_than_expected();
+  // Time has passed since it was asked whether any is due.
+  const std::vector<ComposedSolid*> solids = most_urgent(spec, due_solids(spec), most_ms, least);
   return !solids.empty() && make(spec, solids);
 }
 
@@ -244,7 +255,7 @@ void compile_solids_of_all(Specialisation& spec, const std::set<VolumeId>& but, 
       }
       if (!solid.tried && often > 0) wanted.push_back({&solid, often / solid.compile_ms});
     }
-    if (wanted.empty() || !make(spec, most_urgent(spec, wanted, most_module_ms))) return;
+    if (wanted.empty() || !make(spec, most_urgent(spec, wanted, most_solids_ms))) return;
   }
 }
 

@@ -14,7 +14,11 @@ Compiling::Compiling(Specialisation& spec, const std::set<VolumeId>& volumes) : 
 Compiling::~Compiling() {
   const std::lock_guard lock(spec_.mutex);
   if (spec_.stopping()) return;
-  for (const auto& [volume, status] : before_) spec_.scenes[volume].status = status;
+  for (const auto& [volume, status] : before_) {
+    // A trial may have told more of it meanwhile.
+    SceneStatus& now = spec_.scenes[volume].status;
+    if (now == SceneStatus::compiling) now = status;
+  }
 }
 
 }  // namespace navjit

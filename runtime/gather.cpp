@@ -46,7 +46,7 @@ void gather(Specialisation& spec) {
     spec.steps[v] = steps;
   }
   spec.steps_made += static_cast<double>(made);
-  spec.navigating_ns = 1e9 * (process_seconds() - thread_seconds());
+  spec.navigating_ns = 1e9 * (process_seconds() - spec.own_seconds());
   spec.active = made > 0;
   const double now = spec.seconds();
   if (spec.active) spec.active_s += now - spec.looked_at;

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "geometry/navigation/generic.hpp"
-#include "jit/activity.hpp"
+#include "runtime/compile.hpp"
 #include "runtime/install.hpp"
 #include "runtime/log_text.hpp"
 
@@ -82,27 +82,6 @@ bool nothing_more(Specialisation& spec, const Failure& failure) {
   spec.shared->log->warn("nothing more is specialised in this run: {}", one_line(failure.message));
   spec.hopeless = true;
   return true;
-}
-
-Expected<CodeMaker::Made> compile(Specialisation& spec, const std::string& source) {
-  {
-    const std::lock_guard lock(spec.mutex);
-    if (spec.stopping()) return stopped();
-    spec.compiling = true;
-    spec.wake.notify_all();
-  }
-  Expected<CodeMaker::Made> made = stopped();
-  try {
-    if (spec.shared->faults.compiling) spec.shared->faults.compiling();
-    made = spec.maker->compile(source, spec.stop.get_token());
-  } catch (const std::bad_alloc&) {
-    made = out_of_memory();
-  }
-  const std::lock_guard lock(spec.mutex);
-  spec.compiling = false;
-  // Nobody waits for it then, and what is this thread's may be in use.
-  if (spec.stopping()) return stopped();
-  return made;
 }
 
 codegen::Module generate(Specialisation& spec, const std::vector<VolumeId>& batch,

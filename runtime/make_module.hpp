@@ -12,9 +12,6 @@ namespace navjit {
 codegen::Module generate(Specialisation& spec, const std::vector<VolumeId>& batch,
                          bool along_faces);
 
-/// Stops when the run does; a fault may be injected, and memory may give out.
-Expected<CodeMaker::Made> compile(Specialisation& spec, const std::string& source);
-
 /// After a failure to compile: whether nothing can be compiled in this process. Says so in the log.
 bool nothing_more(Specialisation& spec, const Failure& failure);
 

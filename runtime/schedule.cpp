@@ -32,6 +32,12 @@ constexpr double where_processors_are_left = 1.0 / 30;
 /// Of a processor: threads that wait now and then are not quite busy.
 constexpr double nearly = 0.2;
 
+/// Smaller modules cost more beside their scenes than in them.
+constexpr double least_module_ms = 150;
+
+/// Of a run so far, what a module may be expected to take.
+constexpr double part_of_run = 0.3;
+
 /// Scenes that have this part of what makes them due go along with one that is due.
 constexpr double soon = 0.3;
 
@@ -65,14 +71,21 @@ double weight_of_compiling(double weight, double busy_threads, unsigned processo
   return busy_threads + 1 > processors + nearly ? weight : weight * where_processors_are_left;
 }
 
+double most_module_ms(double seconds, const SpecialiserOptions& options) {
+  return std::min(options.module_ms, std::max(least_module_ms, part_of_run * 1e3 * seconds));
+}
+
+double times_paid(const Candidate& c, const SpecialiserOptions& options) {
+  return c.executions * c.gain_ns / (options.compile_weight * c.compile_ms * 1e6);
+}
+
 bool is_due(const Candidate& c, const SpecialiserOptions& options, double part) {
-  const double least = static_cast<double>(options.min_steps);
-  return c.executions >= part * least &&
-         c.executions * c.gain_ns >= part * options.compile_weight * c.compile_ms * 1e6;
+  return c.executions >= part * static_cast<double>(options.min_steps) &&
+         times_paid(c, options) >= part;
 }
 
 std::vector<VolumeId> next_module(std::span<const Candidate> candidates,
-                                  const SpecialiserOptions& options) {
+                                  const SpecialiserOptions& options, double least) {
   std::vector<Candidate> due, later;
   for (const Candidate& c : candidates) {
     if (is_due(c, options)) {
@@ -90,10 +103,13 @@ std::vector<VolumeId> next_module(std::span<const Candidate> candidates,
     });
     for (const Candidate& c : *some) {
       if (chosen.size() == options.batch) break;
-      if (!chosen.empty() && expected + c.compile_ms > options.module_ms) continue;
+      if (expected > least_module_ms && times_paid(c, options) < least) continue;
+      if (expected + c.compile_ms > options.module_ms) continue;
       expected += c.compile_ms;
       chosen.push_back(c.volume);
     }
+    // What fills a module by itself comes when nothing else is due: all others would wait for it.
+    if (chosen.empty()) return {due.front().volume};
   }
   return chosen;
 }

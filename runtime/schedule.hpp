@@ -20,6 +20,10 @@ double expected_compile_ms(const kernels::AnySolid<double>& solid);
 /// What any module costs beside its scenes, ms: reading the kernels.
 constexpr double module_base_ms = 30;
 
+/// What a module may be expected to take, ms, in a run of that many s so far, which may go on for
+/// as long again: until code is there nothing is won.
+double most_module_ms(double seconds, const SpecialiserOptions& options);
+
 /// No scene is compiled that is expected to take longer by itself: all others would wait for it.
 constexpr double most_scene_ms = 1000;
 
@@ -38,14 +42,18 @@ struct Candidate {
   double compile_ms = 0, gain_ns = 0;
 };
 
-/// Has what was spent in the scene so far paid for compiling it, or at least the given part of
-/// that?
+/// How many times what was spent in the scene so far has paid for compiling it.
+double times_paid(const Candidate& candidate, const SpecialiserOptions& options);
+
+/// Has it paid once, or at least the given part of that?
 bool is_due(const Candidate& candidate, const SpecialiserOptions& options, double part = 1);
 
 /// The scenes of the next module; none unless one is due. What pays back soonest comes first;
-/// scenes that are about to be due go along. Bounded by SpecialiserOptions::batch and module_ms;
-/// one scene may exceed the latter.
+/// scenes that are about to be due go along. What has paid fewer than `least` times only does in a
+/// module that is small otherwise: there is something else that comes before it. Bounded by
+/// SpecialiserOptions::batch and module_ms; a scene that exceeds the latter comes alone, when no
+/// other is due.
 std::vector<VolumeId> next_module(std::span<const Candidate> candidates,
-                                  const SpecialiserOptions& options);
+                                  const SpecialiserOptions& options, double least = 0);
 
 }  // namespace navjit

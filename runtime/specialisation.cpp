@@ -28,6 +28,10 @@ bool Specialisation::allowance_is_used_up() const {
   return totals.compile_ms > options.compile_first_ms + options.compile_share * 1e3 * seconds();
 }
 
+double Specialisation::own_seconds() const {
+  return thread_seconds() + (maker ? maker->processor_seconds() : 0);
+}
+
 double Specialisation::compile_weight() const {
   const double weight = shared->options.specialiser.compile_weight;
   const double busy = (1e-9 * navigating_ns - process_s_before) / std::max(seconds(), 1e-3);

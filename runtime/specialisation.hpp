@@ -55,6 +55,10 @@ struct Specialisation {
     return expected_ms > 0 ? std::max(1.0, compiled_ms / expected_ms) : 1.0;
   }
 
+  /// Processor time of the specialiser so far, s: its thread, which has to ask, and the compiler,
+  /// which has threads of its own.
+  double own_seconds() const;
+
   /// SpecialiserOptions::compile_weight, less where processors are left.
   double compile_weight() const;
 
@@ -64,7 +68,7 @@ struct Specialisation {
   std::shared_ptr<codegen::Arena> arena = std::make_shared<codegen::Arena>();  ///< bound data
   std::set<VolumeId> bound;  ///< volumes that need not, or must not, be bound to data (again)
   std::set<VolumeId> off;    ///< volumes that must not be specialised in any way
-  std::vector<VolumeId> leaves_due;  ///< rare ones that are to be bound together
+  std::vector<VolumeId> leaves_due;   ///< rare ones that are to be bound together
   std::uint64_t leaves_again_at = 0;  ///< steps of the run before which no others are looked for
   /// By volume: another way to bind it, to be tried once the first was judged.
   std::map<VolumeId, const kernels::DispatchEntry*> second_choices;
@@ -81,7 +85,8 @@ struct Specialisation {
   std::map<VolumeId, const kernels::DispatchEntry*> without_code;  ///< what was bound to data
   bool candidates_shown = true;          ///< in the dispatch table, of open trials
   unsigned stretches = 0;                ///< of trials, since they began or were interrupted
-  std::unique_ptr<CodeMaker> maker;      ///< null: nothing is ever compiled
+  std::shared_ptr<CodeMaker> maker;      ///< null: nothing is ever compiled
+  bool looking = false;                  ///< the run has begun, and its profile is looked at
   bool hopeless = false;                 ///< nothing can be compiled in this process
   std::set<VolumeId> left_out_too_much;  ///< of equal volumes the first
   ModuleList module_list;                ///< modules of this run
@@ -115,7 +120,6 @@ struct Specialisation {
 
   mutable std::mutex mutex;  ///< guards what follows
   std::condition_variable wake;
-  bool compiling = false;  ///< the thread is in the compiler, and uses nothing but `maker`
   std::map<VolumeId, SceneReport> scenes;
   /// By record that is bound to data: how many solids of its scene have code that it calls.
   std::map<const kernels::DispatchEntry*, std::size_t> compiled_solids;

@@ -11,6 +11,7 @@
 #include "runtime/bind_to_data.hpp"
 #include "runtime/bind_to_structure.hpp"
 #include "runtime/choose.hpp"
+#include "runtime/compile_next.hpp"
 #include "runtime/compile_solids.hpp"
 #include "runtime/gather.hpp"
 #include "runtime/judge.hpp"
@@ -27,7 +28,7 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared) : spec_(std::mo
   if (options.jit == JitMode::off) return;
   apply_overrides(spec_);
   if (!jit::has_compiler()) return;
-  spec_.maker = std::make_unique<CodeMaker>(options.specialiser, options.cache, spec_.shared->log);
+  spec_.maker = std::make_shared<CodeMaker>(options.specialiser, options.cache, spec_.shared->log);
 }
 
 void Specialiser::stop() {
@@ -35,23 +36,16 @@ void Specialiser::stop() {
   spec_.stop.request_stop();
   spec_.wake.notify_all();
   if (!thread_.joinable()) return;
-  spec_.wake.wait(lock, [&] { return ended_ || spec_.compiling; });
-  const bool ended = ended_;
+  // It ends at once: a compilation that is under way is left to itself.
+  spec_.wake.wait(lock, [&] { return ended_; });
   for (auto& [volume, scene] : spec_.scenes) {
     if (scene.status != SceneStatus::compiling) continue;
     scene.status = SceneStatus::generic;
     scene.note = "the run ended before it was compiled";
   }
-  judged_ = true;
   lock.unlock();
-  if (ended) {
-    thread_.join();
-  } else {
-    // The thread is in the compiler, and uses nothing of this but that until it ends.
-    judge_finally(spec_);
-    jit::outlast_activities();
-    thread_.detach();
-  }
+  thread_.join();
+  if (jit::Activity::any()) jit::outlast_activities();
 }
 
 void Specialiser::start() {
@@ -80,19 +74,15 @@ void Specialiser::run() {
     if (!spec_.stopping())
       spec_.shared->log->warn("nothing more is specialised in this run: {}", error.what());
   }
-  std::unique_lock lock(spec_.mutex);
-  if (!judged_) {
-    judged_ = true;
-    lock.unlock();
-    judge_finally(spec_);
-    lock.lock();
-  }
+  judge_finally(spec_);
+  const std::lock_guard lock(spec_.mutex);
   ended_ = true;
   spec_.wake.notify_all();
 }
 
 void Specialiser::look_until_stopped() {
   if (spec_.maker) install_remembered(spec_);
+  spec_.looking = true;
   constexpr double longest_pause = 4;
   double pause = 1;  // in units of poll_ms
   std::unique_lock lock(spec_.mutex);
@@ -100,27 +90,17 @@ void Specialiser::look_until_stopped() {
     lock.unlock();
     gather(spec_);
     const bool more_to_bind = bind_hot_to_data(spec_);
-    // Whoever stops this does not wait for the compiler: nothing may be used behind it.
-    const bool made_solids = !more_to_bind && compile_solids(spec_);
-    if (spec_.stopping()) return;
-    const bool made_structure = !more_to_bind && !made_solids && bind_to_structure(spec_, false);
-    if (spec_.stopping()) return;
-    const std::vector<VolumeId> batch =
-        more_to_bind || made_solids || made_structure ? std::vector<VolumeId>{} : choose(spec_);
-    if (!batch.empty()) {
-      show_candidates(spec_);
-      make_and_remember(spec_, batch);
-    }
+    const bool compiled = !more_to_bind && compile_next(spec_);
     if (spec_.stopping()) return;
     // No stretch of a trial lasts as long as that took.
-    if (made_solids || made_structure || !batch.empty()) spec_.looked_at = spec_.seconds();
+    if (compiled) spec_.looked_at = spec_.seconds();
     watch(spec_);
-    if (batch.empty()) judge(spec_);
+    if (!compiled) judge(spec_);
     const std::size_t waiting = spec_.shared->table.reclaim();
     lock.lock();
     spec_.totals.waiting_to_be_freed = waiting;
     ++looks_;
-    const bool idle = batch.empty() && !more_to_bind && !made_solids && !made_structure;
+    const bool idle = !more_to_bind && !compiled;
     if (idle) idle_look_ = looks_;
     spec_.wake.notify_all();
     // The longer nothing happens, the less often it looks.
@@ -160,7 +140,8 @@ void Specialiser::specialise_all() {
   if (!spec_.shared->options.specialiser.constants) {
     compile_solids_of_others();
     // What constants will replace anyway need not have it.
-    while (bind_to_structure(spec_, true)) {
+    for (std::optional<DueStructure> structure;
+         (structure = any_structure(spec_)) && bind_to_structure(spec_, *structure);) {
     }
     return;
   }

@@ -8,8 +8,7 @@
 
 namespace navjit {
 
-/// Owned by its Runtime, and by its thread as long as that runs: a compilation that is under way
-/// when the Runtime goes is left to itself.
+/// Owned by its Runtime, and by its thread as long as that runs.
 class Specialiser : public std::enable_shared_from_this<Specialiser> {
  public:
   explicit Specialiser(std::shared_ptr<detail::Shared> shared);
@@ -19,7 +18,7 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
   /// Where there is no thread to be had, nothing is specialised, and the log says so.
   void start();
   void wait_until_idle();
-  /// Ends the thread, or leaves it to the compilation that it is at: that is asked to stop, and
+  /// Ends the thread. A compilation that is under way is asked to stop and left to itself, and
   /// whatever comes of it is dropped. The calling thread may use what is the thread's from then on.
   void stop();
 
@@ -36,7 +35,6 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
 
   // Guarded by the mutex of `spec_`:
   bool ended_ = false;           ///< the thread uses nothing any more
-  bool judged_ = false;          ///< trials are decided for good, or being so
   std::uint64_t looks_ = 0;      ///< completed passes over the profile
   std::uint64_t idle_look_ = 0;  ///< the last that found nothing to do
   int waiting_for_idle_ = 0;     ///< threads

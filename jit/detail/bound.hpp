@@ -1,12 +1,11 @@
 // When a compilation is to be given up.
 #pragma once
 
-#include <time.h>
-
 #include <stop_token>
 #include <string>
 #include <utility>
 
+#include "jit/detail/thread_time.hpp"
 #include "navjit/detail/expected.hpp"
 
 namespace navjit::jit::detail {
@@ -30,11 +29,7 @@ class Bound {
   }
 
  private:
-  static double now_ms() {
-    timespec now;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-  }
+  static double now_ms() { return 1e3 * ProcessorTime::of_this_thread(); }
 
   std::stop_token stop_;
   double most_ms_, end_ms_;

@@ -8,6 +8,10 @@
 
 namespace navjit::jit::detail {
 
+/// For the compiler: parsing and code generation recurse with the nesting of expressions. Only
+/// touched pages cost.
+constexpr std::size_t stack_bytes = std::size_t{256} << 20;
+
 /// Runs `work` on a thread with `stack_bytes` of stack and waits for it. `work` must not throw.
 /// Fails as exhausted, without having run it, if there is no such thread to be had.
 std::optional<Failure> run_on_large_stack(std::size_t stack_bytes,

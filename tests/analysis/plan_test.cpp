@@ -112,6 +112,40 @@ TEST(Pattern, IsNamed) {
   EXPECT_EQ(describe_pattern(std::span(boxes).first(4)), "4 slabs along y");
 }
 
+TEST(Plan, OfManyDaughtersIsKeptForEachQuestion) {
+  std::mt19937_64 random(3);
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 10, 10, 10));
+  for (int i = 0; i < 60; ++i) {
+    const VolumeId box = tests::add_volume(world, "b", make_box("b", 0.1, 0.1, 0.1 + 1e-3 * i));
+    tests::place(world, world.top, box,
+                 {uniform(random, -9, 9), uniform(random, -9, 9), uniform(random, -9, 9)});
+  }
+  finish(world);
+  const VolumeId top = world.top;
+  const Geometry geometry(std::make_shared<const World>(std::move(world)));
+  WorldFacts facts = analyse_world(geometry);
+  const auto kept = [&](std::optional<Candidates> forced, bool along_faces) {
+    return facts.known_plans->find({top, forced, along_faces, facts.with_safety}) != nullptr;
+  };
+  EXPECT_FALSE(kept({}, false));
+  const ScenePlan first = plan_scene(geometry, facts, top);
+  EXPECT_TRUE(kept({}, false));
+  EXPECT_EQ(describe(geometry, plan_scene(geometry, facts, top)), describe(geometry, first));
+  EXPECT_TRUE(first.bail_out_rare);
+  facts.along_faces.insert(top);
+  EXPECT_FALSE(kept({}, true));
+  EXPECT_FALSE(plan_scene(geometry, facts, top).bail_out_rare);
+  facts.forced_candidates[top] = Candidates::tree;
+  EXPECT_EQ(plan_scene(geometry, facts, top).candidates, Candidates::tree);
+  facts.forced_candidates.clear();
+  facts.along_faces.clear();
+  EXPECT_EQ(plan_scene(geometry, facts, top).candidates, first.candidates);
+  // Leaves and small scenes are made anew.
+  plan_scene(geometry, facts, top + 1);
+  EXPECT_EQ(facts.known_plans->find({top + 1, {}, false, facts.with_safety}), nullptr);
+}
+
 TEST(Plan, SeesStacksAndGrids) {
   const Geometry geometry(std::make_shared<const World>(tests::mixed_world()));
   const WorldFacts facts = analyse_world(geometry);

@@ -34,7 +34,9 @@ constexpr const char* lost_together =
 std::size_t taken_out(const Runtime& runtime, const std::string& note = lost_alone) {
   std::size_t scenes = 0;
   for (const SceneReport& scene : runtime.report().scenes) {
-    scenes += scene.note == note && scene.binding != Binding::constants ? 1 : 0;
+    // Of what is bound to data some may lose as well, while the compiler works.
+    const bool compiled = note != lost_alone || scene.status == SceneStatus::unprofitable;
+    scenes += scene.note == note && scene.binding != Binding::constants && compiled ? 1 : 0;
   }
   return scenes;
 }

@@ -65,6 +65,45 @@ TEST(Schedule, ModulesStaySmall) {
   EXPECT_EQ(next_module(candidates, options).size(), 1U);
 }
 
+TEST(Schedule, WhatTakesLongComesWhenNothingElseIsDue) {
+  SpecialiserOptions options = plain();
+  options.module_ms = 300;
+  std::vector<Candidate> candidates{candidate(1, 1e13, 800), candidate(2, 1e12, 100),
+                                    candidate(3, 1e12, 120)};
+  EXPECT_EQ(next_module(candidates, options), (std::vector<VolumeId>{2, 3}));
+  candidates[1].executions = candidates[2].executions = 0;
+  EXPECT_EQ(next_module(candidates, options), (std::vector<VolumeId>{1}));
+}
+
+TEST(Schedule, WhatHasPaidLessThanSomethingElseWaitsOnceTheModuleIsWorthIt) {
+  SpecialiserOptions options = plain();
+  options.module_ms = 2000;
+  const std::vector<Candidate> candidates{candidate(1, 4e12, 200), candidate(2, 1e12, 200),
+                                          candidate(3, 2e12, 200)};
+  EXPECT_EQ(next_module(candidates, options), (std::vector<VolumeId>{1, 3, 2}));
+  EXPECT_EQ(next_module(candidates, options, 1.5 * times_paid(candidates[1], options)),
+            (std::vector<VolumeId>{1, 3}));
+  // A module that is small otherwise takes it along.
+  const std::vector<Candidate> small{candidate(1, 4e12, 20), candidate(2, 1e12, 20)};
+  EXPECT_EQ(next_module(small, options, 1e300), (std::vector<VolumeId>{1, 2}));
+}
+
+TEST(Schedule, ModulesGrowWithTheRun) {
+  SpecialiserOptions options = plain();
+  options.module_ms = 900;
+  const double first = most_module_ms(0, options);
+  EXPECT_GT(first, module_base_ms);
+  EXPECT_LT(first, 300);
+  double before = first;
+  for (double seconds = 0.1; seconds < 10; seconds += 0.1) {
+    const double now = most_module_ms(seconds, options);
+    EXPECT_GE(now, before);
+    EXPECT_LE(now, std::max(first, 1e3 * seconds));
+    before = now;
+  }
+  EXPECT_EQ(before, 900);
+}
+
 TEST(Schedule, KeepsItsPromisesForAnyScenes) {
   std::mt19937_64 random(1);
   for (int n = 0; n < 3000; ++n) {

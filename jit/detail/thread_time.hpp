@@ -1,0 +1,53 @@
+#pragma once
+
+#include <pthread.h>
+#include <time.h>
+
+#include <atomic>
+
+namespace navjit::jit::detail {
+
+/// Processor time, s, of threads that come and go. For any thread.
+class ProcessorTime {
+ public:
+  /// Of those that have gone, and of the one that is watched as long as it is there.
+  double seconds() const {
+    const clockid_t clock = watched_.load();
+    return gone_.load() + (clock == nobody ? 0 : read(clock));
+  }
+
+  static double of_this_thread() { return read(CLOCK_THREAD_CPUTIME_ID); }
+
+  /// While it exists its thread, which has done nothing else, is the one that is watched.
+  class Watched {
+   public:
+    explicit Watched(ProcessorTime& sum) : sum_(sum) {
+      clockid_t clock = nobody;
+      if (pthread_getcpuclockid(pthread_self(), &clock) == 0) sum_.watched_.store(clock);
+    }
+    Watched(const Watched&) = delete;
+    Watched& operator=(const Watched&) = delete;
+    ~Watched() {
+      sum_.watched_.store(nobody);
+      sum_.gone_.fetch_add(of_this_thread());
+    }
+
+   private:
+    ProcessorTime& sum_;
+  };
+
+ private:
+  static constexpr clockid_t nobody = CLOCK_REALTIME;  // no thread's
+
+  /// 0 if the thread is no more.
+  static double read(clockid_t clock) {
+    timespec time{};
+    if (clock_gettime(clock, &time) != 0) return 0;
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+
+  std::atomic<double> gone_{0};
+  std::atomic<clockid_t> watched_{nobody};
+};
+
+}  // namespace navjit::jit::detail

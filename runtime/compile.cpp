@@ -1,0 +1,85 @@
+#include "runtime/compile.hpp"
+
+#include <chrono>
+#include <exception>
+#include <future>
+#include <new>
+#include <thread>
+
+#include "jit/activity.hpp"
+#include "runtime/bind_to_data.hpp"
+#include "runtime/gather.hpp"
+#include "runtime/judge.hpp"
+
+namespace navjit {
+namespace {
+
+using Made = Expected<CodeMaker::Made>;
+
+/// All that the compiling thread uses: what else there is may be gone before it ends.
+struct Job {
+  std::unique_ptr<jit::Activity> activity;  // the last to go
+  std::shared_ptr<CodeMaker> maker;
+  std::shared_ptr<detail::Shared> shared;
+  std::string source;
+  std::stop_token stop;
+  std::promise<Made> made;
+};
+
+void work(std::unique_ptr<Job> job) {
+  const std::unique_ptr<jit::Activity> until_the_end = std::move(job->activity);
+  Made made = stopped();
+  try {
+    if (job->shared->faults.compiling) job->shared->faults.compiling();
+    made = job->maker->compile(job->source, job->stop);
+  } catch (const std::bad_alloc&) {
+    made = out_of_memory();
+  }
+  job->made.set_value(std::move(made));
+  job.reset();
+}
+
+/// Nothing of it needs what is being compiled.
+void look_meanwhile(Specialisation& spec) {
+  gather(spec);
+  bind_hot_to_data(spec);
+  if (!spec.trials.nearly_all_decided()) judge(spec);
+}
+
+}  // namespace
+
+Made compile(Specialisation& spec, const std::string& source) {
+  // Its time is asked for while it works.
+  spec.maker->make_compiler();
+  if (spec.stopping()) return stopped();
+  auto job = std::make_unique<Job>(Job{std::make_unique<jit::Activity>(spec.stop),
+                                       spec.maker,
+                                       spec.shared,
+                                       source,
+                                       spec.stop.get_token(),
+                                       {}});
+  std::future<Made> made = job->made.get_future();
+  try {
+    std::thread(work, std::move(job)).detach();
+  } catch (const std::exception& error) {
+    return Failure{std::string("no thread to compile on: ") + error.what(), /*exhausted=*/true};
+  }
+  const std::chrono::duration<double, std::milli> pause(spec.shared->options.specialiser.poll_ms);
+  while (true) {
+    {
+      std::unique_lock lock(spec.mutex);
+      // Whoever stops the run wakes this.
+      spec.wake.wait_for(lock, pause, [&] {
+        return spec.stopping() ||
+               made.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+      });
+    }
+    if (spec.stopping()) return stopped();
+    if (made.wait_for(std::chrono::seconds(0)) == std::future_status::ready) break;
+    if (spec.looking) look_meanwhile(spec);
+  }
+  if (spec.looking) show_candidates(spec);
+  return made.get();
+}
+
+}  // namespace navjit
