@@ -97,7 +97,7 @@ void merge_classes(std::vector<DaughterClass>& classes, SolidKind kind, bool rot
 /// With more daughters than this the tables of what is around each would be most of the code.
 constexpr std::size_t most_with_neighbours = 2048;
 
-/// Plans of scenes with fewer daughters are made anew faster than they are kept and copied.
+/// Plans of scenes with fewer daughters are made anew: they take little. A guess.
 constexpr std::size_t fewest_to_keep = 16;
 
 /// The volume's own solid, or daughters that are not turned.

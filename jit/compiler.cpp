@@ -18,9 +18,9 @@
 #include "jit/detail/large_stack.hpp"
 #include "jit/detail/leave_wreck.hpp"
 #include "jit/detail/preamble.hpp"
+#include "jit/detail/processor_time.hpp"
 #include "jit/detail/source_check.hpp"
 #include "jit/detail/target.hpp"
-#include "jit/detail/thread_time.hpp"
 
 namespace navjit::jit {
 namespace {

@@ -12,7 +12,7 @@ namespace navjit {
 namespace {
 
 /// What goes along in a module has paid at least this part of what the best of another kind has:
-/// the less of it, the sooner that has its turn, and the more modules there are.
+/// with more of it, that has its turn sooner, and there are more modules. A guess.
 constexpr double near_enough = 0.5;
 
 }  // namespace
@@ -22,7 +22,6 @@ bool compile_next(Specialisation& spec) {
   const double solids = solids_paid(spec);
   const std::optional<DueStructure> structure = due_structure(spec);
   const double structures = structure ? structure->paid : 0;
-  // Whoever stops this does not wait for the compiler: nothing may be used behind it.
   if (spec.stopping() || std::max({scenes.paid, solids, structures}) == 0) return false;
   if (solids >= std::max(scenes.paid, structures)) {
     return compile_solids(spec, near_enough * std::max(scenes.paid, structures));

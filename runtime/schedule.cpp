@@ -32,10 +32,10 @@ constexpr double where_processors_are_left = 1.0 / 30;
 /// Of a processor: threads that wait now and then are not quite busy.
 constexpr double nearly = 0.2;
 
-/// Smaller modules cost more beside their scenes than in them.
+/// In smaller modules what any module costs would be too much of it. A guess.
 constexpr double least_module_ms = 150;
 
-/// Of a run so far, what a module may be expected to take.
+/// Of a run so far, what a module may be expected to take. A guess.
 constexpr double part_of_run = 0.3;
 
 /// Scenes that have this part of what makes them due go along with one that is due.

@@ -26,7 +26,7 @@ constexpr std::size_t fewest = 3;
 constexpr int most_steps = 1024;
 
 /// Among so many different radii, heights and spans there are no rings: each daughter is compared
-/// with all of these.
+/// with all of these. A guess.
 constexpr std::size_t most_groups = 256;
 
 /// A ray may be on the other side of a ring's surface if the mother reaches that much farther, in

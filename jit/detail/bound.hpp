@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "jit/detail/thread_time.hpp"
+#include "jit/detail/processor_time.hpp"
 #include "navjit/detail/expected.hpp"
 
 namespace navjit::jit::detail {
