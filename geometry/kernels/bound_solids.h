@@ -81,16 +81,17 @@ double safety_to_out(const ConstantSolid<solid>&, const Vec3<double>& p) {
 
 /// Kernels whose distance_to_entry is for rays along none of the axes of the solid's own frame.
 template <class Solid>
-constexpr bool entry_needs_oblique = false;
+inline constexpr bool entry_needs_oblique = false;
 template <>
-constexpr bool entry_needs_oblique<Box<double>> = true;
+inline constexpr bool entry_needs_oblique<Box<double>> = true;
 template <class Shape>
-constexpr bool entry_needs_oblique<KnownSolid<Shape>> = entry_needs_oblique<Shape>;
+inline constexpr bool entry_needs_oblique<KnownSolid<Shape>> = entry_needs_oblique<Shape>;
 template <class Shape>
-constexpr bool entry_needs_oblique<const Shape> = entry_needs_oblique<Shape>;
+inline constexpr bool entry_needs_oblique<const Shape> = entry_needs_oblique<Shape>;
 template <const auto& solid>
-constexpr bool entry_needs_oblique<ConstantSolid<solid>> = entry_needs_oblique<decltype(solid)>;
+inline constexpr bool entry_needs_oblique<ConstantSolid<solid>> =
+    entry_needs_oblique<decltype(solid)>;
 template <class Shape>
-constexpr bool entry_needs_oblique<const Shape&> = entry_needs_oblique<Shape>;
+inline constexpr bool entry_needs_oblique<const Shape&> = entry_needs_oblique<Shape>;
 
 }  // namespace navjit::kernels

@@ -1,12 +1,6 @@
 // Boxes of a hierarchy around triangles, eight at once.
 namespace navjit::kernels {
 
-/// A number for each of eight lanes.
-template <class Number>
-struct EightOf {
-  Number a, b, c, d, e, f, g, h;
-};
-
 /// Boxes around triangles and around further groups; empty lanes have low above high.
 template <class Real>
 struct FacetGroup {
@@ -18,48 +12,20 @@ struct FacetGroup {
 /// and as many as the last two levels have.
 constexpr int most_waiting_groups = 128;
 
-typedef double FacetLanes __attribute__((vector_size(64)));
-typedef long long FacetMask __attribute__((vector_size(64)));
-
-inline FacetLanes lanes_from(const EightOf<double>& numbers) {
-  FacetLanes lanes;
-  __builtin_memcpy(&lanes, &numbers, sizeof lanes);
-  return lanes;
-}
-
-/// One bit for each lane that is all ones; the others are zero.
-inline unsigned bits_of(FacetMask set) {
-#if defined(__clang__)
-  typedef bool Bits __attribute__((ext_vector_type(8)));
-  return __builtin_bit_cast(unsigned char, __builtin_convertvector(set, Bits));
-#elif defined(__AVX__)
-  typedef double Half __attribute__((vector_size(32)));
-  Half halves[2];
-  __builtin_memcpy(halves, &set, sizeof set);
-  return static_cast<unsigned>(__builtin_ia32_movmskpd256(halves[0])) |
-         static_cast<unsigned>(__builtin_ia32_movmskpd256(halves[1])) << 4;
-#else
-  unsigned bits = 0;
-  for (int i = 0; i < 8; ++i) bits |= set[i] != 0 ? 1U << i : 0U;
-  return bits;
-#endif
-}
-
 /// A ray in all lanes, with the margin that boxes are given: its start is moved on
 /// by it for the faces by which it enters boxes, and back for those by which it leaves them.
 struct FacetRay {
-  FacetLanes before[3], after[3], inverse[3];
+  EightLanes before[3], after[3], inverse[3];
   bool down[3];
 };
 
 inline FacetRay facet_ray(const Vec3<double>& p, const Direction<double>& v, double margin) {
-  const auto all = [](double x) { return FacetLanes{x, x, x, x, x, x, x, x}; };
   const bool down[3] = {v.x < 0, v.y < 0, v.z < 0};
   const double at[3] = {p.x, p.y, p.z};
-  FacetRay ray{{}, {}, {all(v.inverse_x), all(v.inverse_y), all(v.inverse_z)}, {}};
+  FacetRay ray{{}, {}, {eight_of(v.inverse_x), eight_of(v.inverse_y), eight_of(v.inverse_z)}, {}};
   for (int axis = 0; axis < 3; ++axis) {
-    ray.before[axis] = all(down[axis] ? at[axis] - margin : at[axis] + margin);
-    ray.after[axis] = all(down[axis] ? at[axis] + margin : at[axis] - margin);
+    ray.before[axis] = eight_of(down[axis] ? at[axis] - margin : at[axis] + margin);
+    ray.after[axis] = eight_of(down[axis] ? at[axis] + margin : at[axis] - margin);
     ray.down[axis] = down[axis];
   }
   return ray;
@@ -70,13 +36,13 @@ inline FacetRay facet_ray(const Vec3<double>& p, const Direction<double>& v, dou
 inline unsigned lanes_met(const FacetGroup<double>& g, const FacetRay& ray) {
   const EightOf<double>* const low[3] = {&g.x_low, &g.y_low, &g.z_low};
   const EightOf<double>* const high[3] = {&g.x_high, &g.y_high, &g.z_high};
-  FacetLanes enter = {0, 0, 0, 0, 0, 0, 0, 0};
-  FacetLanes leave = enter + infinity<double>();
+  EightLanes enter = eight_of(0);
+  EightLanes leave = enter + infinity<double>();
   for (int axis = 0; axis < 3; ++axis) {
     const EightOf<double>& near = ray.down[axis] ? *high[axis] : *low[axis];
     const EightOf<double>& far = ray.down[axis] ? *low[axis] : *high[axis];
-    const FacetLanes first = (lanes_from(near) - ray.before[axis]) * ray.inverse[axis];
-    const FacetLanes last = (lanes_from(far) - ray.after[axis]) * ray.inverse[axis];
+    const EightLanes first = (lanes_from(near) - ray.before[axis]) * ray.inverse[axis];
+    const EightLanes last = (lanes_from(far) - ray.after[axis]) * ray.inverse[axis];
     enter = first > enter ? first : enter;
     leave = last < leave ? last : leave;
   }

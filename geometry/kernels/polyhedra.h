@@ -8,6 +8,12 @@ struct SideNormal {
   Real x, y;
 };
 
+/// Those of eight sides; where there are fewer, some more than once.
+template <class Real>
+struct SideGroup {
+  EightOf<Real> x, y;
+};
+
 template <class Real>
 struct Polyhedra {
   const Section<Real>* sections;  ///< in ascending z; those of one slab are disjoint rings
@@ -19,6 +25,8 @@ struct Polyhedra {
   Wedge<Real> wedge;
   const SideNormal<Real>* sides;  ///< an outer or inner face is where all of them hold
   int side_count;
+  const SideGroup<Real>* groups;  ///< the same sides
+  int group_count;
 };
 
 // A point in the sector of one side is never beyond another side alone: all sides hold or the
@@ -37,10 +45,60 @@ Span<Real> face_span(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const
   }
   return span;
 }
+/// As above, eight sides at once: the same quotients, of which the same one counts. Which sides a
+/// ray enters by cannot be foreseen, so that one by one each is a branch that often goes the other
+/// way.
+inline Span<double> face_span(const Polyhedra<double>& s, const ConicalFace<double>& f,
+                              const Vec3<double>& p, const Direction<double>& v, double tol) {
+  const double radius = f.radius + f.slope * p.z, rate = f.slope * v.z;
+  const double along = along_a_face<double>();
+  EightLanes enter = eight_of(-infinity<double>());
+  EightLanes leave_back = enter, until_back = enter;  // less the paths
+  EightMask passed = eight_of(0) > eight_of(0);       // along a side, and beyond it
+  for (int i = 0; i < s.group_count; ++i) {
+    const EightLanes x = lanes_from(s.groups[i].x), y = lanes_from(s.groups[i].y);
+    const EightLanes beyond = f.cosine * (x * p.x + y * p.y) - radius;
+    const EightLanes nv = f.cosine * (x * v.x + y * v.y) - rate;
+    const EightMask in = nv<-along, out = nv> along, outside = beyond > tol;
+    const EightLanes path_back = beyond / nv, depth_back = (beyond + tol) / nv;
+    passed |= ~(in | out) & outside;
+    const EightLanes path = -path_back;
+    enter = (in & outside & (path > enter)) ? path : enter;
+    leave_back = (out & (path_back > leave_back)) ? path_back : leave_back;
+    until_back = (out & (depth_back > until_back)) ? depth_back : until_back;
+  }
+  if (bits_of(passed) != 0) return no_span<double>();
+  return {largest_lane(enter), -largest_lane(leave_back), -largest_lane(until_back)};
+}
+
+/// The largest product of a side's normal and a point: that of the side whose sector the point is
+/// in.
+template <class Real>
+Real largest_across(const Polyhedra<Real>& s, const Vec3<Real>& p) {
+  Real across = -infinity<Real>();
+  for (int i = 0; i < s.side_count; ++i) {
+    across = larger(s.sides[i].x * p.x + s.sides[i].y * p.y, across);
+  }
+  return across;
+}
+inline double largest_across(const Polyhedra<double>& s, const Vec3<double>& p) {
+  EightLanes across = eight_of(-infinity<double>());
+  for (int i = 0; i < s.group_count; ++i) {
+    const EightLanes of_side = lanes_from(s.groups[i].x) * p.x + lanes_from(s.groups[i].y) * p.y;
+    across = of_side > across ? of_side : across;
+  }
+  return largest_lane(across);
+}
+
 template <class Real>
 bool in_face(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const Vec3<Real>& p,
              const Direction<Real>& v, Real tol) {
-  const Real radius = f.radius + f.slope * p.z, rate = f.slope * v.z;
+  const Real radius = f.radius + f.slope * p.z;
+  // Well on one side of the farthest face, a point is on that side of all of them, or beyond one.
+  const Real most = f.cosine * largest_across(s, p) - radius;
+  if (most > tol) return false;
+  if (most < -tol) return true;
+  const Real rate = f.slope * v.z;
   for (int i = 0; i < s.side_count; ++i) {
     const SideNormal<Real>& n = s.sides[i];
     if (beyond_face(f.cosine * (n.x * p.x + n.y * p.y) - radius,
@@ -54,11 +112,7 @@ bool in_face(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const Vec3<Re
 template <class Real>
 Real face_distance(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const Vec3<Real>& p,
                    Real) {
-  Real across = -infinity<Real>();
-  for (int i = 0; i < s.side_count; ++i) {
-    across = larger(s.sides[i].x * p.x + s.sides[i].y * p.y, across);
-  }
-  return f.cosine * across - f.slope * p.z - f.radius;
+  return f.cosine * largest_across(s, p) - f.slope * p.z - f.radius;
 }
 
 template <class Real>

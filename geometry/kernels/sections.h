@@ -106,7 +106,9 @@ Real sections_distance_to_in(const Sections& s, const Vec3<Real>& p, const Direc
     body.until = (depth - tol) * rate;
     if (!is_ahead(body)) return infinity<Real>();
   }
-  const Span<Real> around = cylinder_span(s.rmax * Real(1.0625), p, v, Real(0));
+  // One section is asked as quickly as that.
+  const Span<Real> around =
+      s.count > 1 ? cylinder_span(s.rmax * Real(1.0625), p, v, Real(0)) : whole_ray<Real>();
   if (!is_ahead(around) || !(around.enter < body.leave) || !(body.enter < around.leave)) {
     return infinity<Real>();
   }

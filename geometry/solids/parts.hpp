@@ -10,6 +10,8 @@
 
 #include "geometry/kernels/convex.h"
 
+#include "geometry/kernels/eight.h"
+
 #include "geometry/kernels/wedge.h"
 
 #include "geometry/kernels/pairs.h"

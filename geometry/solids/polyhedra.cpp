@@ -6,14 +6,34 @@
 namespace navjit {
 namespace {
 
+/// The last group is filled up with the last side.
+std::vector<kernels::SideGroup<double>> by_eight(
+    const std::vector<kernels::SideNormal<double>>& sides) {
+  std::vector<kernels::SideGroup<double>> groups;
+  for (std::size_t i = 0; i < sides.size(); i += 8) {
+    double x[8], y[8];
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+      const kernels::SideNormal<double>& side = sides[std::min(i + lane, sides.size() - 1)];
+      x[lane] = side.x, y[lane] = side.y;
+    }
+    groups.push_back({{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]},
+                      {y[0], y[1], y[2], y[3], y[4], y[5], y[6], y[7]}});
+  }
+  return groups;
+}
+
 struct Holder : detail::SectionsHolder<kernels::Polyhedra<double>> {
   std::vector<kernels::SideNormal<double>> sides;
+  std::vector<kernels::SideGroup<double>> groups;
 
   Holder(detail::Sections&& made, const kernels::Wedge<double>& wedge,
          std::vector<kernels::SideNormal<double>>&& normals, double edge_factor)
       : SectionsHolder(std::move(made), wedge), sides(std::move(normals)) {
     shape.sides = sides.data();
     shape.side_count = static_cast<int>(sides.size());
+    groups = by_eight(sides);
+    shape.groups = groups.data();
+    shape.group_count = static_cast<int>(groups.size());
     // Outside the segment the sides' planes may reach further than its edges do, but only there.
     shape.rmax = sections.rmax * edge_factor;
   }

@@ -61,7 +61,10 @@ constexpr Section<double> sections[] = {{-1, 0.2, {0.7, 0.28, 0.96}, {0.2, 0, 1}
 constexpr Ledge<double> ledges[] = {{-1, 0.2, 0.73}, {0.2, 0, 0.2}, {1, 0, 0.4}};
 constexpr Polycone<double> polycone{sections, 2, ledges, 3, -1, 1, 1.2, full};
 constexpr SideNormal<double> sides[] = {{0.96, 0.28}, {-0.6, 0.8}, {-0.28, -0.96}, {0.8, -0.6}};
-constexpr Polyhedra<double> polyhedra{sections, 2, ledges, 3, -1, 1, 1.6, full, sides, 4};
+constexpr SideGroup<double> side_groups[] = {{{0.96, -0.6, -0.28, 0.8, 0.8, 0.8, 0.8, 0.8},
+                                              {0.28, 0.8, -0.96, -0.6, -0.6, -0.6, -0.6, -0.6}}};
+constexpr Polyhedra<double> polyhedra{sections, 2,    ledges, 3, -1,          1,
+                                      1.6,      full, sides,  4, side_groups, 1};
 
 constexpr Torus<double> torus{0.2, 0.4, 0.8, gapped};
 constexpr QuadricSolid<double> ellipsoid{1.2, 0.7, -0.9, 0.8, {0.69, 2.04, 1, 0, -1, 0}, {}, 0};
