@@ -34,8 +34,9 @@ std::vector<std::string_view> kernel_order() {
 }
 
 bool inlines_everywhere(std::string_view kernel) {
-  constexpr std::array<std::string_view, 10> small{
-      "convex", "box", "trd", "trap", "cone", "boolean", "boolean_paths", "wedge", "tube", "orb"};
+  constexpr std::array<std::string_view, 11> small{"convex", "faces", "box",     "trd",
+                                                   "trap",   "cone",  "boolean", "boolean_paths",
+                                                   "wedge",  "tube",  "orb"};
   return std::find(small.begin(), small.end(), kernel) != small.end();
 }
 

@@ -21,7 +21,7 @@ bool is_common(std::string_view kernel) {
 
 std::string make_common_text() {
   std::string text = "#pragma clang diagnostic ignored \"-Winvalid-offsetof\"\n";
-  for (const char* head : {"vectors", "prelude"}) add_kernel(text, head, true);
+  for (const char* head : {"vectors", "prelude", "lanes"}) add_kernel(text, head, true);
   for (const std::string_view kernel : kernel_order()) {
     if (is_common(kernel)) add_kernel(text, kernel, true);
   }

@@ -46,7 +46,7 @@ inline unsigned lanes_met(const FacetGroup<double>& g, const FacetRay& ray) {
     enter = first > enter ? first : enter;
     leave = last < leave ? last : leave;
   }
-  return bits_of(enter <= leave);
+  return bits_of(__builtin_bit_cast(EightWords, enter <= leave));
 }
 
 /// Calls visit(triangle) for those within `margin` of whose boxes the ray may come.

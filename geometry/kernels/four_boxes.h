@@ -2,29 +2,11 @@
 // (box.h).
 namespace navjit::kernels {
 
-typedef double Doubles __attribute__((vector_size(32)));
-typedef unsigned long long Words __attribute__((vector_size(32)));
-constexpr int lanes_of_four = 4;
-
 /// Centres and half lengths, mm. Empty lanes have half lengths of -infinity.
 struct FourBoxes {
   Doubles x, y, z, hx, hy, hz;
 };
 
-/// One bit for each lane that is set.
-inline unsigned bits_of(Words set) {
-#ifdef __clang__
-  typedef bool Bits __attribute__((ext_vector_type(4)));
-  // Four of the eight bits are no one's.
-  return __builtin_bit_cast(unsigned char, __builtin_convertvector(set, Bits)) & 15U;
-#else
-  unsigned bits = 0;
-  for (int i = 0; i < lanes_of_four; ++i) bits |= set[i] != 0 ? 1U << i : 0U;
-  return bits;
-#endif
-}
-
-inline Doubles four_of(double x) { return Doubles{x, x, x, x}; }
 inline Doubles larger_of_four(Doubles a, Doubles b) { return a > b ? a : b; }
 inline Doubles smaller_of_four(Doubles a, Doubles b) { return a < b ? a : b; }
 

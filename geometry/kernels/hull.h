@@ -1,11 +1,28 @@
 // A convex body given by the planes of its faces.
 namespace navjit::kernels {
 
+/// Eight planes; where there are fewer, some more than once.
+template <class Real>
+struct PlaneGroup {
+  EightOf<Real> a, b, c, d;
+};
+
 template <class Real>
 struct Hull {
   const Plane<Real>* planes;
   int count;
+  const PlaneGroup<Real>* groups;  ///< the same planes
+  int group_count;
 };
+
+template <>
+inline constexpr bool uses_vectors<Hull<double>> = true;
+
+inline FaceLanes<EightLanes> faces_of(const PlaneGroup<double>& g, const Vec3<double>& p,
+                                      const Direction<double>& v) {
+  const EightLanes a = lanes_from(g.a), b = lanes_from(g.b), c = lanes_from(g.c);
+  return {a * p.x + b * p.y + c * p.z + lanes_from(g.d), a * v.x + b * v.y + c * v.z};
+}
 
 /// The signed distance to the plane that the point is beyond most, or nearest to.
 template <class Real>
@@ -13,6 +30,17 @@ Real hull_distance(const Hull<Real>& s, const Vec3<Real>& p) {
   Real beyond = -infinity<Real>();
   for (int i = 0; i < s.count; ++i) beyond = larger(plane_distance(s.planes[i], p), beyond);
   return beyond;
+}
+
+inline double hull_distance(const Hull<double>& s, const Vec3<double>& p) {
+  EightLanes beyond = eight_of(-infinity<double>());
+  for (int i = 0; i < s.group_count; ++i) {
+    const PlaneGroup<double>& g = s.groups[i];
+    const EightLanes of_plane =
+        lanes_from(g.a) * p.x + lanes_from(g.b) * p.y + lanes_from(g.c) * p.z + lanes_from(g.d);
+    beyond = of_plane > beyond ? of_plane : beyond;
+  }
+  return largest_lane(beyond);
 }
 
 template <class Real>
@@ -43,6 +71,29 @@ Real distance_to_out(const Hull<Real>& s, const Vec3<Real>& p, const Direction<R
   Real leave = infinity<Real>();
   for (int i = 0; i < s.count; ++i) leave = leave_plane(s.planes[i], p, v, tol, leave);
   return leave;
+}
+
+// The same, eight planes at once.
+inline bool contains(const Hull<double>& s, const Vec3<double>& p, const Direction<double>& v,
+                     double tol) {
+  for (int i = 0; i < s.group_count; ++i) {
+    if (beyond_any(faces_of(s.groups[i], p, v), tol)) return false;
+  }
+  return true;
+}
+inline double distance_to_in(const Hull<double>& s, const Vec3<double>& p,
+                             const Direction<double>& v, double tol) {
+  FaceSpans<EightLanes> faces;
+  for (int i = 0; i < s.group_count; ++i) faces.clip(faces_of(s.groups[i], p, v), tol);
+  const Span<double> span = faces.span();
+  if (!is_ahead(span)) return infinity<double>();
+  return span.enter >= 0 ? span.enter : distance_from_within(s, p, tol);
+}
+inline double distance_to_out(const Hull<double>& s, const Vec3<double>& p,
+                              const Direction<double>& v, double tol) {
+  FaceExits<EightLanes> faces;
+  for (int i = 0; i < s.group_count; ++i) faces.leave(faces_of(s.groups[i], p, v), tol);
+  return faces.path();
 }
 
 template <class Real>

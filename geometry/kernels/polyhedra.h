@@ -29,6 +29,9 @@ struct Polyhedra {
   int group_count;
 };
 
+template <>
+inline constexpr bool uses_vectors<Polyhedra<double>> = true;
+
 // A point in the sector of one side is never beyond another side alone: all sides hold or the
 // nearest one fails. Over any azimuthal segment, an outer or inner face is therefore the convex
 // intersection of its half-spaces, cut by the wedge.
@@ -45,30 +48,17 @@ Span<Real> face_span(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const
   }
   return span;
 }
-/// As above, eight sides at once: the same quotients, of which the same one counts. Which sides a
-/// ray enters by cannot be foreseen, so that one by one each is a branch that often goes the other
-/// way.
+/// As above, eight sides at once.
 inline Span<double> face_span(const Polyhedra<double>& s, const ConicalFace<double>& f,
                               const Vec3<double>& p, const Direction<double>& v, double tol) {
   const double radius = f.radius + f.slope * p.z, rate = f.slope * v.z;
-  const double along = along_a_face<double>();
-  EightLanes enter = eight_of(-infinity<double>());
-  EightLanes leave_back = enter, until_back = enter;  // less the paths
-  EightMask passed = eight_of(0) > eight_of(0);       // along a side, and beyond it
+  FaceSpans<EightLanes> spans;
   for (int i = 0; i < s.group_count; ++i) {
     const EightLanes x = lanes_from(s.groups[i].x), y = lanes_from(s.groups[i].y);
-    const EightLanes beyond = f.cosine * (x * p.x + y * p.y) - radius;
-    const EightLanes nv = f.cosine * (x * v.x + y * v.y) - rate;
-    const EightMask in = nv<-along, out = nv> along, outside = beyond > tol;
-    const EightLanes path_back = beyond / nv, depth_back = (beyond + tol) / nv;
-    passed |= ~(in | out) & outside;
-    const EightLanes path = -path_back;
-    enter = (in & outside & (path > enter)) ? path : enter;
-    leave_back = (out & (path_back > leave_back)) ? path_back : leave_back;
-    until_back = (out & (depth_back > until_back)) ? depth_back : until_back;
+    spans.clip({f.cosine * (x * p.x + y * p.y) - radius, f.cosine * (x * v.x + y * v.y) - rate},
+               tol);
   }
-  if (bits_of(passed) != 0) return no_span<double>();
-  return {largest_lane(enter), -largest_lane(leave_back), -largest_lane(until_back)};
+  return spans.span();
 }
 
 /// The largest product of a side's normal and a point: that of the side whose sector the point is

@@ -41,6 +41,20 @@ SectionRange<Real> section_range(const Section<Real>& section, const Vec3<Real>&
   return {before > tol ? before * rate : Real(0), depth > tol ? depth * rate : Real(0)};
 }
 
+/// Of more than a few sections, how many end below a point, which are the first ones; 0 of few.
+template <class Real>
+int sections_below(const Section<Real>* sections, int count, const Vec3<Real>& p, Real tol) {
+  constexpr int few = 4;
+  int first = 0;
+  for (int left = count <= few ? 0 : count; left > 0;) {
+    const int half = left / 2;
+    const bool is_below = p.z - sections[first + half].z_high > tol;
+    first += is_below ? half + 1 : 0;
+    left = is_below ? left - half - 1 : half;
+  }
+  return first;
+}
+
 template <class Real>
 constexpr Vec3<Real> from_section(const Section<Real>& section, const Vec3<Real>& p) {
   return {p.x, p.y, p.z - section.z_low};
@@ -76,11 +90,15 @@ Side sections_inside(const Sections& s, const Vec3<Real>& p, Real tol) {
 template <class Sections, class Real>
 bool sections_contains(const Sections& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   if (!in_wedge(s.wedge, p, v, tol)) return false;
-  const Direction<Real> whole = make_direction(v.x, v.y, v.z);
-  for (int i = 0; i < s.count; ++i) {
+  for (int i = sections_below(s.sections, s.count, p, tol); i < s.count; ++i) {
     const Section<Real>& section = s.sections[i];
-    const SectionRange<Real> range = section_range(section, p, whole, tol);
-    if (range.from > 0 || !(range.to > 0)) continue;
+    const Real over_low = p.z - section.z_low, under_high = section.z_high - p.z;
+    if (-over_low > tol) break;
+    // As section_range has it.
+    const bool in_range = is_along(v.z) ? under_high >= -tol
+                          : v.z < 0     ? (over_low > tol) & (under_high >= -tol)
+                                        : under_high > tol;
+    if (!in_range) continue;
     const Vec3<Real> q = from_section(section, p);
     if (in_face(s, section.outer, q, v, tol) &&
         !(section.bored != 0 && in_face(s, section.inner, q, v, tol))) {

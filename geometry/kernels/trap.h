@@ -37,6 +37,30 @@ constexpr Real leave_plane(const Plane<Real>& f, const Vec3<Real>& p, const Dire
   return smaller(leave_face(plane_distance(f, p), plane_rate(f, v), tol, leave), leave);
 }
 
+template <>
+inline constexpr bool uses_vectors<Trap<double>> = true;
+
+/// The four sides at once.
+inline FaceLanes<Doubles> sides_of(const Trap<double>& s, const Vec3<double>& p,
+                                   const Direction<double>& v) {
+  const auto load = [](const Plane<double>& f) {
+    Doubles lanes;
+    __builtin_memcpy(&lanes, &f, sizeof lanes);
+    return lanes;
+  };
+  const Doubles f = load(s.y_minus), g = load(s.y_plus), h = load(s.x_minus), k = load(s.x_plus);
+  // From planes to coefficients.
+  const Doubles ac_y = __builtin_shufflevector(f, g, 0, 4, 2, 6);
+  const Doubles bd_y = __builtin_shufflevector(f, g, 1, 5, 3, 7);
+  const Doubles ac_x = __builtin_shufflevector(h, k, 0, 4, 2, 6);
+  const Doubles bd_x = __builtin_shufflevector(h, k, 1, 5, 3, 7);
+  const Doubles a = __builtin_shufflevector(ac_y, ac_x, 0, 1, 4, 5);
+  const Doubles b = __builtin_shufflevector(bd_y, bd_x, 0, 1, 4, 5);
+  const Doubles c = __builtin_shufflevector(ac_y, ac_x, 2, 3, 6, 7);
+  const Doubles d = __builtin_shufflevector(bd_y, bd_x, 2, 3, 6, 7);
+  return {a * p.x + b * p.y + c * p.z + d, a * v.x + b * v.y + c * v.z};
+}
+
 template <class Real>
 Side inside(const Trap<Real>& s, const Vec3<Real>& p, Real tol) {
   Side side = worse(Side::inside, absolute(p.z) - s.hz, tol);
@@ -73,6 +97,28 @@ Real distance_to_out(const Trap<Real>& s, const Vec3<Real>& p, const Direction<R
   leave = leave_plane(s.y_plus, p, v, tol, leave);
   leave = leave_plane(s.x_minus, p, v, tol, leave);
   return leave_plane(s.x_plus, p, v, tol, leave);
+}
+
+// The same, all sides at once.
+inline bool contains(const Trap<double>& s, const Vec3<double>& p, const Direction<double>& v,
+                     double tol) {
+  return !(beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol) |
+           beyond_any(sides_of(s, p, v), tol));
+}
+inline double distance_to_in(const Trap<double>& s, const Vec3<double>& p,
+                             const Direction<double>& v, double tol) {
+  FaceSpans<Doubles> sides;
+  sides.clip(sides_of(s, p, v), tol);
+  Span<double> span = sides.span();
+  clip_slab(span, s.hz, p.z, v.z, v.inverse_z, tol);
+  if (!is_ahead(span)) return infinity<double>();
+  return span.enter >= 0 ? span.enter : distance_from_within(s, p, tol);
+}
+inline double distance_to_out(const Trap<double>& s, const Vec3<double>& p,
+                              const Direction<double>& v, double tol) {
+  FaceExits<Doubles> sides;
+  sides.leave(sides_of(s, p, v), tol);
+  return leave_slab(s.hz, p.z, v.z, v.inverse_z, tol, sides.path());
 }
 
 template <class Real>

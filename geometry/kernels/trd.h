@@ -41,6 +41,19 @@ constexpr Real leave_pair(const FacePair<Real>& f, Real u, Real z, Real vu, Real
   return smaller(leave_face(common - su, rate - nu, tol, leave), leave);
 }
 
+template <>
+inline constexpr bool uses_vectors<Trd<double>> = true;
+
+/// The four sides at once.
+inline FaceLanes<Doubles> sides_of(const Trd<double>& s, const Vec3<double>& p,
+                                   const Direction<double>& v) {
+  const double x = s.x.along * p.z - s.x.offset, y = s.y.along * p.z - s.y.offset;
+  const double rate_x = s.x.along * v.z, rate_y = s.y.along * v.z;
+  const Doubles across = {s.x.across, s.x.across, s.y.across, s.y.across};
+  return {across * Doubles{p.x, -p.x, p.y, -p.y} + Doubles{x, x, y, y},
+          across * Doubles{v.x, -v.x, v.y, -v.y} + Doubles{rate_x, rate_x, rate_y, rate_y}};
+}
+
 template <class Real>
 Side inside(const Trd<Real>& s, const Vec3<Real>& p, Real tol) {
   Side side = worse(Side::inside, absolute(p.z) - s.hz, tol);
@@ -76,6 +89,28 @@ Real distance_to_out(const Trd<Real>& s, const Vec3<Real>& p, const Direction<Re
   Real leave = leave_slab(s.hz, p.z, v.z, v.inverse_z, tol, infinity<Real>());
   leave = smaller(leave_pair(s.x, p.x, p.z, v.x, v.z, tol, leave), leave);
   return smaller(leave_pair(s.y, p.y, p.z, v.y, v.z, tol, leave), leave);
+}
+
+// The same, all sides at once.
+inline bool contains(const Trd<double>& s, const Vec3<double>& p, const Direction<double>& v,
+                     double tol) {
+  return !(beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol) |
+           beyond_any(sides_of(s, p, v), tol));
+}
+inline double distance_to_entry(const Trd<double>& s, const Vec3<double>& p,
+                                const Direction<double>& v, double tol) {
+  FaceSpans<Doubles> sides;
+  sides.clip(sides_of(s, p, v), tol);
+  Span<double> span = sides.span();
+  clip_slab(span, s.hz, p.z, v.z, v.inverse_z, tol);
+  if (!is_ahead(span)) return infinity<double>();
+  return span.enter >= 0 ? span.enter : -1.0;
+}
+inline double distance_to_out(const Trd<double>& s, const Vec3<double>& p,
+                              const Direction<double>& v, double tol) {
+  FaceExits<Doubles> sides;
+  sides.leave(sides_of(s, p, v), tol);
+  return leave_slab(s.hz, p.z, v.z, v.inverse_z, tol, sides.path());
 }
 
 template <class Real>

@@ -14,6 +14,20 @@ struct AnySolid {
   const void* shape;
 };
 
+/// In a function of its own, which alone saves and clears wide registers.
+template <class F, class Shape>
+[[gnu::noinline]] decltype(auto) visit_apart(F& f, const Shape& shape) {
+  return f(shape);
+}
+template <class F, class Shape>
+[[gnu::always_inline]] inline decltype(auto) visit_shape(F& f, const Shape& shape) {
+  if constexpr (uses_vectors<Shape>) {
+    return visit_apart(f, shape);
+  } else {
+    return f(shape);
+  }
+}
+
 /// Calls `f` with the shape as its own type.
 template <class Real, class F>
 decltype(auto) visit(const AnySolid<Real>& s, F&& f) {
@@ -27,7 +41,7 @@ decltype(auto) visit(const AnySolid<Real>& s, F&& f) {
 #define NAVJIT_LABEL(kind, name, Shape) case SolidKind::kind:
 #define NAVJIT_CASE(kind, name, Shape) \
   case SolidKind::kind:                \
-    return f(*static_cast<const Shape<Real>*>(s.shape));
+    return visit_shape(f, *static_cast<const Shape<Real>*>(s.shape));
     NAVJIT_SOLIDS(NAVJIT_CASE, NAVJIT_LABEL)
 #undef NAVJIT_CASE
 #undef NAVJIT_LABEL

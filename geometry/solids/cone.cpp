@@ -21,6 +21,9 @@ Solid make_cone(std::string name, double rmin1, double rmax1, double rmin2, doub
   detail::require(rmax1 >= rmin1 && rmax2 >= rmin2, name, "a cone needs rmin <= rmax at both ends");
   detail::require(rmax1 > rmin1 || rmax2 > rmin2, name, "a cone needs rmin < rmax at one end");
   detail::require(hz > 0, name, "a cone needs a positive length");
+  if (rmin1 == rmin2 && rmax1 == rmax2) {
+    return make_tube(std::move(name), rmin1, rmax1, hz, start_phi, delta_phi);
+  }
   const kernels::Cone<double> shape{hz, centred_face(rmax1, rmax2, hz),
                                     centred_face(rmin1, rmin2, hz), rmin1 > 0 || rmin2 > 0 ? 1 : 0,
                                     detail::make_wedge(start_phi, delta_phi, name)};

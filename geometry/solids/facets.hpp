@@ -14,7 +14,7 @@ template <>
 struct SolidFacts<kernels::Facets<double>> {
   using Shape = kernels::Facets<double>;
 
-  static constexpr std::array kernel_files{"convex", "eight", "facet_groups", "facets"};
+  static constexpr std::array kernel_files{"convex", "facet_groups", "facets"};
   /// Negative if the triangles face inwards.
   static double volume(const Shape& s);
 };

@@ -8,10 +8,25 @@ namespace {
 
 using Plane = kernels::Plane<double>;
 
+using Group = kernels::PlaneGroup<double>;
+
 struct Holder {
   std::vector<Plane> planes;
+  std::vector<Group> groups;
   kernels::Hull<double> shape;
 };
+
+std::vector<Group> by_eight(const std::vector<Plane>& planes) {
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < planes.size(); i += 8) {
+    const auto eight = [&](double Plane::*coefficient) {
+      return detail::eight_from(i, planes.size(),
+                                [&](std::size_t k) { return planes[k].*coefficient; });
+    };
+    groups.push_back({eight(&Plane::a), eight(&Plane::b), eight(&Plane::c), eight(&Plane::d)});
+  }
+  return groups;
+}
 
 double distance(const Plane& f, const Vec3& p) { return kernels::plane_distance(f, p); }
 
@@ -91,8 +106,10 @@ kernels::Plane<double> plane_through(const Vec3& a, const Vec3& b, const Vec3& c
 }
 
 Solid make_hull(std::string name, std::vector<Plane> planes, const Extent& extent) {
-  const auto holder = std::make_shared<Holder>(Holder{std::move(planes), {}});
-  holder->shape = {holder->planes.data(), static_cast<int>(holder->planes.size())};
+  std::vector<Group> groups = by_eight(planes);
+  const auto holder = std::make_shared<Holder>(Holder{std::move(planes), std::move(groups), {}});
+  holder->shape = {holder->planes.data(), static_cast<int>(holder->planes.size()),
+                   holder->groups.data(), static_cast<int>(holder->groups.size())};
   return {std::move(name), SolidKind::hull, std::shared_ptr<const void>(holder, &holder->shape),
           extent};
 }

@@ -11,12 +11,14 @@ template <>
 struct SolidFacts<kernels::Hull<double>> {
   using Shape = kernels::Hull<double>;
 
-  static constexpr std::array kernel_files{"convex", "trap", "hull"};
+  static constexpr std::array kernel_files{"convex", "faces", "trap", "hull"};
   static double volume(const Shape& s);
   static std::optional<double> error(const Shape& s, const KernelUse& use);
 };
 
 template <>
 inline constexpr const char* element_name<kernels::Plane<double>> = "Plane<double>";
+template <>
+inline constexpr const char* element_name<kernels::PlaneGroup<double>> = "PlaneGroup<double>";
 
 }  // namespace navjit

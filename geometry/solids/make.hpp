@@ -1,6 +1,7 @@
 // What the factories of solids share. Private to geometry/solids.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/solids/extent.hpp"
@@ -12,6 +13,13 @@ namespace navjit::detail {
 void require(bool condition, const std::string& solid_name, const char* what);
 /// Throws unless all values are finite.
 void require_finite(std::initializer_list<double> values, const std::string& solid_name);
+
+/// value(first), ...: eight, of which those from `count` on are value(count - 1).
+template <class Value>
+kernels::EightOf<double> eight_from(std::size_t first, std::size_t count, const Value& value) {
+  const auto at = [&](std::size_t lane) { return value(std::min(first + lane, count - 1)); };
+  return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+}
 
 struct UnitVector {
   double x, y;

@@ -6,11 +6,13 @@
 
 #include "geometry/kernels/prelude.h"
 
+#include "geometry/kernels/lanes.h"
+
 #include "geometry/kernels/nearest_face.h"
 
 #include "geometry/kernels/convex.h"
 
-#include "geometry/kernels/eight.h"
+#include "geometry/kernels/faces.h"
 
 #include "geometry/kernels/wedge.h"
 

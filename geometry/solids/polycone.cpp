@@ -24,6 +24,11 @@ Solid polycone(std::string name, detail::Sections&& sections, std::span<const ZP
 Solid make_polycone(std::string name, std::span<const ZPlane> planes, double start_phi,
                     double delta_phi) {
   detail::Sections sections = detail::make_sections(planes, name);
+  if (planes.size() == 2 && planes[0].z == -planes[1].z) {
+    const ZPlane &low = planes[planes[0].z < 0 ? 0 : 1], &high = planes[planes[0].z < 0 ? 1 : 0];
+    return make_cone(std::move(name), low.rmin, low.rmax, high.rmin, high.rmax, high.z, start_phi,
+                     delta_phi);
+  }
   return polycone(std::move(name), std::move(sections), planes, start_phi, delta_phi);
 }
 

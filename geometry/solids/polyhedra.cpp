@@ -6,18 +6,13 @@
 namespace navjit {
 namespace {
 
-/// The last group is filled up with the last side.
 std::vector<kernels::SideGroup<double>> by_eight(
     const std::vector<kernels::SideNormal<double>>& sides) {
   std::vector<kernels::SideGroup<double>> groups;
   for (std::size_t i = 0; i < sides.size(); i += 8) {
-    double x[8], y[8];
-    for (std::size_t lane = 0; lane < 8; ++lane) {
-      const kernels::SideNormal<double>& side = sides[std::min(i + lane, sides.size() - 1)];
-      x[lane] = side.x, y[lane] = side.y;
-    }
-    groups.push_back({{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]},
-                      {y[0], y[1], y[2], y[3], y[4], y[5], y[6], y[7]}});
+    groups.push_back(
+        {detail::eight_from(i, sides.size(), [&](std::size_t k) { return sides[k].x; }),
+         detail::eight_from(i, sides.size(), [&](std::size_t k) { return sides[k].y; })});
   }
   return groups;
 }

@@ -12,7 +12,7 @@ struct SolidFacts<kernels::Polyhedra<double>> {
   using Shape = kernels::Polyhedra<double>;
 
   static constexpr std::array kernel_files{"convex",   "wedge",    "tube",  "cone",
-                                           "sections", "polycone", "eight", "polyhedra"};
+                                           "sections", "polycone", "faces", "polyhedra"};
   static double volume(const Shape& s);
   static Round round(const Shape& s);
 };

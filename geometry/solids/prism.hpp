@@ -11,8 +11,7 @@ template <>
 struct SolidFacts<kernels::Prism<double>> {
   using Shape = kernels::Prism<double>;
 
-  static constexpr std::array kernel_files{"convex", "eight", "facet_groups",
-                                           "facets", "pairs", "prism"};
+  static constexpr std::array kernel_files{"convex", "facet_groups", "facets", "pairs", "prism"};
   static double volume(const Shape& s);
 };
 

@@ -11,7 +11,7 @@ template <>
 struct SolidFacts<kernels::Trap<double>> {
   using Shape = kernels::Trap<double>;
 
-  static constexpr std::array kernel_files{"convex", "trap"};
+  static constexpr std::array kernel_files{"convex", "faces", "trap"};
   static double volume(const Shape& s);
   static std::optional<double> error(const Shape& s, const KernelUse& use);
 };

@@ -21,6 +21,7 @@ Solid make_trd(std::string name, double hx1, double hx2, double hy1, double hy2,
   detail::require((hx1 > 0 || hx2 > 0) && (hy1 > 0 || hy2 > 0), name,
                   "a trd needs a positive length at one end in x and in y");
   detail::require(hz > 0, name, "a trd needs a positive length in z");
+  if (hx1 == hx2 && hy1 == hy2) return make_box(std::move(name), hx1, hy1, hz);
   const kernels::Trd<double> shape{hz, face_pair(hx1, hx2, hz), face_pair(hy1, hy2, hz)};
   const double hx = std::max(hx1, hx2), hy = std::max(hy1, hy2);
   return detail::make_solid(std::move(name), SolidKind::trd, shape,

@@ -11,7 +11,7 @@ template <>
 struct SolidFacts<kernels::Trd<double>> {
   using Shape = kernels::Trd<double>;
 
-  static constexpr std::array kernel_files{"convex", "trd"};
+  static constexpr std::array kernel_files{"convex", "faces", "trd"};
   static double volume(const Shape& s);
   static std::optional<double> error(const Shape& s, const KernelUse& use);
 };

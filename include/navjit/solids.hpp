@@ -30,7 +30,9 @@ struct SolidFrame {
 };
 
 /// Lengths are mm, angles rad, h* are half lengths. All makers are thread-safe, and throw
-/// GeometryError on dimensions that make no solid; the message says which.
+/// GeometryError on dimensions that make no solid; the message says which. What is a simpler solid
+/// is made as that, for its speed, and has that one's kind: a cone of one radius is a tube, a
+/// polycone of two planes about z = 0 a cone, a trd with upright sides a box, a whole sphere an orb.
 Solid make_box(std::string name, double hx, double hy, double hz);
 Solid make_tube(std::string name, double rmin, double rmax, double hz, double start_phi,
                 double delta_phi);

@@ -117,7 +117,7 @@ TEST(Module, HostileNamesStayOutOfTheCode) {
 TEST(KernelTexts, HoldEveryKernelOfEveryKind) {
   for (const std::string_view name : kernel_order())
     EXPECT_FALSE(kernel_text(name).empty()) << name;
-  std::vector<const char*> others{"vectors", "prelude", "scene"};
+  std::vector<const char*> others{"vectors", "prelude", "lanes", "scene"};
   others.insert(others.end(), scene_kernels().begin(), scene_kernels().end());
   for (const char* name : others) {
     EXPECT_FALSE(kernel_text(name).empty()) << name;

@@ -19,6 +19,7 @@ TEST(KernelSets, CompileWithoutThoseOfOtherKinds) {
     if (kind.kernel_files.empty()) continue;  // foreign
     std::string source{kernel_text("vectors")};
     source += kernel_text("prelude");
+    source += kernel_text("lanes");
     for (const std::string_view name : kernel_order()) {
       if (std::find(kind.kernel_files.begin(), kind.kernel_files.end(), name) !=
           kind.kernel_files.end()) {

@@ -30,7 +30,11 @@ constexpr Plane<double> planes[] = {{0, 0, -1, -0.7},
                                     {-0.96, 0.28, 0, -0.5},
                                     {0, -0.6, 0.8, -0.7},
                                     {0, 0.8, 0.6, -0.6}};
-constexpr Hull<double> hull{planes, 5};
+constexpr PlaneGroup<double> plane_groups[] = {{{0, 0.8, -0.96, 0, 0, 0, 0, 0},
+                                                {0, 0, 0.28, -0.6, 0.8, 0.8, 0.8, 0.8},
+                                                {-1, 0.6, 0, 0.8, 0.6, 0.6, 0.6, 0.6},
+                                                {-0.7, -0.6, -0.5, -0.7, -0.6, -0.6, -0.6, -0.6}}};
+constexpr Hull<double> hull{planes, 5, plane_groups, 1};
 constexpr V corners[] = {{-0.9, -0.8, -0.7}, {1.1, -0.6, -0.5}, {0.2, 1.2, -0.6}, {0.1, 0.1, 1.3}};
 constexpr Facet triangles[] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 constexpr FacetBox<double> boxes[] = {{-0.9, -0.8, -0.7, 1.1, 1.2, 1.3, 0, 4, 1}};
@@ -109,8 +113,18 @@ Polycone<Real> hidden(const Polycone<Real>& s) {
 template <class Real>
 Hull<Real> hidden(const Hull<Real>& s) {
   static Plane<Real> own[5];
+  static PlaneGroup<Real> own_groups[1];
   std::copy_n(s.planes, 5, own);
-  return {opaque(&own[0]), opaque(s.count)};
+  std::copy_n(s.groups, 1, own_groups);
+  return {opaque(&own[0]), opaque(s.count), opaque(&own_groups[0]), opaque(s.group_count)};
+}
+template <class Real>
+Polyhedra<Real> hidden(const Polyhedra<Real>& s) {
+  static SideGroup<Real> own[1];
+  std::copy_n(s.groups, 1, own);
+  Polyhedra<Real> copy = opaque(s);
+  copy.groups = opaque(&own[0]);
+  return copy;
 }
 template <class Real>
 Facets<Real> hidden(const Facets<Real>& s) {

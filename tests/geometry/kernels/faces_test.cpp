@@ -1,6 +1,9 @@
-// Eight sides of a polyhedra at once answer as one after the other.
+// Several faces at once answer as one after the other: sides of polyhedra, planes of convex bodies.
 #include <gtest/gtest.h>
 
+#include <bit>
+
+#include "tests/geometry/kernels/random_flat_solids.hpp"
 #include "tests/geometry/kernels/random_solids.hpp"
 
 namespace navjit::test {
@@ -100,6 +103,80 @@ TEST(EightSides, OfALastGroupThatIsNotFullAreThere) {
       EXPECT_EQ(largest_across(s, V{n.x, n.y, 0}), n.x * n.x + n.y * n.y);
     }
   }
+}
+
+/// In and around the solid, now and then where a face is.
+V point_at(Random& random, const Solid& solid) {
+  const Extent& e = solid.extent;
+  const auto within = [&](double low, double high) {
+    const double margin = 0.2 * (high - low);
+    return random.uniform(low - margin, high + margin);
+  };
+  V p{within(e.min.x, e.max.x), within(e.min.y, e.max.y), within(e.min.z, e.max.z)};
+  if (random.chance(0.2)) p.z = random.chance(0.5) ? e.min.z : e.max.z;
+  const Direction v = random.any_direction();
+  const double t = kernels::distance_to_out(solid.any(), p, v, 1e-9);
+  return t > 0 && t < 1e9 && random.chance(0.3) ? kernels::advance(p, v, t) : p;
+}
+
+/// The kernels for several faces, and the templates that ask one after the other.
+template <class Shape>
+void expect_the_same(Random& random, const Solid& solid, int& met) {
+  const Shape& s = *static_cast<const Shape*>(solid.any().shape);
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };
+  const double tolerance = random.chance(0.7) ? 1e-9 : 0;
+  for (int n = 0; n < 60; ++n) {
+    const V p = point_at(random, solid);
+    const Direction v = random.any_direction();
+    ASSERT_EQ(contains(s, p, v, tolerance), kernels::contains<double>(s, p, v, tolerance));
+    const double in = distance_to_entry(s, p, v, tolerance);
+    ASSERT_EQ(bits(in), bits(kernels::distance_to_entry<double>(s, p, v, tolerance)));
+    ASSERT_EQ(bits(distance_to_in(s, p, v, tolerance)),
+              bits(kernels::distance_to_in<double>(s, p, v, tolerance)));
+    ASSERT_EQ(bits(distance_to_out(s, p, v, tolerance)),
+              bits(kernels::distance_to_out<double>(s, p, v, tolerance)));
+    if constexpr (std::is_same_v<Shape, kernels::Hull<double>>) {
+      ASSERT_EQ(bits(hull_distance(s, p)), bits(kernels::hull_distance<double>(s, p)));
+    }
+    met += in < 1e300 ? 1 : 0;
+  }
+}
+
+TEST(SeveralFaces, AnswerAsOneByOne) {
+  Random random(19);
+  int met = 0;
+  for (int n = 0; n < scaled(3000); ++n) {
+    const Solid trd = random_trd(random).solid, trap = random_trap(random).solid;
+    ASSERT_EQ(trd.kind, SolidKind::trd);
+    ASSERT_EQ(trap.kind, SolidKind::trap);
+    expect_the_same<kernels::Trd<double>>(random, trd, met);
+    expect_the_same<kernels::Trap<double>>(random, trap, met);
+    for (const Solid& hull : {random_tet(random).solid, random_para(random).solid}) {
+      if (hull.kind == SolidKind::hull) expect_the_same<kernels::Hull<double>>(random, hull, met);
+    }
+  }
+  EXPECT_GT(met, scaled(3000) * 30);
+}
+
+/// Of three to forty corners: up to 42 planes, so that a last group is full or not.
+TEST(SeveralFaces, OfPrismsWithManyAreThere) {
+  Random random(20);
+  int met = 0;
+  for (int corners = 3; corners <= 40; ++corners) {
+    std::vector<navjit::PlanarPoint> polygon;
+    for (int i = 0; i < corners; ++i) {
+      const double phi = 2 * std::numbers::pi * i / corners;
+      polygon.push_back({std::cos(phi), std::sin(phi)});
+    }
+    const std::vector<ExtrudedSection> sections{{-1, 0, 0, 1}, {1, 0, 0, 0.8}};
+    const Solid solid = make_extruded("extruded", polygon, sections);
+    ASSERT_EQ(solid.kind, SolidKind::hull);
+    const auto& s = *static_cast<const kernels::Hull<double>*>(solid.any().shape);
+    ASSERT_EQ(s.count, corners + 2);
+    ASSERT_EQ(s.group_count, (s.count + 7) / 8);
+    for (int i = 0; i < 40; ++i) expect_the_same<kernels::Hull<double>>(random, solid, met);
+  }
+  EXPECT_GT(met, 15000);
 }
 
 }  // namespace

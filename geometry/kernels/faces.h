@@ -1,0 +1,71 @@
+// Flat faces of a convex body, several at once: the quotients of clip_face and leave_face
+// (convex.h), of which the same ones count, so that bits are those of one face after the other.
+// Which faces a ray enters by cannot be foreseen: one by one, each is a branch that often goes the
+// other way.
+namespace navjit::kernels {
+
+/// Whether a solid's kernels use vectors: functions that serve all kinds of solids keep these
+/// apart, as the others would pay for them.
+template <class Shape>
+inline constexpr bool uses_vectors = false;
+
+/// Faces, one in each lane: what clip_face and its like ask of each. A face may be there twice.
+template <class Lanes>
+struct FaceLanes {
+  Lanes beyond;  ///< the signed distance of a point
+  Lanes nv;      ///< the outward unit normal times the direction
+};
+
+/// The lanes of a comparison.
+template <class Lanes>
+using MaskOf = decltype(Lanes{} > Lanes{});
+
+inline bool any_lane(MaskOf<Doubles> set) { return bits_of(__builtin_bit_cast(Words, set)) != 0; }
+inline bool any_lane(MaskOf<EightLanes> set) {
+  return bits_of(__builtin_bit_cast(EightWords, set)) != 0;
+}
+
+/// clip_face of all faces that are folded in.
+template <class Lanes>
+struct FaceSpans {
+  // Less the paths where a ray leaves: one quotient serves both ways.
+  Lanes enter = Lanes{} - infinity<double>(), leave_back = enter, until_back = enter;
+  MaskOf<Lanes> passed{};  ///< the ray is along a face, and beyond it
+
+  void clip(const FaceLanes<Lanes>& f, double tol) {
+    const auto in = f.nv<-along_a_face<double>(), out = f.nv> along_a_face<double>();
+    const auto outside = f.beyond > tol;
+    const Lanes back = f.beyond / f.nv, ahead = -back, until = (f.beyond + tol) / f.nv;
+    passed |= ~(in | out) & outside;
+    enter = (in & outside & (ahead > enter)) ? ahead : enter;
+    leave_back = (out & (back > leave_back)) ? back : leave_back;
+    until_back = (out & (until > until_back)) ? until : until_back;
+  }
+  Span<double> span() const {
+    if (any_lane(passed)) return no_span<double>();
+    return {largest_lane(enter), -largest_lane(leave_back), -largest_lane(until_back)};
+  }
+};
+
+/// leave_face of all faces that are folded in.
+template <class Lanes>
+struct FaceExits {
+  Lanes leave_back = Lanes{} - infinity<double>();  ///< less the path
+  MaskOf<Lanes> at_once{};
+
+  void leave(const FaceLanes<Lanes>& f, double tol) {
+    const auto in = f.nv<-along_a_face<double>(), out = f.nv> along_a_face<double>();
+    at_once |= (out & (f.beyond >= -tol)) | (~(in | out) & (f.beyond > tol));
+    const Lanes back = f.beyond / f.nv;
+    leave_back = (out & (back > leave_back)) ? back : leave_back;
+  }
+  double path() const { return any_lane(at_once) ? 0.0 : -largest_lane(leave_back); }
+};
+
+/// beyond_face of any of the faces.
+template <class Lanes>
+inline bool beyond_any(const FaceLanes<Lanes>& f, double tol) {
+  return any_lane((f.beyond > tol) | ((f.beyond >= -tol) & (f.nv > along_a_face<double>())));
+}
+
+}  // namespace navjit::kernels
