@@ -12,7 +12,7 @@ template <>
 struct SolidFacts<kernels::CutTube<double>> {
   using Shape = kernels::CutTube<double>;
 
-  static constexpr std::array kernel_files{"convex", "trap", "wedge", "tube", "cuttube"};
+  static constexpr std::array kernel_files{"convex", "faces", "trap", "wedge", "tube", "cuttube"};
   static double volume(const Shape& s);
   static Round round(const Shape& s);
 };

@@ -11,8 +11,8 @@ template <>
 struct SolidFacts<kernels::Polyhedra<double>> {
   using Shape = kernels::Polyhedra<double>;
 
-  static constexpr std::array kernel_files{"convex",   "wedge",    "tube",  "cone",
-                                           "sections", "polycone", "faces", "polyhedra"};
+  static constexpr std::array kernel_files{"convex", "faces",    "wedge",    "tube",
+                                           "cone",   "sections", "polycone", "polyhedra"};
   static double volume(const Shape& s);
   static Round round(const Shape& s);
 };
