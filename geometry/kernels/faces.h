@@ -33,7 +33,9 @@ struct FaceSpans {
   MaskOf<Lanes> passed{};  ///< the ray is along a face, and beyond it
 
   void clip(const FaceLanes<Lanes>& f, double tol) {
-    const auto in = f.nv<-along_a_face<double>(), out = f.nv> along_a_face<double>();
+    const double along = along_a_face<double>();
+    const auto in = f.nv < -along;
+    const auto out = f.nv > along;
     const auto outside = f.beyond > tol;
     const Lanes back = f.beyond / f.nv, ahead = -back, until = (f.beyond + tol) / f.nv;
     passed |= ~(in | out) & outside;
@@ -54,7 +56,9 @@ struct FaceExits {
   MaskOf<Lanes> at_once{};
 
   void leave(const FaceLanes<Lanes>& f, double tol) {
-    const auto in = f.nv<-along_a_face<double>(), out = f.nv> along_a_face<double>();
+    const double along = along_a_face<double>();
+    const auto in = f.nv < -along;
+    const auto out = f.nv > along;
     at_once |= (out & (f.beyond >= -tol)) | (~(in | out) & (f.beyond > tol));
     const Lanes back = f.beyond / f.nv;
     leave_back = (out & (back > leave_back)) ? back : leave_back;

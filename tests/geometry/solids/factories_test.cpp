@@ -177,6 +177,34 @@ struct FieldCounter {
   }
 };
 
+TEST(SimplerSolids, AreMadeAsSuch) {
+  const Solid tube = make_cone("s", 1, 2, 1, 2, 3, 0.5, 2);
+  EXPECT_EQ(tube.kind, SolidKind::tube);
+  EXPECT_EQ(tube.name, "s");
+  const auto& t = *static_cast<const kernels::Tube<double>*>(tube.shape.get());
+  EXPECT_EQ(t.rmin, 1);
+  EXPECT_EQ(t.rmax, 2);
+  EXPECT_EQ(t.hz, 3);
+  EXPECT_EQ(t.wedge.kind, 1);
+  EXPECT_EQ(make_trd("s", 1, 1, 2, 2, 3).kind, SolidKind::box);
+  EXPECT_EQ(make_polycone("s", Planes{{-3, 1, 2}, {3, 1, 2}}, 0, 7).kind, SolidKind::tube);
+  // From above to below, too.
+  const Solid cone = make_polycone("s", Planes{{3, 0, 1}, {-3, 0, 2}}, 0, 7);
+  EXPECT_EQ(cone.kind, SolidKind::cone);
+  const Direction up = kernels::make_direction(0.0, 0.0, 1.0);
+  EXPECT_TRUE(kernels::contains(cone.any(), Vec3{1.9, 0, -2.9}, up, 1e-9));
+  EXPECT_FALSE(kernels::contains(cone.any(), Vec3{1.9, 0, 2.9}, up, 1e-9));
+}
+
+TEST(SimplerSolids, AreNotMadeOfWhatIsAnother) {
+  EXPECT_EQ(make_cone("s", 1, 2, 1, 2.5, 3, 0, 7).kind, SolidKind::cone);
+  EXPECT_EQ(make_cone("s", 0.5, 2, 1, 2, 3, 0, 7).kind, SolidKind::cone);
+  EXPECT_EQ(make_trd("s", 1, 1, 2, 3, 3).kind, SolidKind::trd);
+  EXPECT_EQ(make_polycone("s", Planes{{-3, 1, 2}, {4, 1, 2}}, 0, 7).kind, SolidKind::polycone);
+  EXPECT_EQ(make_polycone("s", Planes{{-3, 1, 2}, {0, 1, 2}, {3, 1, 2}}, 0, 7).kind,
+            SolidKind::polycone);
+}
+
 TEST(Fields, AreAllNumbersOfAShape) {
   const Solid s = make_polyhedra("s", Planes{{-1, 0, 2}, {1, 0.5, 2}}, 5, 0, 3);
   FieldCounter visitor;
