@@ -4,11 +4,6 @@
 // other way.
 namespace navjit::kernels {
 
-/// Whether a solid's kernels use vectors: functions that serve all kinds of solids keep these
-/// apart, as the others would pay for them.
-template <class Shape>
-inline constexpr bool uses_vectors = false;
-
 /// Faces, one in each lane: what clip_face and its like ask of each. A face may be there twice.
 template <class Lanes>
 struct FaceLanes {

@@ -1,16 +1,15 @@
-// Boxes of a hierarchy around triangles, eight at once.
+// Boxes of a hierarchy around triangles, eight at once, down to leaves of eight triangles.
 namespace navjit::kernels {
 
 /// Boxes around triangles and around further groups; empty lanes have low above high.
 template <class Real>
 struct FacetGroup {
   EightOf<Real> x_low, y_low, z_low, x_high, y_high, z_high;
-  EightOf<int> below;  ///< by lane: the number of a group, or -1 - that of a triangle
+  EightOf<int> below;  ///< by lane: the number of a group, or -1 - that of a leaf
 };
 
-/// More groups than ever wait: seven on each level, which has an eighth of the level above or less,
-/// and as many as the last two levels have.
-constexpr int most_waiting_groups = 128;
+/// More groups than ever wait: seven on each level, of which there are no more than of boxes.
+constexpr int most_waiting_groups = 256;
 
 /// A ray in all lanes, with the margin that boxes are given: its start is moved on
 /// by it for the faces by which it enters boxes, and back for those by which it leaves them.
@@ -49,11 +48,13 @@ inline unsigned lanes_met(const FacetGroup<double>& g, const FacetRay& ray) {
   return bits_of(__builtin_bit_cast(EightWords, enter <= leave));
 }
 
-/// Calls visit(triangle) for those within `margin` of whose boxes the ray may come.
+/// Calls visit(triangle) for those that the ray's line may cross, in leaves within `margin` of
+/// whose boxes the ray may come. The ray is along `v`.
 template <class Visit>
-inline void visit_met(const FacetGroup<double>* groups, const Vec3<double>& p,
-                      const Direction<double>& v, double margin, const Visit& visit) {
-  const FacetRay ray = facet_ray(p, v, margin);
+inline void visit_met(const FacetGroup<double>* groups, const FacetLeaf<double>* leaves,
+                      const RayFrame<double>& frame, const Direction<double>& v, double margin,
+                      const Visit& visit) {
+  const FacetRay ray = facet_ray(frame.start, v, margin);
   int waiting[most_waiting_groups];
   int count = 0;
   for (int at = 0;;) {
@@ -62,10 +63,13 @@ inline void visit_met(const FacetGroup<double>* groups, const Vec3<double>& p,
     __builtin_memcpy(below, &group.below, sizeof below);
     for (unsigned lanes = lanes_met(group, ray); lanes != 0; lanes &= lanes - 1) {
       const int next = below[__builtin_ctz(lanes)];
-      if (next < 0) {
-        visit(-1 - next);
-      } else {
+      if (next >= 0) {
         waiting[count++] = next;
+        continue;
+      }
+      const FacetLeaf<double>& leaf = leaves[-1 - next];
+      for (unsigned crossed = lanes_crossed(leaf, frame); crossed != 0; crossed &= crossed - 1) {
+        visit(leaf.first + __builtin_ctz(crossed));
       }
     }
     if (count == 0) return;

@@ -24,7 +24,7 @@ struct FacetBox {
   int next;  ///< the box that follows those within this one
 };
 
-/// Each level of the boxes has half of the facets of the one above, so there are fewer than this.
+/// No path from the box around all goes through more boxes.
 constexpr int most_facet_levels = 32;
 
 template <class Real>
@@ -37,6 +37,8 @@ struct Facets {
   int box_count;
   const FacetGroup<Real>* groups;  ///< the same hierarchy, eight boxes wide; the first is the root
   int group_count;
+  const FacetLeaf<Real>* leaves;
+  int leaf_count;
 };
 
 // --- Distances from a point -------------------------------------------------------------------
@@ -175,26 +177,6 @@ Real surface_distance2(const Facets<Real>& s, const Vec3<Real>& p, Real limit) {
 
 // --- Crossings of a ray -----------------------------------------------------------------------
 
-/// Coordinates along and across a ray: sheared, so that the ray is the axis of t.
-template <class Real>
-struct RayFrame {
-  Vec3<Real> start;
-  int axis;  ///< the one that the ray runs along most
-  Real shear_x, shear_y, rate;
-};
-
-template <class Real>
-constexpr Vec3<Real> turned(const Vec3<Real>& p, int axis) {
-  return axis == 0 ? Vec3<Real>{p.y, p.z, p.x} : axis == 1 ? Vec3<Real>{p.z, p.x, p.y} : p;
-}
-template <class Real>
-RayFrame<Real> ray_frame(const Vec3<Real>& p, const Direction<Real>& v) {
-  const Real x = absolute(v.x), y = absolute(v.y), z = absolute(v.z);
-  const int axis = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
-  const Vec3<Real> d = turned(Vec3<Real>{v.x, v.y, v.z}, axis);
-  return {p, axis, d.x / d.z, d.y / d.z, d.z};
-}
-
 /// Where an edge crosses the plane y = 0.
 template <class Real>
 struct EdgePoint {
@@ -206,7 +188,7 @@ struct EdgePoint {
 /// Does the line cross the facet? +1 into the body, -1 out of it, 0 not; `t` is the path.
 template <class Real>
 int facet_turn(const Facets<Real>& s, const RayFrame<Real>& frame, const Facet& f, Real& t) {
-  // Most facets of the boxes that a ray meets are missed: each division waits until it is needed.
+  // Facets of a box that a ray meets are mostly missed: each division waits until it is needed.
   const int index[3] = {f.a, f.b, f.c};
   const Vec3<Real> d[3] = {turned(difference(s.corners[f.a], frame.start), frame.axis),
                            turned(difference(s.corners[f.b], frame.start), frame.axis),
@@ -262,13 +244,14 @@ bool ray_meets(const FacetBox<Real>& box, const Vec3<Real>& p, const Direction<R
   return enter <= leave;
 }
 
-/// Calls visit(facet) for those within `margin` of whose boxes the ray may come.
+/// Calls visit(facet) for all that the ray may cross: those within `margin` of whose boxes it may
+/// come. The ray is along `v`.
 template <class Real, class Visit>
-void visit_met(const Facets<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real margin,
-               const Visit& visit) {
+void visit_met(const Facets<Real>& s, const RayFrame<Real>& frame, const Direction<Real>& v,
+               Real margin, const Visit& visit) {
   for (int i = 0; i < s.box_count;) {
     const FacetBox<Real>& box = s.boxes[i];
-    if (!ray_meets(box, p, v, margin)) {
+    if (!ray_meets(box, frame.start, v, margin)) {
       i = box.next;
       continue;
     }
@@ -277,9 +260,9 @@ void visit_met(const Facets<Real>& s, const Vec3<Real>& p, const Direction<Real>
   }
 }
 template <class Visit>
-void visit_met(const Facets<double>& s, const Vec3<double>& p, const Direction<double>& v,
+void visit_met(const Facets<double>& s, const RayFrame<double>& frame, const Direction<double>& v,
                double margin, const Visit& visit) {
-  visit_met(s.groups, p, v, margin, visit);
+  visit_met(s.groups, s.leaves, frame, v, margin, visit);
 }
 
 /// The nearest crossings ahead, in order; those at one path are one.
@@ -334,7 +317,7 @@ Crossings<Real> crossings_ahead(const Facets<Real>& s, const Vec3<Real>& p,
                            larger(larger(absolute(all.y_low), absolute(all.y_high)),
                                   larger(absolute(all.z_low), absolute(all.z_high))));
   const Real margin = 2 * tol + Real(1e-14) * size;
-  visit_met(s, p, v, margin, [&](int k) {
+  visit_met(s, frame, v, margin, [&](int k) {
     Real t = 0;
     const int turn = facet_turn(s, frame, s.facets[k], t);
     if (turn == 0 || !(t > 0)) return;

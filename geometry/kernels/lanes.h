@@ -3,6 +3,11 @@
 // those of a loop.
 namespace navjit::kernels {
 
+/// Whether a solid's kernels use vectors: functions that serve all kinds of solids keep these
+/// apart, as the others would pay for them.
+template <class Shape>
+inline constexpr bool uses_vectors = false;
+
 typedef double Doubles __attribute__((vector_size(32)));
 typedef unsigned long long Words __attribute__((vector_size(32)));
 constexpr int lanes_of_four = 4;
@@ -50,6 +55,8 @@ inline EightLanes lanes_from(const EightOf<double>& numbers) {
   __builtin_memcpy(&lanes, &numbers, sizeof lanes);
   return lanes;
 }
+
+inline EightLanes absolute(EightLanes lanes) { return lanes < 0 ? -lanes : lanes; }
 
 inline unsigned bits_of(EightWords set) {
 #if defined(__clang__)

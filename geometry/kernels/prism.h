@@ -13,13 +13,24 @@ struct PlanarCorner {
   Real x, y;
 };
 
+/// Eight corners; where there are fewer, the last one more than once.
+template <class Real>
+struct CornerGroup {
+  EightOf<Real> x, y;
+};
+
 template <class Real>
 struct Prism {
   const PlanarCorner<Real>* corners;  ///< anticlockwise
   int count;
+  const CornerGroup<Real>* groups;  ///< the same corners
+  int group_count;
   Real z_low, z_high;
   Real x_low, x_high, y_low, y_high;  ///< the box around the polygon
 };
+
+template <>
+inline constexpr bool uses_vectors<Prism<double>> = true;
 
 /// The square of the distance of (x, y) from the edge that ends at corner i.
 template <class Real>
@@ -47,6 +58,37 @@ NearestEdge<Real> nearest_edge(const Prism<Real>& s, Real x, Real y) {
     if (distance2 < nearest.distance2) nearest = {i, distance2};
   }
   return nearest;
+}
+
+/// The square of the distance from the nearest edge.
+template <class Real>
+Real edges_distance2(const Prism<Real>& s, Real x, Real y) {
+  return nearest_edge(s, x, y).distance2;
+}
+/// The same, eight edges at once.
+inline double edges_distance2(const Prism<double>& s, double x, double y) {
+  constexpr EightLanes lane_numbers{0, 1, 2, 3, 4, 5, 6, 7};
+  EightLanes nearest = eight_of(infinity<double>());
+  // The corners before those of a group are its own and the last one of the group before.
+  EightLanes x_before = lanes_from(s.groups[s.group_count - 1].x);
+  EightLanes y_before = lanes_from(s.groups[s.group_count - 1].y);
+  for (int i = 0; i < s.group_count; ++i) {
+    const EightLanes bx = lanes_from(s.groups[i].x), by = lanes_from(s.groups[i].y);
+    const EightLanes ax = __builtin_shufflevector(x_before, bx, 7, 8, 9, 10, 11, 12, 13, 14);
+    const EightLanes ay = __builtin_shufflevector(y_before, by, 7, 8, 9, 10, 11, 12, 13, 14);
+    const EightLanes ux = bx - ax, uy = by - ay, wx = x - ax, wy = y - ay;
+    const EightLanes length2 = ux * ux + uy * uy, along = ux * wx + uy * wy;
+    const EightLanes across = ux * wy - uy * wx;
+    const EightLanes from_a = wx * wx + wy * wy;
+    const EightLanes from_b = (x - bx) * (x - bx) + (y - by) * (y - by);
+    const EightLanes within = across * across / length2;
+    const EightLanes distance2 = !(along > 0) ? from_a : !(along < length2) ? from_b : within;
+    const auto is_nearer = (distance2 < nearest) & (lane_numbers < double(s.count - 8 * i));
+    nearest = is_nearer ? distance2 : nearest;
+    x_before = bx;
+    y_before = by;
+  }
+  return -largest_lane(-nearest);
 }
 
 /// How far (x, y) is outside of the box around the polygon.
@@ -107,19 +149,46 @@ struct CornerSides {
   int near = 0;  ///< how many are nearly on it
 
   CornerSides(const Prism<Real>& s, const PlanarRay<Real>& ray, Real close) {
-    for (int first = 0; first < s.count; first += in_word) {
-      const int end = s.count - first < in_word ? s.count : first + in_word;
-      unsigned long long word = 0;
-      for (int i = first; i < end; ++i) {
-        const Real side = ray.u * (s.corners[i].y - ray.y) - ray.v * (s.corners[i].x - ray.x);
-        of[i] = side;
-        word |= static_cast<unsigned long long>(side > 0) << (i - first);
-        near += absolute(side) <= close ? 1 : 0;
-      }
-      left[first / in_word] = word;
-    }
+    tell_sides(*this, s, ray, close);
   }
 };
+
+template <class Real>
+void tell_sides(CornerSides<Real>& sides, const Prism<Real>& s, const PlanarRay<Real>& ray,
+                Real close) {
+  constexpr int in_word = CornerSides<Real>::in_word;
+  for (int first = 0; first < s.count; first += in_word) {
+    const int end = s.count - first < in_word ? s.count : first + in_word;
+    unsigned long long word = 0;
+    for (int i = first; i < end; ++i) {
+      const Real side = ray.u * (s.corners[i].y - ray.y) - ray.v * (s.corners[i].x - ray.x);
+      sides.of[i] = side;
+      word |= static_cast<unsigned long long>(side > 0) << (i - first);
+      sides.near += absolute(side) <= close ? 1 : 0;
+    }
+    sides.left[first / in_word] = word;
+  }
+}
+/// The same, eight corners at once.
+inline void tell_sides(CornerSides<double>& sides, const Prism<double>& s,
+                       const PlanarRay<double>& ray, double close) {
+  constexpr int groups_in_word = CornerSides<double>::in_word / 8;
+  for (int first = 0; first < s.group_count; first += groups_in_word) {
+    unsigned long long left = 0;
+    for (int i = first; i < s.group_count && i < first + groups_in_word; ++i) {
+      const CornerGroup<double>& at = s.groups[i];
+      const EightLanes side =
+          ray.u * (lanes_from(at.y) - ray.y) - ray.v * (lanes_from(at.x) - ray.x);
+      __builtin_memcpy(sides.of + 8 * i, &side, sizeof side);
+      left |= static_cast<unsigned long long>(bits_of(__builtin_bit_cast(EightWords, side > 0)))
+              << 8 * (i - first);
+      const unsigned near = bits_of(__builtin_bit_cast(EightWords, absolute(side) <= close));
+      const int corners = s.count - 8 * i;
+      sides.near += __builtin_popcount(corners < 8 ? near & ((1U << corners) - 1) : near);
+    }
+    sides.left[first / groups_in_word] = left;
+  }
+}
 
 /// The crossings ahead, kept from the path `from` on, as crossings_ahead has them for facets.
 template <class Real>
@@ -183,7 +252,7 @@ Crossings<Real> edges_ahead_inside(const Prism<Real>& s, PlanarRay<Real>& ray, R
 template <class Real>
 bool holds_start(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol) {
   if (outside_box(s, ray.x, ray.y) > tol) return false;
-  if (ray.parallel && nearest_edge(s, ray.x, ray.y).distance2 <= tol * tol) return true;
+  if (ray.parallel && edges_distance2(s, ray.x, ray.y) <= tol * tol) return true;
   PlanarRay<Real> clear = ray;
   return edges_ahead_inside(s, clear, tol, infinity<Real>()).total < 0;
 }
@@ -192,7 +261,7 @@ template <class Real>
 Side inside(const Prism<Real>& s, const Vec3<Real>& p, Real tol) {
   const Side along_z = worse(Side::inside, larger(p.z - s.z_high, s.z_low - p.z), tol);
   if (along_z == Side::outside || outside_box(s, p.x, p.y) > tol) return Side::outside;
-  if (nearest_edge(s, p.x, p.y).distance2 <= tol * tol) return Side::surface;
+  if (edges_distance2(s, p.x, p.y) <= tol * tol) return Side::surface;
   const PlanarRay<Real> any{p.x, p.y, Real(1), Real(0), false};
   return edges_ahead(s, any, tol, infinity<Real>()).total < 0 ? along_z : Side::outside;
 }
@@ -278,13 +347,13 @@ template <class Real>
 Real safety_to_in(const Prism<Real>& s, const Vec3<Real>& p) {
   const Real z = larger(larger(s.z_low - p.z, p.z - s.z_high), Real(0));
   if (is_in_polygon(s, p.x, p.y)) return z;
-  return square_root(nearest_edge(s, p.x, p.y).distance2 + z * z);
+  return square_root(edges_distance2(s, p.x, p.y) + z * z);
 }
 template <class Real>
 Real safety_to_out(const Prism<Real>& s, const Vec3<Real>& p) {
   const Real z = smaller(s.z_high - p.z, p.z - s.z_low);
   if (!(z > 0) || !is_in_polygon(s, p.x, p.y)) return Real(0);
-  return smaller(square_root(nearest_edge(s, p.x, p.y).distance2), z);
+  return smaller(square_root(edges_distance2(s, p.x, p.y)), z);
 }
 
 }  // namespace navjit::kernels

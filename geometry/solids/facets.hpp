@@ -4,6 +4,7 @@
 #include "geometry/solids/facts.hpp"
 
 // clang-format off
+#include "geometry/kernels/facet_leaves.h"
 #include "geometry/kernels/facet_groups.h"
 #include "geometry/kernels/facets.h"
 // clang-format on
@@ -14,7 +15,7 @@ template <>
 struct SolidFacts<kernels::Facets<double>> {
   using Shape = kernels::Facets<double>;
 
-  static constexpr std::array kernel_files{"convex", "facet_groups", "facets"};
+  static constexpr std::array kernel_files{"convex", "facet_leaves", "facet_groups", "facets"};
   /// Negative if the triangles face inwards.
   static double volume(const Shape& s);
 };
@@ -27,5 +28,7 @@ template <>
 inline constexpr const char* element_name<kernels::FacetBox<double>> = "FacetBox<double>";
 template <>
 inline constexpr const char* element_name<kernels::FacetGroup<double>> = "FacetGroup<double>";
+template <>
+inline constexpr const char* element_name<kernels::FacetLeaf<double>> = "FacetLeaf<double>";
 
 }  // namespace navjit

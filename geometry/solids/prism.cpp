@@ -5,6 +5,7 @@ namespace {
 
 struct Holder {
   std::vector<kernels::PlanarCorner<double>> corners;
+  std::vector<kernels::CornerGroup<double>> groups;
   kernels::Prism<double> shape;
 };
 
@@ -17,10 +18,17 @@ Solid make_prism(std::string name, std::span<const Vec3> corners, double z_low, 
     holder->corners.push_back({p.x, p.y});
     e = merged(e, {p, p});
   }
+  for (std::size_t i = 0; i < corners.size(); i += 8) {
+    holder->groups.push_back(
+        {eight_from(i, corners.size(), [&](std::size_t k) { return corners[k].x; }),
+         eight_from(i, corners.size(), [&](std::size_t k) { return corners[k].y; })});
+  }
   e.min.z = z_low;
   e.max.z = z_high;
   holder->shape = {holder->corners.data(),
                    static_cast<int>(holder->corners.size()),
+                   holder->groups.data(),
+                   static_cast<int>(holder->groups.size()),
                    z_low,
                    z_high,
                    e.min.x,

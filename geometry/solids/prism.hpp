@@ -11,11 +11,14 @@ template <>
 struct SolidFacts<kernels::Prism<double>> {
   using Shape = kernels::Prism<double>;
 
-  static constexpr std::array kernel_files{"convex", "facet_groups", "facets", "pairs", "prism"};
+  static constexpr std::array kernel_files{"convex", "facet_leaves", "facet_groups",
+                                           "facets", "pairs",        "prism"};
   static double volume(const Shape& s);
 };
 
 template <>
 inline constexpr const char* element_name<kernels::PlanarCorner<double>> = "PlanarCorner<double>";
+template <>
+inline constexpr const char* element_name<kernels::CornerGroup<double>> = "CornerGroup<double>";
 
 }  // namespace navjit

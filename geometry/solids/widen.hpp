@@ -51,6 +51,7 @@ class WideSolid {
   static kernels::Facet wide(const kernels::Facet& s) { return s; }
   /// Read in double precision alone.
   static kernels::FacetGroup<Real> wide(const kernels::FacetGroup<double>&) { return {}; }
+  static kernels::FacetLeaf<Real> wide(const kernels::FacetLeaf<double>&) { return {}; }
 
   /// Field by field.
   template <template <class> class Shape>

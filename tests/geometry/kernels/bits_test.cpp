@@ -39,17 +39,29 @@ constexpr V corners[] = {{-0.9, -0.8, -0.7}, {1.1, -0.6, -0.5}, {0.2, 1.2, -0.6}
 constexpr Facet triangles[] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 constexpr FacetBox<double> boxes[] = {{-0.9, -0.8, -0.7, 1.1, 1.2, 1.3, 0, 4, 1}};
 constexpr double no = __builtin_inf();
-constexpr FacetGroup<double> groups[] = {{{-0.9, -0.9, 0.1, -0.9, no, no, no, no},
-                                          {-0.8, -0.8, -0.6, -0.8, no, no, no, no},
-                                          {-0.7, -0.7, -0.6, -0.7, no, no, no, no},
-                                          {1.1, 1.1, 1.1, 0.2, -no, -no, -no, -no},
-                                          {1.2, 0.1, 1.2, 1.2, -no, -no, -no, -no},
-                                          {-0.5, 1.3, 1.3, 1.3, -no, -no, -no, -no},
-                                          {-1, -2, -3, -4, 0, 0, 0, 0}}};
-constexpr Facets<double> facets{corners, 4, triangles, 4, boxes, 1, groups, 1};
+constexpr FacetGroup<double> groups[] = {{{-0.9, no, no, no, no, no, no, no},
+                                          {-0.8, no, no, no, no, no, no, no},
+                                          {-0.7, no, no, no, no, no, no, no},
+                                          {1.1, -no, -no, -no, -no, -no, -no, -no},
+                                          {1.2, -no, -no, -no, -no, -no, -no, -no},
+                                          {1.3, -no, -no, -no, -no, -no, -no, -no},
+                                          {-1, 0, 0, 0, 0, 0, 0, 0}}};
+constexpr FacetLeaf<double> leaves[] = {{{{-0.9, -0.9, 1.1, 0.2, -0.9, -0.9, -0.9, -0.9},
+                                          {-0.8, -0.8, -0.6, 1.2, -0.8, -0.8, -0.8, -0.8},
+                                          {-0.7, -0.7, -0.5, -0.6, -0.7, -0.7, -0.7, -0.7}},
+                                         {{0.2, 1.1, 0.2, -0.9, -0.9, -0.9, -0.9, -0.9},
+                                          {1.2, -0.6, 1.2, -0.8, -0.8, -0.8, -0.8, -0.8},
+                                          {-0.6, -0.5, -0.6, -0.7, -0.7, -0.7, -0.7, -0.7}},
+                                         {{1.1, 0.1, 0.1, 0.1, -0.9, -0.9, -0.9, -0.9},
+                                          {-0.6, 0.1, 0.1, 0.1, -0.8, -0.8, -0.8, -0.8},
+                                          {-0.5, 1.3, 1.3, 1.3, -0.7, -0.7, -0.7, -0.7}},
+                                         0}};
+constexpr Facets<double> facets{corners, 4, triangles, 4, boxes, 1, groups, 1, leaves, 1};
 constexpr PlanarCorner<double> outline[] = {
     {-0.9, -0.8}, {1.1, -0.6}, {0.9, 0.8}, {0.2, -0.1}, {-0.7, 0.9}};
-constexpr Prism<double> prism{outline, 5, -0.7, 0.9, -0.9, 1.1, -0.8, 0.9};
+constexpr CornerGroup<double> outline_groups[] = {
+    {{-0.9, 1.1, 0.9, 0.2, -0.7, -0.7, -0.7, -0.7}, {-0.8, -0.6, 0.8, -0.1, 0.9, 0.9, 0.9, 0.9}}};
+constexpr Prism<double> prism{outline, 5, outline_groups, 1, -0.7, 0.9, -0.9, 1.1, -0.8, 0.9};
 constexpr Arb8<double> arb8{0.8,
                             1.2,
                             1.2,
@@ -129,17 +141,26 @@ Polyhedra<Real> hidden(const Polyhedra<Real>& s) {
 template <class Real>
 Facets<Real> hidden(const Facets<Real>& s) {
   static kernels::Vec3<Real> own[4];
+  static FacetGroup<Real> own_groups[1];
+  static FacetLeaf<Real> own_leaves[1];
   std::copy_n(s.corners, 4, own);
+  std::copy_n(s.groups, 1, own_groups);
+  std::copy_n(s.leaves, 1, own_leaves);
   Facets<Real> copy = opaque(s);
   copy.corners = opaque(&own[0]);
+  copy.groups = opaque(&own_groups[0]);
+  copy.leaves = opaque(&own_leaves[0]);
   return copy;
 }
 template <class Real>
 Prism<Real> hidden(const Prism<Real>& s) {
   static PlanarCorner<Real> own[5];
+  static CornerGroup<Real> own_groups[1];
   std::copy_n(s.corners, 5, own);
+  std::copy_n(s.groups, 1, own_groups);
   Prism<Real> copy = opaque(s);
   copy.corners = opaque(&own[0]);
+  copy.groups = opaque(&own_groups[0]);
   return copy;
 }
 template <class Shape>
