@@ -1,7 +1,7 @@
 // Boxes of a hierarchy around triangles, eight at once, down to leaves of eight triangles.
 namespace navjit::kernels {
 
-/// Boxes around triangles and around further groups; empty lanes have low above high.
+/// Boxes around leaves and around further groups; empty lanes have low above high.
 template <class Real>
 struct FacetGroup {
   EightOf<Real> x_low, y_low, z_low, x_high, y_high, z_high;

@@ -60,6 +60,11 @@ NearestEdge<Real> nearest_edge(const Prism<Real>& s, Real x, Real y) {
   return nearest;
 }
 
+/// The corners before eight corners, of which the first one is the last of `before`.
+inline EightLanes lanes_before(EightLanes before, EightLanes lanes) {
+  return __builtin_shufflevector(before, lanes, 7, 8, 9, 10, 11, 12, 13, 14);
+}
+
 /// The square of the distance from the nearest edge.
 template <class Real>
 Real edges_distance2(const Prism<Real>& s, Real x, Real y) {
@@ -74,8 +79,7 @@ inline double edges_distance2(const Prism<double>& s, double x, double y) {
   EightLanes y_before = lanes_from(s.groups[s.group_count - 1].y);
   for (int i = 0; i < s.group_count; ++i) {
     const EightLanes bx = lanes_from(s.groups[i].x), by = lanes_from(s.groups[i].y);
-    const EightLanes ax = __builtin_shufflevector(x_before, bx, 7, 8, 9, 10, 11, 12, 13, 14);
-    const EightLanes ay = __builtin_shufflevector(y_before, by, 7, 8, 9, 10, 11, 12, 13, 14);
+    const EightLanes ax = lanes_before(x_before, bx), ay = lanes_before(y_before, by);
     const EightLanes ux = bx - ax, uy = by - ay, wx = x - ax, wy = y - ay;
     const EightLanes length2 = ux * ux + uy * uy, along = ux * wx + uy * wy;
     const EightLanes across = ux * wy - uy * wx;
@@ -138,98 +142,149 @@ template <class Real>
 /// What has more corners is no prism, but facets.
 constexpr int most_corners_of_prism = 128;
 
-/// On which side of a ray a polygon's corners are. Which edges cross it no processor foresees, so
-/// that is told for all of them first, without branches; few do.
+/// Crossings ahead. What is taken out is in order, and what is at one path is one.
 template <class Real>
-struct CornerSides {
-  static constexpr int in_word = 64;
-  Real of[most_corners_of_prism];
-  /// Bit i, from word to word: corner i is to the left of the ray.
-  unsigned long long left[most_corners_of_prism / in_word];
-  int near = 0;  ///< how many are nearly on it
-
-  CornerSides(const Prism<Real>& s, const PlanarRay<Real>& ray, Real close) {
-    tell_sides(*this, s, ray, close);
-  }
+struct EdgesAhead {
+  int total = 0;  ///< entries less exits
+  /// Corners that are nearly on the ray's line; the last one may be counted several times.
+  int near = 0;
+  int count = 0;  ///< edges
+  /// By edge, that which ends at corner i: the path to its crossing, infinite if there is none.
+  Real t[most_corners_of_prism];
+  /// Bit i, from word to word: the crossing is an exit.
+  unsigned long long out[most_corners_of_prism / 64];
 };
 
+/// Of crossings.
+enum class Keep { total, all };
+
+/// Is the start of the ray within the tolerance of the edge that ends at corner i?
 template <class Real>
-void tell_sides(CornerSides<Real>& sides, const Prism<Real>& s, const PlanarRay<Real>& ray,
-                Real close) {
-  constexpr int in_word = CornerSides<Real>::in_word;
-  for (int first = 0; first < s.count; first += in_word) {
-    const int end = s.count - first < in_word ? s.count : first + in_word;
-    unsigned long long word = 0;
-    for (int i = first; i < end; ++i) {
-      const Real side = ray.u * (s.corners[i].y - ray.y) - ray.v * (s.corners[i].x - ray.x);
-      sides.of[i] = side;
-      word |= static_cast<unsigned long long>(side > 0) << (i - first);
-      sides.near += absolute(side) <= close ? 1 : 0;
-    }
-    sides.left[first / in_word] = word;
-  }
-}
-/// The same, eight corners at once.
-inline void tell_sides(CornerSides<double>& sides, const Prism<double>& s,
-                       const PlanarRay<double>& ray, double close) {
-  constexpr int groups_in_word = CornerSides<double>::in_word / 8;
-  for (int first = 0; first < s.group_count; first += groups_in_word) {
-    unsigned long long left = 0;
-    for (int i = first; i < s.group_count && i < first + groups_in_word; ++i) {
-      const CornerGroup<double>& at = s.groups[i];
-      const EightLanes side =
-          ray.u * (lanes_from(at.y) - ray.y) - ray.v * (lanes_from(at.x) - ray.x);
-      __builtin_memcpy(sides.of + 8 * i, &side, sizeof side);
-      left |= static_cast<unsigned long long>(bits_of(__builtin_bit_cast(EightWords, side > 0)))
-              << 8 * (i - first);
-      const unsigned near = bits_of(__builtin_bit_cast(EightWords, absolute(side) <= close));
-      const int corners = s.count - 8 * i;
-      sides.near += __builtin_popcount(corners < 8 ? near & ((1U << corners) - 1) : near);
-    }
-    sides.left[first / groups_in_word] = left;
-  }
+bool starts_at_edge(const Prism<Real>& s, int i, const PlanarRay<Real>& ray, Real tol) {
+  return !(edge_distance2(s, i, ray.x, ray.y) > tol * tol);
 }
 
-/// The crossings ahead, kept from the path `from` on, as crossings_ahead has them for facets.
-template <class Real>
-Crossings<Real> edges_ahead(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol, Real from,
-                            const CornerSides<Real>& sides) {
-  Crossings<Real> c;
-  c.total = 0;
-  c.count = 0;
-  c.beyond = infinity<Real>();
+/// A corner, from a ray's start, and along and across the ray: left of it `side` is positive.
+template <class Number>
+struct CornerSeen {
+  Number x, y, along, side;
+};
+template <class Number, class Real>
+CornerSeen<Number> seen_along(const PlanarRay<Real>& ray, Number x, Number y) {
+  const Number from_x = x - ray.x, from_y = y - ray.y;
+  return {from_x, from_y, ray.u * from_x + ray.v * from_y, ray.u * from_y - ray.v * from_x};
+}
+
+/// Corners are near that are as far from the ray's line as `close`, or less.
+template <Keep keep, class Real>
+EdgesAhead<Real> edges_ahead(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol,
+                             Real close) {
+  EdgesAhead<Real> c;
+  c.count = s.count;
+  for (unsigned long long& word : c.out) word = 0;
   const Real length2 = ray.u * ray.u + ray.v * ray.v;
-  const auto along = [&](int corner) {
-    const PlanarCorner<Real>& at = s.corners[corner];
-    return ray.u * (at.x - ray.x) + ray.v * (at.y - ray.y);
+  const auto seen = [&](int i) { return seen_along(ray, s.corners[i].x, s.corners[i].y); };
+  CornerSeen<Real> before = seen(s.count - 1);
+  for (int i = 0; i < s.count; ++i) {
+    const CornerSeen<Real> from = before, at = seen(i);
+    before = at;
+    c.t[i] = infinity<Real>();
+    c.near += absolute(at.side) <= close ? 1 : 0;
+    const bool left = at.side > 0;
+    if (left == (from.side > 0)) continue;
+    const Real path = from.along + (at.along - from.along) * (from.side / (from.side - at.side));
+    if (!(path > 0) || starts_at_edge(s, i, ray, tol)) continue;
+    // Leftwards of the ray: what is inside lies behind the edge.
+    c.total += left ? -1 : 1;
+    c.t[i] = path / length2;
+    c.out[i / 64] |= static_cast<unsigned long long>(left) << i % 64;
+  }
+  return c;
+}
+
+/// The same, eight edges at once: which of them are crossed no processor foresees.
+template <Keep keep>
+EdgesAhead<double> edges_ahead(const Prism<double>& s, const PlanarRay<double>& ray, double tol,
+                               double close) {
+  EdgesAhead<double> c;
+  c.count = 8 * s.group_count;
+  const double length2 = ray.u * ray.u + ray.v * ray.v;
+  const auto seen = [&](int i) {
+    return seen_along(ray, lanes_from(s.groups[i].x), lanes_from(s.groups[i].y));
   };
-  const int last = s.count - 1;
-  constexpr int in_word = CornerSides<Real>::in_word;
-  unsigned long long before_first = sides.left[last / in_word] >> (last % in_word) & 1;
-  for (int first = 0; first < s.count; first += in_word) {
-    const unsigned long long left = sides.left[first / in_word];
-    unsigned long long crossing = left ^ (left << 1 | before_first);
-    before_first = left >> (in_word - 1);
-    if (s.count - first < in_word) crossing &= ~0ULL >> (in_word - (s.count - first));
-    for (; crossing != 0; crossing &= crossing - 1) {
-      const int edge = first + __builtin_ctzll(crossing), before = edge == 0 ? last : edge - 1;
-      const Real side = sides.of[edge], side_before = sides.of[before];
-      const Real begin = along(before), end = along(edge);
-      const Real path = begin + (end - begin) * (side_before / (side_before - side));
-      if (path > 0 && edge_distance2(s, edge, ray.x, ray.y) > tol * tol) {
-        // Leftwards of the ray: what is inside lies behind the edge.
-        const int turn = side > 0 ? -1 : 1;
-        c.total += turn;
-        const Real t = path / length2;
-        if (t >= from) keep_crossing(c, t, turn);
-      }
+  CornerSeen<EightLanes> before = seen(s.group_count - 1);
+  for (int i = 0; i < s.group_count; ++i) {
+    const CornerSeen<EightLanes> at = seen(i);
+    const CornerSeen<EightLanes> from{lanes_before(before.x, at.x), lanes_before(before.y, at.y),
+                                      lanes_before(before.along, at.along),
+                                      lanes_before(before.side, at.side)};
+    before = at;
+    c.near +=
+        __builtin_popcount(bits_of(__builtin_bit_cast(EightWords, absolute(at.side) <= close)));
+    const EightWords left = __builtin_bit_cast(EightWords, at.side > 0);
+    const EightLanes path =
+        from.along + (at.along - from.along) * (from.side / (from.side - at.side));
+    // Where the last corner stands again both are on one side.
+    EightWords ahead = (left ^ __builtin_bit_cast(EightWords, from.side > 0)) &
+                       __builtin_bit_cast(EightWords, path > 0);
+    const EightLanes ux = at.x - from.x, uy = at.y - from.y;
+    const EightLanes across = uy * from.x - ux * from.y;
+    const EightWords far =
+        __builtin_bit_cast(EightWords, across * across > 4 * tol * tol * (ux * ux + uy * uy));
+    for (unsigned maybe = bits_of(ahead & ~far); maybe != 0; maybe &= maybe - 1) {
+      const int lane = __builtin_ctz(maybe);
+      if (starts_at_edge(s, 8 * i + lane, ray, tol)) ahead[lane] = 0;
+    }
+    const unsigned out = bits_of(ahead & left);
+    c.total += __builtin_popcount(bits_of(ahead)) - 2 * __builtin_popcount(out);
+    if constexpr (keep == Keep::all) {
+      const EightLanes t = ahead != 0 ? path / length2 : eight_of(infinity<double>());
+      __builtin_memcpy(c.t + 8 * i, &t, sizeof t);
+      if (i % 8 == 0) c.out[i / 8] = 0;
+      c.out[i / 8] |= static_cast<unsigned long long>(out) << 8 * (i % 8);
     }
   }
   return c;
 }
+
+/// The nearest crossing, with all that are at the same path; infinitely far if there is none.
 template <class Real>
-Crossings<Real> edges_ahead(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol, Real from) {
-  return edges_ahead(s, ray, tol, from, CornerSides<Real>(s, ray, Real(0)));
+struct EdgeCrossing {
+  Real t;
+  int turn;  ///< entries less exits
+};
+template <class Real>
+EdgeCrossing<Real> take_nearest(EdgesAhead<Real>& c) {
+  EdgeCrossing<Real> nearest{infinity<Real>(), 0};
+  for (int i = 0; i < c.count; ++i) nearest.t = smaller(c.t[i], nearest.t);
+  if (!(nearest.t < infinity<Real>())) return nearest;
+  for (int i = 0; i < c.count; ++i) {
+    if (c.t[i] != nearest.t) continue;
+    nearest.turn += (c.out[i / 64] >> i % 64 & 1) != 0 ? -1 : 1;
+    c.t[i] = infinity<Real>();
+  }
+  return nearest;
+}
+inline EdgeCrossing<double> take_nearest(EdgesAhead<double>& c) {
+  const auto lanes = [&c](int first) {
+    EightLanes t;
+    __builtin_memcpy(&t, c.t + first, sizeof t);
+    return t;
+  };
+  EightLanes least = lanes(0);
+  for (int i = 8; i < c.count; i += 8) least = lanes(i) < least ? lanes(i) : least;
+  EdgeCrossing<double> nearest{-largest_lane(-least), 0};
+  if (!(nearest.t < infinity<double>())) return nearest;
+  for (int i = 0; i < c.count; i += 8) {
+    const EightLanes t = lanes(i);
+    const auto is_here = t == nearest.t;
+    const unsigned here = bits_of(__builtin_bit_cast(EightWords, is_here));
+    const unsigned out = here & static_cast<unsigned>(c.out[i / 64] >> i % 64);
+    nearest.turn += __builtin_popcount(here) - 2 * __builtin_popcount(out);
+    const EightLanes left = is_here ? eight_of(infinity<double>()) : t;
+    __builtin_memcpy(c.t + i, &left, sizeof left);
+  }
+  return nearest;
 }
 
 /// Both ends of an edge that the ray runs along are within this of its line, roughly.
@@ -238,14 +293,14 @@ Real close_to(const PlanarRay<Real>& ray, Real tol) {
   return 4 * tol * (absolute(ray.u) + absolute(ray.v));
 }
 
-/// The same after the ray has been moved off an edge that it runs along.
-template <class Real>
-Crossings<Real> edges_ahead_inside(const Prism<Real>& s, PlanarRay<Real>& ray, Real tol,
-                                   Real from) {
-  const CornerSides<Real> sides(s, ray, close_to(ray, tol));
-  if (__builtin_expect(sides.near < 2, 1)) return edges_ahead(s, ray, tol, from, sides);
-  ray = moved_inside(s, ray, tol);
-  return edges_ahead(s, ray, tol, from);
+/// What is ahead after the ray has been moved off an edge that it runs along.
+template <Keep keep, class Real>
+EdgesAhead<Real> edges_ahead_inside(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol) {
+  EdgesAhead<Real> c = edges_ahead<keep>(s, ray, tol, close_to(ray, tol));
+  if (__builtin_expect(c.near >= 2, 0)) {
+    c = edges_ahead<keep>(s, moved_inside(s, ray, tol), tol, Real(0));
+  }
+  return c;
 }
 
 /// Whether the polygon holds the start of the ray.
@@ -253,8 +308,15 @@ template <class Real>
 bool holds_start(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol) {
   if (outside_box(s, ray.x, ray.y) > tol) return false;
   if (ray.parallel && edges_distance2(s, ray.x, ray.y) <= tol * tol) return true;
-  PlanarRay<Real> clear = ray;
-  return edges_ahead_inside(s, clear, tol, infinity<Real>()).total < 0;
+  return edges_ahead_inside<Keep::total>(s, ray, tol).total < 0;
+}
+
+/// Whether the polygon holds the point, without any tolerance.
+template <class Real>
+bool is_in_polygon(const Prism<Real>& s, Real x, Real y, Real tol = 0) {
+  if (outside_box(s, x, y) > 0) return false;
+  const PlanarRay<Real> any{x, y, Real(1), Real(0), false};
+  return edges_ahead<Keep::total>(s, any, tol, Real(0)).total < 0;
 }
 
 template <class Real>
@@ -262,8 +324,7 @@ Side inside(const Prism<Real>& s, const Vec3<Real>& p, Real tol) {
   const Side along_z = worse(Side::inside, larger(p.z - s.z_high, s.z_low - p.z), tol);
   if (along_z == Side::outside || outside_box(s, p.x, p.y) > tol) return Side::outside;
   if (edges_distance2(s, p.x, p.y) <= tol * tol) return Side::surface;
-  const PlanarRay<Real> any{p.x, p.y, Real(1), Real(0), false};
-  return edges_ahead(s, any, tol, infinity<Real>()).total < 0 ? along_z : Side::outside;
+  return is_in_polygon(s, p.x, p.y, tol) ? along_z : Side::outside;
 }
 
 template <class Real>
@@ -274,52 +335,43 @@ bool contains(const Prism<Real>& s, const Vec3<Real>& p, const Direction<Real>& 
 
 /// The path to the first crossing ahead where the polygon ends; infinity if it does not.
 template <class Real>
-Real path_out_of_polygon(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol,
-                         Crossings<Real> c) {
+Real path_out_of_polygon(EdgesAhead<Real>& c) {
   int depth = -c.total;
   for (;;) {
-    for (int i = 0; i < c.count; ++i) {
-      depth += c.turn[i];
-      if (depth <= 0) return c.t[i];
-    }
-    if (!(c.beyond < infinity<Real>())) return infinity<Real>();
-    c = edges_ahead(s, ray, tol, c.beyond);
+    const EdgeCrossing<Real> next = take_nearest(c);
+    depth += next.turn;
+    if (depth <= 0 || !(next.t < infinity<Real>())) return next.t;
   }
 }
 
 /// The first path, `slab.enter` or more and before `slab.until`, where the ray is in the polygon.
 template <class Real>
-Real path_into_polygon(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol,
-                       Crossings<Real> c, const Span<Real>& slab) {
+Real path_into_polygon(EdgesAhead<Real>& c, const Span<Real>& slab) {
   int depth = -c.total;
   Real begin = larger(slab.enter, Real(0));
   for (;;) {
-    for (int i = 0; i < c.count; ++i) {
-      if (depth > 0 && begin < c.t[i]) return begin < slab.until ? begin : infinity<Real>();
-      begin = larger(c.t[i], begin);
-      depth += c.turn[i];
-    }
-    if (!(c.beyond < infinity<Real>())) break;
-    c = edges_ahead(s, ray, tol, c.beyond);
+    const EdgeCrossing<Real> next = take_nearest(c);
+    if (depth > 0 && begin < next.t) return begin < slab.until ? begin : infinity<Real>();
+    if (!(next.t < slab.until)) return infinity<Real>();
+    begin = larger(next.t, begin);
+    depth += next.turn;
   }
-  return depth > 0 && begin < slab.until ? begin : infinity<Real>();
 }
 
 template <class Real>
 Real distance_to_in(const Prism<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   const Span<Real> slab = slab_span(s.z_low, s.z_high, p, v, tol);
   if (!is_ahead(slab)) return infinity<Real>();
-  const PlanarRay<Real> seen = seen_along_z(p, v);
-  if (seen.parallel) {
-    if (!holds_start(s, seen, tol)) return infinity<Real>();
+  const PlanarRay<Real> ray = seen_along_z(p, v);
+  if (ray.parallel) {
+    if (!holds_start(s, ray, tol)) return infinity<Real>();
     return starts_in(slab) ? distance_from_within(s, p, tol) : slab.enter;
   }
-  PlanarRay<Real> ray = seen;
-  const Crossings<Real> c = edges_ahead_inside(s, ray, tol, Real(0));
-  if (c.total < 0 && starts_in(slab) && !(outside_box(s, seen.x, seen.y) > tol)) {
+  EdgesAhead<Real> c = edges_ahead_inside<Keep::all>(s, ray, tol);
+  if (c.total < 0 && starts_in(slab) && !(outside_box(s, ray.x, ray.y) > tol)) {
     return distance_from_within(s, p, tol);
   }
-  return path_into_polygon(s, ray, tol, c, slab);
+  return path_into_polygon(c, slab);
 }
 
 template <class Real>
@@ -328,19 +380,10 @@ Real distance_to_out(const Prism<Real>& s, const Vec3<Real>& p, const Direction<
   Real leave = leave_face(p.z - s.z_high, v.z, tol, infinity<Real>());
   leave = leave_face(s.z_low - p.z, -v.z, tol, leave);
   if (!(leave > 0)) return Real(0);
-  const PlanarRay<Real> seen = seen_along_z(p, v);
-  if (seen.parallel) return holds_start(s, seen, tol) ? leave : Real(0);
-  PlanarRay<Real> ray = seen;
-  const Crossings<Real> c = edges_ahead_inside(s, ray, tol, Real(0));
-  return c.total < 0 ? smaller(path_out_of_polygon(s, ray, tol, c), leave) : Real(0);
-}
-
-/// Whether the polygon holds the point, without any tolerance.
-template <class Real>
-bool is_in_polygon(const Prism<Real>& s, Real x, Real y) {
-  if (outside_box(s, x, y) > 0) return false;
-  return edges_ahead(s, PlanarRay<Real>{x, y, Real(1), Real(0), false}, Real(0), infinity<Real>())
-             .total < 0;
+  const PlanarRay<Real> ray = seen_along_z(p, v);
+  if (ray.parallel) return holds_start(s, ray, tol) ? leave : Real(0);
+  EdgesAhead<Real> c = edges_ahead_inside<Keep::all>(s, ray, tol);
+  return c.total < 0 ? smaller(path_out_of_polygon(c), leave) : Real(0);
 }
 
 template <class Real>

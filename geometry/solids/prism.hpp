@@ -1,7 +1,7 @@
 // Upright prisms: extruded solids of one section.
 #pragma once
 
-#include "geometry/solids/facets.hpp"
+#include "geometry/solids/facts.hpp"
 
 #include "geometry/kernels/prism.h"
 
@@ -11,8 +11,7 @@ template <>
 struct SolidFacts<kernels::Prism<double>> {
   using Shape = kernels::Prism<double>;
 
-  static constexpr std::array kernel_files{"convex", "facet_leaves", "facet_groups",
-                                           "facets", "pairs",        "prism"};
+  static constexpr std::array kernel_files{"convex", "prism"};
   static double volume(const Shape& s);
 };
 
