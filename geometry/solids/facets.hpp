@@ -6,6 +6,8 @@
 // clang-format off
 #include "geometry/kernels/facet_leaves.h"
 #include "geometry/kernels/facet_groups.h"
+#include "geometry/kernels/facet_mesh.h"
+#include "geometry/kernels/facet_distances.h"
 #include "geometry/kernels/facets.h"
 // clang-format on
 
@@ -15,7 +17,8 @@ template <>
 struct SolidFacts<kernels::Facets<double>> {
   using Shape = kernels::Facets<double>;
 
-  static constexpr std::array kernel_files{"convex", "facet_leaves", "facet_groups", "facets"};
+  static constexpr std::array kernel_files{"convex",     "facet_leaves",    "facet_groups",
+                                           "facet_mesh", "facet_distances", "facets"};
   /// Negative if the triangles face inwards.
   static double volume(const Shape& s);
 };
