@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
-#include <unordered_set>
+#include <unordered_map>
 #include <utility>
 
 namespace navjit::gdml {
@@ -28,13 +28,17 @@ class NameBook {
  public:
   /// The name, or that and a number if it is taken or empty.
   std::string own(const std::string& name) {
-    std::string unique = name.empty() ? "nameless" : name;
-    for (int i = 2; !taken_.insert(unique).second; ++i) unique = name + '_' + std::to_string(i);
-    return unique;
+    const auto [taken, is_free] = next_number_.try_emplace(name.empty() ? "nameless" : name, 2);
+    if (is_free) return taken->first;
+    // A million corners have one name.
+    for (int& number = taken->second;;) {
+      const std::string unique = name + '_' + std::to_string(number++);
+      if (next_number_.try_emplace(unique, 2).second) return unique;
+    }
   }
 
  private:
-  std::unordered_set<std::string> taken_;
+  std::unordered_map<std::string, int> next_number_;  ///< of the names that are taken
 };
 
 }  // namespace navjit::gdml
