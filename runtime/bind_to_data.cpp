@@ -30,6 +30,9 @@ constexpr std::size_t leaves_alone = 32;
 /// Of all steps, for a scene to be bound: with the many that share the rest of a run little could
 /// be won. A guess.
 constexpr double least_share = 0.0005;
+/// Where leaves that are too rare each have so many times that together, they are bound together,
+/// whatever mothers they are in: 2% of all steps.
+constexpr std::uint64_t many_shares = 40;
 /// What takes longer than so many times the generic navigator's time on recorded states is not
 /// tried in the run, which is less kind to either of them. A guess.
 constexpr double most_of_generic = 1.1;
@@ -161,7 +164,7 @@ void bind_one_of_many(Specialisation& spec, VolumeId volume) {
 }
 
 /// Leaves that are each rare and together hot, in mothers that are bound: wires of many lengths,
-/// crystals of many shapes. What leaves an unbound one is relocated generically, in a mother where
+/// crystals of many shapes, plates of a calorimeter whose every layer has volumes of its own. What leaves an unbound one is relocated generically, in a mother where
 /// that may take far longer than all else.
 std::vector<VolumeId> many_rare_leaves(const Specialisation& spec, std::uint64_t least) {
   const Geometry& geometry = spec.shared->geometry;
@@ -172,8 +175,9 @@ std::vector<VolumeId> many_rare_leaves(const Specialisation& spec, std::uint64_t
   for (VolumeId v = 0; v < geometry.size(); ++v) {
     if (spec.steps[v] > 0 && is_one(v)) all += spec.steps[v];
   }
-  std::set<VolumeId> leaves;
+  std::set<VolumeId> leaves, of_others;
   if (all < least) return {};
+  std::uint64_t steps_of_others = 0;
   for (const VolumeId mother : spec.bound) {
     std::set<VolumeId> met;
     std::uint64_t steps = 0;
@@ -182,10 +186,17 @@ std::vector<VolumeId> many_rare_leaves(const Specialisation& spec, std::uint64_t
       if (spec.steps[d.volume] == 0 || !is_one(d.volume)) continue;
       if (met.insert(d.volume).second) steps += spec.steps[d.volume];
     }
-    for (const Daughter& d : daughters) {
-      if (steps >= least && is_one(d.volume)) leaves.insert(d.volume);
+    if (steps >= least) {
+      for (const Daughter& d : daughters) {
+        if (is_one(d.volume)) leaves.insert(d.volume);
+      }
+    } else {
+      for (const VolumeId leaf : met) {
+        if (of_others.insert(leaf).second) steps_of_others += spec.steps[leaf];
+      }
     }
   }
+  if (steps_of_others >= many_shares * least) leaves.merge(of_others);
   return {leaves.begin(), leaves.end()};
 }
 
