@@ -228,6 +228,51 @@ TEST(BoundToData, WiresOfManyLengthsAreBoundTogether) {
   EXPECT_LT(most, 500U) << "none is hot by itself";
 }
 
+/// Plates with gaps, of which each layer has two of its own.
+World layers_of_their_own(int layers) {
+  World world;
+  const double pitch = 2.2, half = pitch * layers / 2;
+  world.top = tests::add_volume(world, "world", make_box("world", 60, 60, half));
+  for (int i = 0; i < layers; ++i) {
+    const std::string number = std::to_string(i);
+    const double wide = 50 - 0.01 * i;
+    const VolumeId layer =
+        tests::add_volume(world, "layer" + number, make_box("layer", wide, wide, 1));
+    for (const double z : {-0.45, 0.45}) {
+      const VolumeId plate = tests::add_volume(world, "plate" + number + (z < 0 ? "a" : "b"),
+                                               make_box("plate", wide - 5 + z, wide - 5, 0.2));
+      tests::place(world, layer, plate, {0, 0, z});
+    }
+    tests::place(world, world.top, layer, {0, 0, pitch * (i + 0.5) - half});
+  }
+  finish(world);
+  return world;
+}
+
+/// Each plate is rare, and so are the two of a layer; all together have a third of the steps.
+TEST(BoundToData, LeavesInManyMothersAreBoundTogether) {
+  constexpr int layers = 300, rays = 200;
+  const auto world = std::make_shared<const World>(layers_of_their_own(layers));
+  Runtime runtime(world, data_alone(JitMode::on));
+  Navigator navigator = runtime.navigator();
+  std::mt19937_64 random(15);
+  for (int i = 0; i < rays; ++i) {
+    const Vec3 along{tests::uniform(random, -0.01, 0.01), tests::uniform(random, -0.01, 0.01), 1};
+    const Vec3 start{tests::uniform(random, -20, 20), tests::uniform(random, -20, 20), -329};
+    trace(navigator, {start, (1 / norm(along)) * along}, world->tolerance);
+  }
+  runtime.wait_until_idle();
+  std::size_t bound = 0, seen = 0;
+  for (const SceneReport& scene : runtime.report().scenes) {
+    if (!scene.volume.starts_with("plate")) continue;
+    ++seen;
+    EXPECT_LT(2 * scene.steps, 500U) << "none is hot, nor are both of a layer";
+    bound += scene.binding == Binding::data ? 1 : 0;
+  }
+  EXPECT_EQ(seen, 2U * layers);
+  EXPECT_EQ(bound, seen);
+}
+
 TEST(BoundToData, ShippedDetectorsAlike) {
   for (const auto& entry : std::filesystem::directory_iterator(NAVJIT_DETECTORS_DIR)) {
     if (entry.path().extension() != ".gdml") continue;
