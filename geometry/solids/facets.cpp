@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 
 #include "geometry/solids/closing.hpp"
 #include "geometry/solids/facet_hierarchy.hpp"

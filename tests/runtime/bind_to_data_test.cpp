@@ -258,7 +258,7 @@ TEST(BoundToData, LeavesInManyMothersAreBoundTogether) {
   std::mt19937_64 random(15);
   for (int i = 0; i < rays; ++i) {
     const Vec3 along{tests::uniform(random, -0.01, 0.01), tests::uniform(random, -0.01, 0.01), 1};
-    const Vec3 start{tests::uniform(random, -20, 20), tests::uniform(random, -20, 20), -329};
+    const Vec3 start{tests::uniform(random, -20, 20), tests::uniform(random, -20, 20), -329.95};
     trace(navigator, {start, (1 / norm(along)) * along}, world->tolerance);
   }
   runtime.wait_until_idle();
