@@ -11,7 +11,7 @@ template <>
 struct SolidFacts<kernels::Prism<double>> {
   using Shape = kernels::Prism<double>;
 
-  static constexpr std::array kernel_files{"convex", "prism"};
+  static constexpr std::array kernel_files{"convex", "pairs", "prism"};
   static double volume(const Shape& s);
 };
 
