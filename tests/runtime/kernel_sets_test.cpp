@@ -7,14 +7,39 @@
 #include "codegen/kernel_names.hpp"
 #include "codegen/kernel_texts.hpp"
 #include "geometry/solids/kinds.hpp"
+#include "geometry/solids/list.hpp"
 #include "jit/compiler.hpp"
 
 namespace navjit::codegen {
 namespace {
 
+/// The kernel's shape of a kind.
+std::string shape_of(SolidKind of) {
+#define NAVJIT_SHAPE(kind, name, Shape) \
+  if (of == SolidKind::kind) return #Shape;
+  NAVJIT_SOLIDS(NAVJIT_SHAPE, NAVJIT_SHAPE)
+#undef NAVJIT_SHAPE
+  return {};
+}
+
+/// All that is asked of a shape, so that no template is left unread.
+std::string questions_to(const std::string& shape) {
+  return "namespace navjit::kernels {\n"
+         "double asked(const " +
+         shape +
+         "<double>& s, const Vec3<double>& p,\n"
+         "             const Direction<double>& v) {\n"
+         "  return contains(s, p, v, 1e-9) + int(inside(s, p, 1e-9)) +\n"
+         "         distance_to_in(s, p, v, 1e-9) + distance_to_out(s, p, v, 1e-9) +\n"
+         "         safety_to_in(s, p) + safety_to_out(s, p);\n"
+         "}\n"
+         "}  // namespace navjit::kernels\n";
+}
+
 TEST(KernelSets, CompileWithoutThoseOfOtherKinds) {
   auto compiler = jit::Compiler::create(jit::CompileOptions{});
   ASSERT_TRUE(compiler);
+  int asked = 0;
   for (const KindFacts& kind : all_kinds()) {
     if (kind.kernel_files.empty()) continue;  // foreign
     std::string source{kernel_text("vectors")};
@@ -26,10 +51,17 @@ TEST(KernelSets, CompileWithoutThoseOfOtherKinds) {
         source += kernel_text(name);
       }
     }
+    // Solids of other solids are asked where these are known.
+    const std::string shape = shape_of(kind.kind);
+    if (source.find("struct " + shape + " {") != std::string::npos) {
+      source += questions_to(shape);
+      ++asked;
+    }
     source += "extern \"C\" int made() { return 1; }\n";
     const auto object = compiler->compile(source, "kernels.cpp");
     EXPECT_TRUE(object) << kind.name << ": " << object.failure().message;
   }
+  EXPECT_EQ(asked, 24);
 }
 
 }  // namespace
