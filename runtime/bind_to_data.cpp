@@ -27,11 +27,10 @@ constexpr std::size_t states_made_up_for_one_of_many = 8;
 /// Where all scenes are bound: so many leaves of one mother are timed one by one, and the others
 /// are bound as they are, each one of many alike.
 constexpr std::size_t leaves_alone = 32;
-/// Of all steps, for a scene to be bound: with the many that share the rest of a run little could
-/// be won. A guess.
+/// Of all steps, for a scene to be bound by itself. A guess.
 constexpr double least_share = 0.0005;
-/// Where leaves that are too rare each have so many times that together, they are bound together,
-/// whatever mothers they are in: 2% of all steps.
+/// Leaves that are too rare are bound together, whatever mothers they are in, where all of them
+/// have so many times that: 2% of all steps. A guess.
 constexpr std::uint64_t many_shares = 40;
 /// What takes longer than so many times the generic navigator's time on recorded states is not
 /// tried in the run, which is less kind to either of them. A guess.
@@ -164,8 +163,9 @@ void bind_one_of_many(Specialisation& spec, VolumeId volume) {
 }
 
 /// Leaves that are each rare and together hot, in mothers that are bound: wires of many lengths,
-/// crystals of many shapes, plates of a calorimeter whose every layer has volumes of its own. What leaves an unbound one is relocated generically, in a mother where
-/// that may take far longer than all else.
+/// crystals of many shapes; plates of a calorimeter whose every layer has volumes of its own. What
+/// leaves an unbound one is relocated generically, in a mother where that may take far longer than
+/// all else.
 std::vector<VolumeId> many_rare_leaves(const Specialisation& spec, std::uint64_t least) {
   const Geometry& geometry = spec.shared->geometry;
   const auto is_one = [&](VolumeId v) {

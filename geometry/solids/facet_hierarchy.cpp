@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace navjit::detail {
 namespace {
@@ -48,7 +49,7 @@ struct Part {
 /// The best cut of a part so far; of those that are as good the most even one.
 struct Cut {
   double cost = INFINITY;
-  int uneven = 0;
+  int uneven = std::numeric_limits<int>::max();
   std::size_t axis = 0;
   std::size_t place = 0;  ///< that of the first item, or of the first slab, of the second half
 
@@ -132,11 +133,12 @@ class Builder {
         best.offer({before[i] + cost(bounds, second), std::abs(first - second), axis, i});
       }
     }
+    if (best.place == 0) return halve(items);  // so large that surfaces are no numbers
     sort(items, best.axis);
     return static_cast<int>(best.place);
   }
 
-  /// As best_cut(); 0 if all are in one place.
+  /// As best_cut(); 0 if all are in one place, or too far apart for slabs.
   static int best_cut_between_slabs(std::span<Item> items) {
     constexpr std::size_t slabs = 32;
     const auto slab_of = [](const Item& item, std::size_t axis, double from, double to) {
@@ -151,7 +153,8 @@ class Builder {
           [axis](const Item& a, const Item& b) { return a.place(axis) < b.place(axis); });
       from[axis] = ends.first->place(axis);
       to[axis] = ends.second->place(axis);
-      if (!(from[axis] < to[axis])) continue;
+      const double width = to[axis] - from[axis];
+      if (!(width > 0 && width < INFINITY)) continue;
       struct Slab {
         Bounds bounds;
         int count = 0;

@@ -58,6 +58,13 @@ Mesh along_a_line(int count) {
   return mesh;
 }
 
+/// So large that products of lengths, and sums of places, are infinite.
+Mesh huge(int count) {
+  Mesh mesh = anywhere(count);
+  for (Vec3& p : mesh.corners) p = {1.7e306 * p.x, 0.0, 1e306 * p.z};
+  return mesh;
+}
+
 /// How many boxes a way from the outermost to a leaf goes through at most.
 int levels(const std::vector<kernels::FacetBox<double>>& boxes) {
   std::vector<int> ends;
@@ -145,6 +152,7 @@ TEST(FacetHierarchy, HasAllFacetsInBoxes) {
     expect_all_in_boxes(doubling(count));
     expect_all_in_boxes(one_place(count));
     expect_all_in_boxes(along_a_line(count));
+    expect_all_in_boxes(huge(count));
   }
 }
 
