@@ -119,27 +119,43 @@ struct Conversion {
 
 Geometry::Geometry(G4VPhysicalVolume& world) : Geometry(Conversion::run(world)) {}
 
-Geometry::Geometry(Detector detector, std::vector<std::vector<Placed>> daughters,
+Geometry::Geometry(Detector detector, const std::vector<std::vector<Placed>>& daughters,
                    std::vector<std::string> asked, G4VPhysicalVolume& world)
-    : detector_(std::move(detector)),
-      daughters_(std::move(daughters)),
-      asked_(std::move(asked)),
-      world_(&world) {
-  for (VolumeId mother = 0; mother < daughters_.size(); ++mother) {
+    : detector_(std::move(detector)), asked_(std::move(asked)), world_(&world) {
+  for (VolumeId mother = 0; mother < daughters.size(); ++mother) {
     const LogicalVolume& volume = detector_.volume(mother);
-    for (std::uint32_t i = 0; i < daughters_[mother].size(); ++i) {
-      Placed& placed = daughters_[mother][i];
+    first_.push_back(static_cast<std::uint32_t>(placed_.size()));
+    for (std::uint32_t i = 0; i < daughters[mother].size(); ++i) {
+      Placed placed = daughters[mother][i];
       placed.offset = volume.daughters[i].offset;
       plain_ = plain_ && placed.type == kNormal;
+      add_only(placed, mother, static_cast<std::uint32_t>(placed_.size()));
+      placed_.push_back(placed);
+    }
+  }
+  for (VolumeId mother = 0; mother < daughters.size(); ++mother) {
+    for (std::uint32_t at = first_[mother]; at < first_[mother] + daughters[mother].size(); ++at) {
+      const Placed& placed = placed_[at];
+      if (only_[static_cast<std::size_t>(placed.volume->GetInstanceID())].mother == mother)
+        continue;
       // Where two have the same number, Geant4 cannot tell them apart either.
-      numbers_.try_emplace({placed.volume, placed.number, mother}, i);
+      copies_.try_emplace({placed.volume, placed.number, mother}, at);
     }
   }
 }
 
-const Placed* Geometry::find(VolumeId mother, const G4VPhysicalVolume* volume, G4int number) const {
-  const auto found = numbers_.find({volume, number, mother});
-  return found == numbers_.end() ? nullptr : &placed(mother, found->second);
+void Geometry::add_only(const Placed& placed, VolumeId mother, std::uint32_t at) {
+  const auto instance = static_cast<std::size_t>(placed.volume->GetInstanceID());
+  if (instance >= only_.size()) only_.resize(instance + 1);
+  Only& only = only_[instance];
+  // A second of the same placement: all of them are looked up by their numbers.
+  only = only.at == none ? Only{mother, at} : Only{none, 0};
+}
+
+const Placed* Geometry::find_copy(VolumeId mother, const G4VPhysicalVolume& volume,
+                                  G4int number) const {
+  const auto found = copies_.find({&volume, number, mother});
+  return found == copies_.end() ? nullptr : &placed_[found->second];
 }
 
 std::size_t Geometry::Hash::operator()(const Key& key) const {

@@ -92,7 +92,7 @@ std::optional<State> Navigator::adopt(const G4NavigationHistory& history) {
   for (std::size_t at = kept + 1; at <= depth; ++at) {
     const auto level = static_cast<G4int>(at);
     const Level mother = levels_.back();
-    const Placed* placed = engine_->geometry.find(mother.volume, history.GetVolume(level),
+    const Placed* placed = engine_->geometry.find(mother.volume, *history.GetVolume(level),
                                                   history.GetReplicaNo(level));
     if (placed == nullptr) {
       fHistory.Reset();
@@ -117,8 +117,11 @@ G4VPhysicalVolume* Navigator::reset(const G4ThreeVector& point, const G4ThreeVec
   state_ = *start;
   if (!engine_->geometry.plain()) SetupHierarchy();
   // Where there is room about the point it is in no other volume. The safety that says so is what
-  // multiple scattering asks for next.
-  if (distance_to_boundary({point.x(), point.y(), point.z()}) > 0) return fHistory.GetTopVolume();
+  // multiple scattering asks for next. Often it asked where the parent was.
+  const Vec3 at{point.x(), point.y(), point.z()};
+  double safety = safeties_.find(state_, at);
+  if (safety < 0) safety = new_distance_to_boundary(at);
+  if (safety > 0) return fHistory.GetTopVolume();
   return Navigator::locate(point, &direction, true, false);
 }
 

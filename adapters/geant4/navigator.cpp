@@ -83,7 +83,7 @@ G4double Navigator::step(const G4ThreeVector& point, const G4ThreeVector& direct
   fEnteredDaughter = fExitedMother = false;
   // Multiple scattering has asked for it where it is of use; on boundaries it is 0, and neutral
   // particles do not use it.
-  safety = std::max(safeties_.find(state_, from), 0.0);
+  safety = std::max(safeties_.last(state_, from), 0.0);
   // Now and then navjit is asked all the same, so that it learns what is hot.
   constexpr unsigned asked_steps = 16;  // one in so many
   if (limit <= safety && ++steps_within_ % asked_steps != 0) {
@@ -99,6 +99,7 @@ G4double Navigator::step(const G4ThreeVector& point, const G4ThreeVector& direct
   }
   crossing.next = step.next;
   const double length = checked_length(step, from, along, crossing.next);
+  fetch_placement(crossing.next);
   crossing.found = true;
   crossing.entering = is_within(crossing.next, levels_.size() - 1, state_.touchable()) &&
                       !(crossing.next == state_);
@@ -204,6 +205,14 @@ State Navigator::behind(const Crossing& crossing, const Vec3& point, const Vec3&
   return is_within(found, depth, crossing.from.touchable()) ? crossing.next : found;
 }
 
+void Navigator::fetch_placement(const State& next) {
+  if (!next.inside()) return;
+  const auto levels = path(next);
+  if (levels.size() < 2) return;
+  const VolumeId mother = levels[levels.size() - 2].volume;
+  __builtin_prefetch(&engine_->geometry.placed(mother, levels.back().daughter));
+}
+
 bool Navigator::is_within(const State& state, std::size_t depth, TouchableId ancestor) {
   if (!state.inside()) return false;
   const auto levels = path(state);
@@ -228,7 +237,11 @@ G4double Navigator::safety_at(const G4ThreeVector& point, G4double enough) {
 }
 
 double Navigator::distance_to_boundary(const Vec3& point) {
-  if (const double known = safeties_.find(state_, point); known >= 0) return known;
+  if (const double known = safeties_.last(state_, point); known >= 0) return known;
+  return new_distance_to_boundary(point);
+}
+
+double Navigator::new_distance_to_boundary(const Vec3& point) {
   const double safety = navigator_->safety(state_, point);
   safeties_.add(state_, point, safety);
   return safety;

@@ -45,10 +45,17 @@ class Geometry {
   bool plain() const { return plain_; }
 
   const Placed& placed(VolumeId mother, std::uint32_t daughter) const {
-    return daughters_[mother][daughter];
+    return placed_[first_[mother] + daughter];
   }
   /// The daughter that Geant4 knows by these two; null if there is none.
-  const Placed* find(VolumeId mother, const G4VPhysicalVolume* volume, G4int number) const;
+  const Placed* find(VolumeId mother, const G4VPhysicalVolume& volume, G4int number) const {
+    const auto instance = static_cast<std::size_t>(volume.GetInstanceID());
+    if (instance < only_.size() && only_[instance].mother == mother) {
+      const Placed& placed = placed_[only_[instance].at];
+      if (placed.volume == &volume && placed.number == number) return &placed;
+    }
+    return find_copy(mother, volume, number);
+  }
 
  private:
   friend struct Conversion;
@@ -62,13 +69,25 @@ class Geometry {
     std::size_t operator()(const Key& key) const;
   };
 
-  Geometry(Detector detector, std::vector<std::vector<Placed>> daughters,
+  /// A placement that is there once, in one volume of the Detector.
+  struct Only {
+    VolumeId mother = none;
+    std::uint32_t at = none;  ///< in placed_; `none`: not seen yet
+  };
+  static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
+
+  Geometry(Detector detector, const std::vector<std::vector<Placed>>& daughters,
            std::vector<std::string> asked, G4VPhysicalVolume& world);
+  const Placed* find_copy(VolumeId mother, const G4VPhysicalVolume& volume, G4int number) const;
+  void add_only(const Placed& placed, VolumeId mother, std::uint32_t at);
 
   Detector detector_;
-  std::vector<std::vector<Placed>> daughters_;  ///< by mother
+  std::vector<Placed> placed_;        ///< all daughters, those of a mother one after the other
+  std::vector<std::uint32_t> first_;  ///< in placed_, by mother
+  /// By Geant4's number of the placement: a look at one line of memory, where a hash takes several.
+  std::vector<Only> only_;
   std::vector<std::string> asked_;
-  std::unordered_map<Key, std::uint32_t, Hash> numbers_;
+  std::unordered_map<Key, std::uint32_t, Hash> copies_;  ///< in placed_; what is not in only_
   G4VPhysicalVolume* world_;
   bool plain_ = true;
 };

@@ -11,25 +11,47 @@
 
 namespace navjit::geant4 {
 
-/// Remembers the safeties of recent points, found by the point's very bits: secondaries start where
-/// their parents' steps ended, and Geant4 asks for the safety of a point more than once.
+/// Remembers the safeties of recent points, found by the point's very bits. Geant4 asks for that of
+/// a point twice, one call after the other; and secondaries start where their parents' steps ended,
+/// some while ago. For what was asked last there is no look into the table, which mostly is not in
+/// the nearest cache.
 class KnownSafeties {
  public:
-  /// mm; negative where none is known.
-  double find(const State& state, const Vec3& point) const {
+  /// mm, if it was what was asked for last; negative if not.
+  double last(const State& state, const Vec3& point) const { return last_.at(state, point); }
+  /// mm; negative where none is known. It is the last from now on.
+  double find(const State& state, const Vec3& point) {
     const Entry& entry = entries_[slot(point)];
-    return entry.point == point && entry.touchable == state.touchable() ? entry.safety : -1;
+    const double known = entry.at(state, point);
+    if (known >= 0) last_.set(point, state.touchable(), known);
+    return known;
   }
   void add(const State& state, const Vec3& point, double safety) {
-    entries_[slot(point)] = {point, state.touchable(), safety};
+    last_.set(point, state.touchable(), safety);
+    entries_[slot(point)].set(point, state.touchable(), safety);
   }
-  void clear() { entries_.assign(entries_.size(), Entry{}); }
+  void clear() {
+    last_ = {};
+    entries_.assign(entries_.size(), Entry{});
+  }
 
  private:
   struct Entry {
     Vec3 point{std::numeric_limits<double>::quiet_NaN(), 0, 0};
     TouchableId touchable = 0;
     double safety = -1;
+
+    /// Number by number: a copy of all at once would load what was just stored in parts, and wait.
+    void set(const Vec3& where, TouchableId in, double known) {
+      point.x = where.x;
+      point.y = where.y;
+      point.z = where.z;
+      touchable = in;
+      safety = known;
+    }
+    double at(const State& state, const Vec3& where) const {
+      return point == where && touchable == state.touchable() ? safety : -1;
+    }
   };
   static constexpr int bits = 10;
 
@@ -40,6 +62,7 @@ class KnownSafeties {
     return mixed >> (64 - bits);
   }
 
+  Entry last_{};
   std::vector<Entry> entries_ = std::vector<Entry>(std::size_t{1} << bits);
 };
 

@@ -77,6 +77,8 @@ class Navigator : public G4Navigator {
   const Crossing* made_step(const Vec3& point) const;
   /// At most the distance from the point to the nearest boundary of where the track is, mm.
   double distance_to_boundary(const Vec3& point);
+  /// Likewise, where it is not known.
+  double new_distance_to_boundary(const Vec3& point);
   Counts& counts() { return *counts_; }
 
  private:
@@ -95,6 +97,8 @@ class Navigator : public G4Navigator {
   /// a volume that the world has not.
   std::optional<State> adopt(const G4NavigationHistory& history);
   void enter_level(const Placed& placed, const kernels::StackLevel& level);
+  /// What the history needs of a state, into the cache: the locate that follows would wait for it.
+  void fetch_placement(const State& next);
   /// Whether the state is the touchable that is at that depth, or in it.
   bool is_within(const State& state, std::size_t depth, TouchableId ancestor);
   /// As found; a track on the world's own face, which starts there, is in the world.

@@ -50,7 +50,7 @@ struct CallCount {
     return (sampled_seconds / static_cast<double>(sampled) - clock) * static_cast<double>(calls);
   }
 };
-constexpr std::uint64_t sampled_calls = 64;  ///< a power of two
+constexpr std::uint64_t sampled_calls = 256;  ///< a power of two
 /// What samples are timed with, s.
 double sampling_time();
 
