@@ -5,8 +5,10 @@
 
 #include "codegen/module_text.hpp"
 #include "codegen/scene_types.hpp"
+#include "codegen/shared_leaves.hpp"
 #include "codegen/text.hpp"
 #include "codegen/typed_solid.hpp"
+#include "geometry/navigation/scene.hpp"
 
 namespace navjit::codegen {
 namespace {
@@ -79,6 +81,61 @@ struct alignas(table_alignment) TableLine {
   std::byte bytes[table_alignment];
 };
 
+/// The tables of a module's scenes, one after the other.
+class ModuleData {
+ public:
+  /// Gives where they are.
+  std::size_t add(const SceneTables& tables) {
+    const std::size_t at = begin(tables.bytes);
+    std::memcpy(bytes_.data() + at, tables.data, tables.bytes);
+    return at;
+  }
+  /// Those of a leaf that shares code, behind a SharedLeafData.
+  std::size_t add_shared(const SceneTables& tables) {
+    const std::size_t at = begin(sizeof(kernels::SharedLeafData) + tables.bytes);
+    std::memcpy(bytes_.data() + at + sizeof(kernels::SharedLeafData), tables.data, tables.bytes);
+    shared_.push_back(at);
+    return at;
+  }
+  /// In the arena; null if there are none.
+  const void* place(Arena& arena) const {
+    auto* lines =
+        arena.array<TableLine>((bytes_.size() + sizeof(TableLine) - 1) / sizeof(TableLine));
+    if (!bytes_.empty()) std::memcpy(lines, bytes_.data(), bytes_.size());
+    const kernels::SharedLeafData header{lines};
+    for (const std::size_t at : shared_) {
+      std::memcpy(reinterpret_cast<std::byte*>(lines) + at, &header, sizeof header);
+    }
+    return lines;
+  }
+
+ private:
+  std::size_t begin(std::size_t bytes) {
+    const std::size_t at =
+        (bytes_.size() + table_alignment - 1) / table_alignment * table_alignment;
+    bytes_.resize(at + bytes);
+    return at;
+  }
+
+  std::vector<std::byte> bytes_;
+  std::vector<std::size_t> shared_;
+};
+
+/// Of each leaf that shares code the first that does.
+std::map<VolumeId, VolumeId> find_shared(const Geometry& geometry, const WorldFacts& facts,
+                                         const std::map<VolumeId, Parts>& parts, Plans& plans,
+                                         const Neighbours& neighbours) {
+  std::vector<const ScenePlan*> leaves;
+  for (const auto& [volume, part] : parts) {
+    if (part.step && may_share_code(geometry.scene(volume))) leaves.push_back(&plans.of(volume));
+  }
+  std::map<VolumeId, VolumeId> first;
+  for (const auto& group : leaves_that_share(geometry, facts, leaves, neighbours)) {
+    for (const VolumeId volume : group) first[volume] = group[0];
+  }
+  return first;
+}
+
 }  // namespace
 
 std::size_t solids_of(const Geometry& geometry, const ScenePlan& plan) {
@@ -95,36 +152,42 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
     if (part.enter) neighbours.enter.insert(volume);
     if (part.reenter) neighbours.reenter.insert(volume);
   }
+  const std::map<VolumeId, VolumeId> shared =
+      find_shared(geometry, facts, parts, plans, neighbours);
   Module module;
   const auto arena = std::make_shared<Arena>();
-  std::vector<std::byte> data;
+  ModuleData data;
   Shapes shapes;
   std::string declarations, types, functions;
   for (const auto& [volume, part] : parts) {
     const ScenePlan& plan = plans.of(volume);
-    const SceneParts scene = parts_of_scene(geometry, plan, Numbers::constants, shapes);
+    const auto sharing = shared.find(volume);
+    const bool shares = sharing != shared.end();
+    const VolumeId written = shares ? sharing->second : volume;
+    const SceneParts scene =
+        parts_of_scene(geometry, plan, shares ? Numbers::own_solid : Numbers::constants, shapes);
     const SceneTables tables = make_tables({geometry, plan, geometry.scene(volume), *arena}, scene);
-    const std::size_t at = (data.size() + table_alignment - 1) / table_alignment * table_alignment;
-    data.resize(at + tables.bytes);
-    std::memcpy(data.data() + at, tables.data, tables.bytes);
-    const std::string name = scene_name(volume);
-    const std::string label = identifier(geometry.world().volumes[volume].name);
-    declarations += "struct " + name + ";\n";
-    types += "\n// --- " + label + ": " + identifier(plan.pattern) + "\n\n" +
-             scene_types(geometry, facts, plan, scene, tables, neighbours, at, name, shapes);
+    const std::size_t at = shares ? data.add_shared(tables) : data.add(tables);
+    const std::string name = scene_name(written);
+    const std::string label = identifier(geometry.world().volumes[written].name);
+    if (written == volume) {
+      declarations += "struct " + name + ";\n";
+      types += "\n// --- " + label + ": " + identifier(plan.pattern) + "\n\n" +
+               scene_types(geometry, facts, plan, scene, tables, neighbours,
+                           shares ? sizeof(kernels::SharedLeafData) : at, name, shapes);
+    }
     if (!part.step) continue;
-    const std::string suffix = std::to_string(volume) + "_" + label;
+    const std::string suffix = std::to_string(written) + "_" + label;
     Entry entry{volume, "navjit_step_" + suffix, "navjit_relocate_" + suffix,
-                plan.safety == SafetyFrom::generic ? "" : "navjit_safety_" + suffix};
-    functions += entry_functions(entry, name);
+                plan.safety == SafetyFrom::generic ? "" : "navjit_safety_" + suffix,
+                shares ? at : 0};
+    if (written == volume) functions += entry_functions(entry, name);
     for (const VolumeId equal : facts.equals[volume]) {
       entry.volume = equal;
       module.entries.push_back(entry);
     }
   }
-  auto* place = arena->array<TableLine>((data.size() + sizeof(TableLine) - 1) / sizeof(TableLine));
-  if (!data.empty()) std::memcpy(place, data.data(), data.size());
-  module.data = place;
+  module.data = data.place(*arena);
   module.owner = arena;
   module.source = module_text("Navigators for " + std::to_string(hot.size()) + " scenes.", shapes,
                               "using Tolerance = ConstantNumber<" + number(geometry.tolerance()) +

@@ -1,6 +1,7 @@
 // ScenePlans in, the text of one module out: header-free C++ with the kernels it needs.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -12,12 +13,13 @@
 namespace navjit::codegen {
 
 /// The entry points of one volume in a module; extern "C" symbols. Volumes of equal structure share
-/// theirs.
+/// theirs; so do leaves that share code, each with data of its own.
 struct Entry {
   VolumeId volume;
   std::string step;
   std::string relocate;
   std::string safety;  ///< empty where the scene has none of its own
+  std::size_t at = 0;  ///< where in the module's data that of its functions is
 };
 
 struct Module {
@@ -26,6 +28,10 @@ struct Module {
   /// What the functions are handed as their data: tables of all scenes, which use the Geometry.
   const void* data = nullptr;
   std::shared_ptr<const Arena> owner;  ///< of the data
+
+  const void* data_of(const Entry& entry) const {
+    return static_cast<const std::byte*>(data) + entry.at;
+  }
 };
 
 /// How many different solids the scene's code asks, its own and daughters'; the operands of

@@ -27,6 +27,7 @@ std::string make_common_text() {
   }
   for (const char* kernel : scene_kernels()) add_kernel(text, kernel, true);
   add_kernel(text, "scene", false);
+  add_kernel(text, "shared_leaf", false);
   return text;
 }
 

@@ -138,10 +138,12 @@ SceneTables make_scene(const Source& source, const SceneParts& parts) {
   SceneTables tables;
   if constexpr (std::is_same_v<Tolerance, double>) {
     scene.tolerance = source.geometry.tolerance();
-    make(source, scene.frame);
   }
+  if constexpr (!std::is_same_v<Frame, Nothing<0>>) make(source, scene.frame);
   if constexpr (std::is_same_v<Mother, MotherInTable>) {
     scene.mother.shape = typed_shape(source.scene.solid, source.arena);
+  } else if constexpr (!std::is_same_v<Mother, Nothing<1>>) {
+    make(source, scene.mother);
   }
   if constexpr (std::is_same_v<Daughters, DaughtersInTable>) {
     if (parts.boxes_beside) {
@@ -196,6 +198,28 @@ SceneTables with_search(const Source& source, const SceneParts& parts) {
   return of(kernels::NoSearch{});
 }
 
+/// Of a leaf with its own numbers alone. They are behind a SharedLeafData.
+template <class Frame, class Mother>
+SceneTables make_leaf(const Source& source, const SceneParts& parts) {
+  using kernels::NoSearch;
+  static_assert(alignof(kernels::Scene<Frame, Mother, Nothing<2>, NoSearch, Nothing<3>>) ==
+                alignof(kernels::SharedLeafData));
+  return make_scene<Frame, Mother, Nothing<2>, NoSearch, Nothing<3>>(source, parts);
+}
+
+template <class Frame>
+SceneTables leaf_tables(const Source& source, const SceneParts& parts) {
+  return source.scene.solid.kind == SolidKind::box
+             ? make_leaf<Frame, kernels::Box<double>>(source, parts)
+             : make_leaf<Frame, kernels::Tube<double>>(source, parts);
+}
+
+template <class Frame>
+SceneTables with_frame(const Source& source, const SceneParts& parts) {
+  return parts.mother_beside ? leaf_tables<Frame>(source, parts)
+                             : with_search<Frame, MotherInTable, double>(source, parts);
+}
+
 }  // namespace
 
 SceneParts parts_of_scene(const Geometry& geometry, const ScenePlan& plan, Numbers numbers,
@@ -203,6 +227,10 @@ SceneParts parts_of_scene(const Geometry& geometry, const ScenePlan& plan, Numbe
   const Scene& scene = geometry.scene(plan.volume);
   SceneParts parts;
   parts.numbers = numbers;
+  if (numbers == Numbers::own_solid) {
+    parts.mother_beside = true;
+    return parts;
+  }
   const bool constants = numbers == Numbers::constants;
   parts.mother_in_table = !constants || is_large(scene.solid);
   parts.listed = constants && !scene.daughters.empty() && scene.daughters.size() <= most_listed &&
@@ -237,13 +265,9 @@ SceneTables make_tables(const Source& source, const SceneParts& parts) {
                                  : with_search<Nothing<0>, Nothing<1>, Nothing<3>>(source, parts);
   }
   const FrameFacts& frame = source.plan.frame;
-  if (frame.never_rotated) {
-    return with_search<kernels::UnrotatedFrame, MotherInTable, double>(source, parts);
-  }
-  if (frame.only_rotation) {
-    return with_search<kernels::TurnedFrame, MotherInTable, double>(source, parts);
-  }
-  return with_search<kernels::AnyFrame, MotherInTable, double>(source, parts);
+  if (frame.never_rotated) return with_frame<kernels::UnrotatedFrame>(source, parts);
+  if (frame.only_rotation) return with_frame<kernels::TurnedFrame>(source, parts);
+  return with_frame<kernels::AnyFrame>(source, parts);
 }
 
 }  // namespace navjit::codegen

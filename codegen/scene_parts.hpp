@@ -14,6 +14,8 @@ namespace navjit::codegen {
 enum class Numbers : std::uint8_t {
   constants,  ///< constants, but for large tables
   tables,     ///< all are in tables: the code is that of a structure
+  own_solid,  ///< its solid and its frame are in tables, all else is constant: leaves that share
+              ///< code
 };
 
 /// Daughters that are tested by the same code.
@@ -29,8 +31,9 @@ struct PartClass {
 struct SceneParts {
   Numbers numbers = Numbers::constants;
   bool mother_in_table = false;
-  bool listed = false;        ///< each daughter is a class, and none is in a table
-  bool boxes_beside = false;  ///< some class has its boxes in the table of daughters
+  bool mother_beside = false;  ///< its numbers are in the object itself
+  bool listed = false;         ///< each daughter is a class, and none is in a table
+  bool boxes_beside = false;   ///< some class has its boxes in the table of daughters
   std::vector<PartClass> classes;
 };
 

@@ -36,6 +36,7 @@ struct Writer {
     return own(what);
   }
   bool constants() const { return parts.numbers == Numbers::constants; }
+  bool of_structure() const { return parts.numbers == Numbers::tables; }
 };
 
 std::string indexed(const std::string& name, std::size_t i) {
@@ -196,19 +197,20 @@ std::string search_of(Writer& w) {
 
 /// Where a track goes that leaves the scene.
 std::string leave_of(const Writer& w) {
-  if (!w.constants()) return "LeaveByStack";
+  if (w.of_structure()) return "LeaveByStack";
   if (!w.plan.only_mother) {
     return w.plan.volume == w.geometry.world().top ? "LeaveWorld" : "LeaveByStack";
   }
   const VolumeId first = w.facts.first_equal[*w.plan.only_mother];
-  return w.neighbours.reenter.contains(first)
-             ? "LeaveToScene<" + scene_name(first) + ">"
-             : "LeaveToVolume<" + number(*w.plan.only_mother) + ">";
+  if (!w.neighbours.reenter.contains(first)) {
+    return "LeaveToVolume<" + number(*w.plan.only_mother) + ">";
+  }
+  return (w.constants() ? "LeaveToScene<" : "LeaveSharedLeafTo<") + scene_name(first) + ">";
 }
 
 /// And one that enters a daughter.
 std::string enter_of(const Writer& w) {
-  if (!w.constants()) return "EnterByTable";
+  if (w.of_structure()) return "EnterByTable";
   std::set<VolumeId> volumes;
   for (const Daughter& d : w.scene.daughters) volumes.insert(d.volume);
   const std::size_t leaves =
@@ -261,23 +263,24 @@ std::string scene_types(const Geometry& geometry, const WorldFacts& facts, const
                         Shapes& shapes) {
   const Scene& scene = geometry.scene(plan.volume);
   Writer w{geometry, facts, plan, parts, tables, neighbours, name, shapes, scene};
-  const std::string mother = parts.mother_in_table
+  const std::string mother = parts.mother_beside ? shapes.type(scene.solid)
+                             : parts.mother_in_table
                                  ? "KnownSolid<" + shapes.type(scene.solid) + ">"
                                  : "ConstantSolid<" + shapes.constant(scene.solid) + ">";
   const std::string frame = frame_of(w), daughters = daughters_of(w), search = search_of(w);
   const std::string lists = listed_neighbours(w);
   w.text += "struct " + name + " : Scene<" + frame + ", " + mother + ",\n  " + daughters + ",\n  " +
-            search + ", " + (w.constants() ? "Tolerance" : "double") + "> {\n" + lists;
+            search + ", " + (w.of_structure() ? "double" : "Tolerance") + "> {\n" + lists;
   w.text += "  using leave = " + leave_of(w) + ";\n  using enter = " + enter_of(w) + ";\n";
   // Code for all scenes of a structure is not made again for those where what is rare is not.
   w.text += std::string("  static constexpr Rare rare = Rare::") +
-            (!w.constants()       ? "out_of_line"
+            (w.of_structure()     ? "out_of_line"
              : plan.bail_out_rare ? "left_out"
                                   : "taken") +
             ";\n";
   w.text +=
-      "  static constexpr bool oblique_only = " + number(!w.constants() || plan.oblique_only) +
-      ", shared_moves = " + number(w.constants()) + ";\n";
+      "  static constexpr bool oblique_only = " + number(w.of_structure() || plan.oblique_only) +
+      ", shared_moves = " + number(!w.of_structure()) + ";\n";
   w.text += "  static constexpr Has has_lists = " + whether(!scene.neighbour_lists.of.empty()) +
             ", has_boxes = " + whether(plan.safety == SafetyFrom::boxes) + ";\n";
   w.text += "  static constexpr unsigned long at = " + std::to_string(at) + ";\n};\n";

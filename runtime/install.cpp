@@ -167,7 +167,7 @@ bool install(Specialisation& spec, const codegen::Module& module, jit::Code code
       break;
     }
     std::optional<SceneReport> report =
-        install_entry(spec, installed, entry, module.data, cached, Binding::constants,
+        install_entry(spec, installed, entry, module.data_of(entry), cached, Binding::constants,
                       compile_ms / static_cast<double>(module.entries.size()));
     if (!report) {
       if (cached) return false;
@@ -199,7 +199,7 @@ bool install_structure(Specialisation& spec, const std::vector<codegen::Module>&
     if (spec.stopping()) return false;
     const codegen::Entry& entry = module.entries[0];
     std::optional<SceneReport> report =
-        install_entry(spec, installed, entry, module.data, cached, Binding::structure,
+        install_entry(spec, installed, entry, module.data_of(entry), cached, Binding::structure,
                       compile_ms / static_cast<double>(scenes.size()));
     if (!report) {
       if (cached) return false;

@@ -41,8 +41,9 @@ constexpr double part_of_run = 0.3;
 /// Scenes that have this part of what makes them due go along with one that is due.
 constexpr double soon = 0.3;
 
-/// What compiling a scene wins of late, for what it costs.
-double urgency(const Candidate& c) { return c.recent * c.gain_ns / c.compile_ms; }
+/// What compiling a scene wins of late, and the same for what it costs.
+double worth(const Candidate& c) { return c.recent * c.gain_ns; }
+double urgency(const Candidate& c) { return worth(c) / c.compile_ms; }
 
 }  // namespace
 
@@ -96,7 +97,7 @@ std::vector<VolumeId> next_module(std::span<const Candidate> candidates,
   }
   std::vector<VolumeId> chosen;
   if (due.empty()) return chosen;
-  double expected = module_base_ms;
+  double expected = module_base_ms, won = 0;
   for (std::vector<Candidate>* some : {&due, &later}) {
     std::stable_sort(some->begin(), some->end(), [](const Candidate& a, const Candidate& b) {
       return urgency(a) > urgency(b);
@@ -106,10 +107,15 @@ std::vector<VolumeId> next_module(std::span<const Candidate> candidates,
       if (expected > least_module_ms && times_paid(c, options) < least) continue;
       if (expected + c.compile_ms > options.module_ms) continue;
       expected += c.compile_ms;
+      won += worth(c);
       chosen.push_back(c.volume);
     }
-    // What fills a module by itself comes when nothing else is due: all others would wait for it.
-    if (chosen.empty()) return {due.front().volume};
+    // What fills a module by itself comes first where it wins more for what it costs.
+    const Candidate& first = due.front();
+    if (chosen.empty() || (chosen[0] != first.volume &&
+                           worth(first) / (module_base_ms + first.compile_ms) > won / expected)) {
+      return {first.volume};
+    }
   }
   return chosen;
 }

@@ -20,4 +20,5 @@
 #include "geometry/kernels/layers.h"
 #include "geometry/kernels/constant_searches.h"
 #include "geometry/kernels/scene.h"
+#include "geometry/kernels/shared_leaf.h"
 // clang-format on

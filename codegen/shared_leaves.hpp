@@ -1,0 +1,23 @@
+// Which leaves of a module share their code (geometry/kernels/shared_leaf.h).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "analysis/facts.hpp"
+#include "codegen/scene_types.hpp"
+
+namespace navjit::codegen {
+
+/// Whether a scene is a leaf of a solid that gains little from having its numbers as constants: a
+/// box or a tube.
+bool may_share_code(const Scene& scene);
+
+/// Those of the leaves, given by their plans, whose code is the same but for numbers of their own:
+/// what it does with the mother is part of it. In groups of two and more, in the order given.
+std::vector<std::vector<VolumeId>> leaves_that_share(const Geometry& geometry,
+                                                     const WorldFacts& facts,
+                                                     std::span<const ScenePlan* const> leaves,
+                                                     const Neighbours& neighbours);
+
+}  // namespace navjit::codegen
