@@ -45,6 +45,20 @@ constexpr double soon = 0.3;
 double worth(const Candidate& c) { return c.recent * c.gain_ns; }
 double urgency(const Candidate& c) { return worth(c) / c.compile_ms; }
 
+/// Of those that have no place in a module beside others, the one that wins most for what it costs,
+/// if that is more than `most`; null if there is none.
+const Candidate* fills_a_module(std::span<const Candidate> due, const SpecialiserOptions& options,
+                                double most) {
+  const Candidate* best = nullptr;
+  for (const Candidate& c : due) {
+    const double expected = module_base_ms + c.compile_ms;
+    if (expected <= options.module_ms || worth(c) / expected <= most) continue;
+    most = worth(c) / expected;
+    best = &c;
+  }
+  return best;
+}
+
 }  // namespace
 
 double expected_compile_ms(const Geometry& geometry, const ScenePlan& plan) {
@@ -110,12 +124,10 @@ std::vector<VolumeId> next_module(std::span<const Candidate> candidates,
       won += worth(c);
       chosen.push_back(c.volume);
     }
+    if (some == &later) break;
     // What fills a module by itself comes first where it wins more for what it costs.
-    const Candidate& first = due.front();
-    if (chosen.empty() || (chosen[0] != first.volume &&
-                           worth(first) / (module_base_ms + first.compile_ms) > won / expected)) {
-      return {first.volume};
-    }
+    const double most = chosen.empty() ? -1 : won / expected;
+    if (const Candidate* alone = fills_a_module(due, options, most)) return {alone->volume};
   }
   return chosen;
 }

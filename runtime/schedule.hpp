@@ -51,8 +51,8 @@ bool is_due(const Candidate& candidate, const SpecialiserOptions& options, doubl
 /// The scenes of the next module; none unless one is due. What pays back soonest comes first;
 /// scenes that are about to be due go along. What has paid fewer than `least` times only does in a
 /// module that is small otherwise: there is something else that comes before it. Bounded by
-/// SpecialiserOptions::batch and module_ms; a scene that exceeds the latter comes alone, when no
-/// other is due.
+/// SpecialiserOptions::batch and module_ms; a scene that exceeds the latter comes alone, before
+/// others if it wins more for what it costs.
 std::vector<VolumeId> next_module(std::span<const Candidate> candidates,
                                   const SpecialiserOptions& options, double least = 0);
 

@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <numeric>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "codegen/kernel_names.hpp"
 #include "codegen/kernel_texts.hpp"
+#include "geometry/navigation/scene.hpp"
 #include "geometry/solids/kinds.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -98,6 +102,56 @@ TEST(Module, RelocationInDearMothersIsLeftToTheTable) {
   EXPECT_EQ(dear.find("Subtraction"), std::string::npos);
 }
 
+/// Plates of three thicknesses and one rod in a hall; the code for those that are named.
+Module plates_in_a_hall(const std::vector<std::string>& hot) {
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 1000, 1000, 1000));
+  const VolumeId hall = tests::add_volume(world, "hall", make_box("hall", 900, 900, 900));
+  tests::place(world, world.top, hall, {0, 0, 0});
+  std::map<std::string, VolumeId> leaves{
+      {"thin", tests::add_volume(world, "thin", make_box("thin", 1, 50, 50))},
+      {"thick", tests::add_volume(world, "thick", make_box("thick", 4, 50, 50))},
+      {"wide", tests::add_volume(world, "wide", make_box("wide", 2, 80, 80))},
+      {"rod", tests::add_volume(world, "rod", make_tube("rod", 0, 2, 50, 0, 7))}};
+  double x = -400;
+  for (int i = 0; i < 10; ++i) {
+    for (const auto& [name, volume] : leaves) tests::place(world, hall, volume, {x += 15, 0, 0});
+  }
+  finish(world);
+  const Geometry geometry(std::make_shared<const World>(std::move(world)));
+  std::vector<VolumeId> volumes;
+  for (const std::string& name : hot) volumes.push_back(leaves.at(name));
+  return generate(geometry, analyse_world(geometry), volumes);
+}
+
+TEST(Module, LeavesOfOneKindInOneMotherShareTheirCode) {
+  const Module module = plates_in_a_hall({"thin", "thick", "wide", "rod"});
+  ASSERT_EQ(module.entries.size(), 4U);
+  std::map<std::string, std::set<const void*>> data;
+  for (const Entry& entry : module.entries) data[entry.step].insert(module.data_of(entry));
+  ASSERT_EQ(data.size(), 2U);  // of the plates, and of the rod
+  std::set<double> thicknesses;
+  for (const auto& [step, numbers] : data) {
+    if (numbers.size() == 1) continue;
+    ASSERT_EQ(numbers.size(), 3U);
+    for (const void* of : numbers) {
+      const auto* leaf = static_cast<const kernels::SharedLeafData*>(of);
+      EXPECT_EQ(leaf->module, module.data);
+      thicknesses.insert(reinterpret_cast<const kernels::Box<double>*>(leaf + 1)->hx);
+    }
+  }
+  EXPECT_EQ(thicknesses, (std::set<double>{1, 2, 4}));
+  EXPECT_NE(own_text(module).find("LeaveSharedLeafTo<"), std::string::npos);
+}
+
+TEST(Module, ALeafByItselfIsConstants) {
+  const Module module = plates_in_a_hall({"thin", "rod"});
+  ASSERT_EQ(module.entries.size(), 2U);
+  EXPECT_NE(module.entries[0].step, module.entries[1].step);
+  EXPECT_EQ(own_text(module).find("LeaveSharedLeafTo<"), std::string::npos);
+  EXPECT_EQ(module.data_of(module.entries[0]), module.data);
+}
+
 TEST(Module, IsTheSameTextEveryTime) {
   const Geometry a(std::make_shared<const World>(tests::mixed_world()));
   const Geometry b(std::make_shared<const World>(tests::mixed_world()));
@@ -117,7 +171,7 @@ TEST(Module, HostileNamesStayOutOfTheCode) {
 TEST(KernelTexts, HoldEveryKernelOfEveryKind) {
   for (const std::string_view name : kernel_order())
     EXPECT_FALSE(kernel_text(name).empty()) << name;
-  std::vector<const char*> others{"vectors", "prelude", "lanes", "scene"};
+  std::vector<const char*> others{"vectors", "prelude", "lanes", "scene", "shared_leaf"};
   others.insert(others.end(), scene_kernels().begin(), scene_kernels().end());
   for (const char* name : others) {
     EXPECT_FALSE(kernel_text(name).empty()) << name;

@@ -65,14 +65,20 @@ TEST(Schedule, ModulesStaySmall) {
   EXPECT_EQ(next_module(candidates, options).size(), 1U);
 }
 
-TEST(Schedule, WhatTakesLongComesWhenNothingElseIsDue) {
+TEST(Schedule, WhatFillsAModuleComesFirstWhereItWinsMoreForWhatItCosts) {
   SpecialiserOptions options = plain();
   options.module_ms = 300;
-  std::vector<Candidate> candidates{candidate(1, 1e13, 800), candidate(2, 1e12, 100),
-                                    candidate(3, 1e12, 120)};
-  EXPECT_EQ(next_module(candidates, options), (std::vector<VolumeId>{2, 3}));
-  candidates[1].executions = candidates[2].executions = 0;
-  EXPECT_EQ(next_module(candidates, options), (std::vector<VolumeId>{1}));
+  const Candidate a = candidate(2, 1e12, 100), b = candidate(3, 1e12, 120);
+  // These two are 2e12 in 30 + 100 + 120 ms, as much for each ms as 6.64e12 in 30 + 800.
+  EXPECT_EQ(next_module(std::vector{candidate(1, 6e12, 800), a, b}, options),
+            (std::vector<VolumeId>{2, 3}));
+  EXPECT_EQ(next_module(std::vector{candidate(1, 7e12, 800), a, b}, options),
+            (std::vector<VolumeId>{1}));
+  // And where nothing else is due.
+  EXPECT_EQ(next_module(std::vector{candidate(1, 1e12, 800)}, options), (std::vector<VolumeId>{1}));
+  // What is not due yet and goes along makes the others come no later.
+  EXPECT_EQ(next_module(std::vector{candidate(1, 6e12, 800), a, b, candidate(4, 3e5, 49)}, options),
+            (std::vector<VolumeId>{2, 3, 4}));
 }
 
 TEST(Schedule, WhatHasPaidLessThanSomethingElseWaitsOnceTheModuleIsWorthIt) {
