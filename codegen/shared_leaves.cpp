@@ -22,9 +22,10 @@ std::vector<std::vector<VolumeId>> leaves_that_share(const Geometry& geometry,
     const SceneParts parts = parts_of_scene(geometry, *plan, Numbers::own_solid, shapes);
     const SceneTables tables =
         make_tables({geometry, *plan, geometry.scene(plan->volume), arena}, parts);
-    const auto [at, fresh] = known.try_emplace(
-        scene_types(geometry, facts, *plan, parts, tables, neighbours, 0, "leaf", shapes),
-        groups.size());
+    const std::string has_safety = plan->safety == SafetyFrom::generic ? "" : "and a safety";
+    const std::string code =
+        scene_types(geometry, facts, *plan, parts, tables, neighbours, 0, "leaf", shapes);
+    const auto [at, fresh] = known.try_emplace(code + has_safety, groups.size());
     if (fresh) groups.emplace_back();
     groups[at->second].push_back(plan->volume);
   }

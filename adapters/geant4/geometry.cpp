@@ -112,8 +112,8 @@ struct Conversion {
       const auto [id, logical] = conversion.waiting[i];
       conversion.place_daughters(id, *logical);
     }
-    return {conversion.builder.build(top), std::move(conversion.daughters),
-            std::move(conversion.asked), world};
+    return {conversion.builder.build(top), conversion.daughters, std::move(conversion.asked),
+            world};
   }
 };
 
