@@ -144,7 +144,8 @@ std::size_t solids_of(const Geometry& geometry, const ScenePlan& plan) {
   return solids;
 }
 
-Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<const VolumeId> hot) {
+Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<const VolumeId> hot,
+                Leaves leaves) {
   Plans plans(geometry, facts);
   const std::map<VolumeId, Parts> parts = choose_parts(geometry, facts, hot, plans);
   Neighbours neighbours;
@@ -152,8 +153,8 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
     if (part.enter) neighbours.enter.insert(volume);
     if (part.reenter) neighbours.reenter.insert(volume);
   }
-  const std::map<VolumeId, VolumeId> shared =
-      find_shared(geometry, facts, parts, plans, neighbours);
+  std::map<VolumeId, VolumeId> shared;
+  if (leaves == Leaves::shared) shared = find_shared(geometry, facts, parts, plans, neighbours);
   Module module;
   const auto arena = std::make_shared<Arena>();
   ModuleData data;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -38,8 +39,15 @@ struct Module {
 /// booleans are counted one by one.
 std::size_t solids_of(const Geometry& geometry, const ScenePlan& plan);
 
+/// Whether leaves of one kind in one mother share code (codegen/shared_leaves.hpp).
+enum class Leaves : std::uint8_t {
+  apart,   ///< faster where steps mostly end within them
+  shared,  ///< faster where tracks go from one to the other
+};
+
 /// Generates navigators for `hot` volumes and all of equal structure. Where scenes feed each other
 /// their relocation is inlined: plans for mothers and daughters of hot scenes are made as needed.
-Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<const VolumeId> hot);
+Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<const VolumeId> hot,
+                Leaves leaves = Leaves::apart);
 
 }  // namespace navjit::codegen

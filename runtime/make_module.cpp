@@ -44,6 +44,21 @@ bool takes_rays_along_faces(Specialisation& spec, const std::vector<VolumeId>& b
   return along * bail_out_share > all;
 }
 
+/// Whether most recorded steps in leaves of these scenes end on a boundary: straight rays go from
+/// one leaf to the next, and particles that scatter stay.
+codegen::Leaves leaves_of(Specialisation& spec, const std::vector<VolumeId>& batch) {
+  std::size_t crossing = 0, all = 0;
+  for (const VolumeId volume : batch) {
+    if (!spec.shared->geometry.scene(volume).daughters.empty()) continue;
+    for (const Sample& s : spec.samples[volume]) {
+      if (s.safety) continue;
+      ++all;
+      crossing += s.relocation_count > 0 ? 1 : 0;
+    }
+  }
+  return 2 * crossing > all ? codegen::Leaves::shared : codegen::Leaves::apart;
+}
+
 /// What the cost model says of a module, ms; 0 if it was not asked about all of its scenes.
 double expected_ms(Specialisation& spec, const std::vector<VolumeId>& batch) {
   double sum = module_base_ms;
@@ -91,7 +106,7 @@ codegen::Module generate(Specialisation& spec, const std::vector<VolumeId>& batc
     for (const VolumeId volume : batch)
       spec.facts.along_faces.insert(spec.facts.first_equal[volume]);
   }
-  return codegen::generate(spec.shared->geometry, spec.facts, batch);
+  return codegen::generate(spec.shared->geometry, spec.facts, batch, leaves_of(spec, batch));
 }
 
 bool make_module(Specialisation& spec, const std::vector<VolumeId>& batch) {

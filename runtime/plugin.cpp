@@ -154,11 +154,7 @@ Expected<std::shared_ptr<const Plugin>> Plugin::load_checked(const std::string& 
     }
     const kernels::SafetyFunction safety =
         safeties[i] != nullptr ? safeties[i] : generic::dispatch_entry.safety;
-    const auto made = std::find_if(module->entries.begin(), module->entries.end(),
-                                   [&](const auto& entry) { return entry.volume == volumes[i]; });
-    if (made == module->entries.end()) return fail("it is no complete plugin");
-    plugin->entries_.push_back(
-        {volumes[i], {steps[i], relocates[i], safety, module->data_of(*made)}});
+    plugin->entries_.push_back({volumes[i], {steps[i], relocates[i], safety, module->data}});
   }
   return std::shared_ptr<const Plugin>(std::move(plugin));
 }

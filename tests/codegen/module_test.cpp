@@ -103,7 +103,7 @@ TEST(Module, RelocationInDearMothersIsLeftToTheTable) {
 }
 
 /// Plates of three thicknesses and one rod in a hall; the code for those that are named.
-Module plates_in_a_hall(const std::vector<std::string>& hot) {
+Module plates_in_a_hall(const std::vector<std::string>& hot, Leaves leaves_share) {
   World world;
   world.top = tests::add_volume(world, "world", make_box("world", 1000, 1000, 1000));
   const VolumeId hall = tests::add_volume(world, "hall", make_box("hall", 900, 900, 900));
@@ -121,11 +121,11 @@ Module plates_in_a_hall(const std::vector<std::string>& hot) {
   const Geometry geometry(std::make_shared<const World>(std::move(world)));
   std::vector<VolumeId> volumes;
   for (const std::string& name : hot) volumes.push_back(leaves.at(name));
-  return generate(geometry, analyse_world(geometry), volumes);
+  return generate(geometry, analyse_world(geometry), volumes, leaves_share);
 }
 
 TEST(Module, LeavesOfOneKindInOneMotherShareTheirCode) {
-  const Module module = plates_in_a_hall({"thin", "thick", "wide", "rod"});
+  const Module module = plates_in_a_hall({"thin", "thick", "wide", "rod"}, Leaves::shared);
   ASSERT_EQ(module.entries.size(), 4U);
   std::map<std::string, std::set<const void*>> data;
   for (const Entry& entry : module.entries) data[entry.step].insert(module.data_of(entry));
@@ -145,11 +145,19 @@ TEST(Module, LeavesOfOneKindInOneMotherShareTheirCode) {
 }
 
 TEST(Module, ALeafByItselfIsConstants) {
-  const Module module = plates_in_a_hall({"thin", "rod"});
+  const Module module = plates_in_a_hall({"thin", "rod"}, Leaves::shared);
   ASSERT_EQ(module.entries.size(), 2U);
   EXPECT_NE(module.entries[0].step, module.entries[1].step);
   EXPECT_EQ(own_text(module).find("LeaveSharedLeafTo<"), std::string::npos);
   EXPECT_EQ(module.data_of(module.entries[0]), module.data);
+}
+
+TEST(Module, LeavesThatStayApartAreConstants) {
+  const Module module = plates_in_a_hall({"thin", "thick", "wide", "rod"}, Leaves::apart);
+  std::set<std::string> steps;
+  for (const Entry& entry : module.entries) steps.insert(entry.step);
+  EXPECT_EQ(steps.size(), 4U);
+  EXPECT_EQ(own_text(module).find("LeaveSharedLeafTo<"), std::string::npos);
 }
 
 TEST(Module, IsTheSameTextEveryTime) {

@@ -20,24 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using tests::TemporaryFolder;
 
-/// Transports with the plugin, compares every step, and gives the number of scenes installed.
-std::size_t scenes_in_use_of(const std::shared_ptr<const World>& world, const std::string& path) {
-  RuntimeOptions options = tests::eager_options(JitMode::off);
-  Runtime generic(world, options);
-  options.plugin = path;
-  Runtime runtime(world, options);
-  Navigator a = generic.navigator(), b = runtime.navigator();
-  for (const Ray& ray : tests::rays_through(*world, 21, 400)) {
-    EXPECT_TRUE(tests::same_bits(tests::trace(a, ray, world->tolerance),
-                                 tests::trace(b, ray, world->tolerance)));
-  }
-  std::size_t specialised = 0;
-  for (const SceneReport& scene : runtime.report().scenes) {
-    specialised += scene.origin == CodeOrigin::plugin ? 1 : 0;
-  }
-  return specialised;
-}
-
 class PluginTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -58,7 +40,23 @@ class PluginTest : public testing::Test {
     return plugin ? "" : plugin.failure().message;
   }
 
-  std::size_t scenes_in_use(const std::string& path) { return scenes_in_use_of(world_, path); }
+  /// Transports with the plugin, compares every step, and gives the number of scenes installed.
+  std::size_t scenes_in_use(const std::string& path) {
+    RuntimeOptions options = tests::eager_options(JitMode::off);
+    Runtime generic(world_, options);
+    options.plugin = path;
+    Runtime runtime(world_, options);
+    Navigator a = generic.navigator(), b = runtime.navigator();
+    for (const Ray& ray : tests::rays_through(*world_, 21, 400)) {
+      EXPECT_TRUE(tests::same_bits(tests::trace(a, ray, world_->tolerance),
+                                   tests::trace(b, ray, world_->tolerance)));
+    }
+    std::size_t specialised = 0;
+    for (const SceneReport& scene : runtime.report().scenes) {
+      specialised += scene.origin == CodeOrigin::plugin ? 1 : 0;
+    }
+    return specialised;
+  }
 
   const std::shared_ptr<const World> world_ = std::make_shared<const World>(tests::mixed_world());
   const Geometry geometry_{world_};
@@ -78,28 +76,6 @@ TEST_F(PluginTest, IsUsedFromTheStart) {
   EXPECT_GE(scenes_in_use(path), 5U);
   const auto files = fs::directory_iterator(folder_.path());
   EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "nothing else is left in its folder";
-}
-
-TEST(PluginOfLeavesThatShareCode, HasTheNumbersOfEach) {
-  World world;
-  world.top = tests::add_volume(world, "world", make_box("world", 100, 60, 60));
-  std::vector<VolumeId> hot{world.top};
-  double x = -90;
-  for (int i = 0; i < 4; ++i) {
-    const std::string name = "plate" + std::to_string(i);
-    hot.push_back(tests::add_volume(world, name, make_box(name, 1 + i, 40, 50 - i)));
-    tests::place(world, world.top, hot.back(), {x += 20, 0, 0});
-    tests::place(world, world.top, hot.back(), {x += 20, 0, 0});
-  }
-  finish(world);
-  const auto shared = std::make_shared<const World>(std::move(world));
-  const Geometry geometry(shared);
-  const std::string source = plugin_source(geometry, analyse_world(geometry), hot);
-  EXPECT_NE(source.find("LeaveSharedLeafTo<scene_"), std::string::npos);
-  const TemporaryFolder folder;
-  const std::string path = folder.file("plates.so");
-  make_plugin(source, 1, path);
-  EXPECT_EQ(scenes_in_use_of(shared, path), 5U);
 }
 
 TEST_F(PluginTest, TwoOfThemAreTwo) {
