@@ -99,19 +99,20 @@ bool nothing_more(Specialisation& spec, const Failure& failure) {
   return true;
 }
 
-codegen::Module generate(Specialisation& spec, const std::vector<VolumeId>& batch,
-                         bool along_faces) {
+codegen::Module generate(Specialisation& spec, const std::vector<VolumeId>& batch, bool along_faces,
+                         codegen::Leaves leaves) {
   spec.facts.along_faces.clear();
   if (along_faces) {
     for (const VolumeId volume : batch)
       spec.facts.along_faces.insert(spec.facts.first_equal[volume]);
   }
-  return codegen::generate(spec.shared->geometry, spec.facts, batch, leaves_of(spec, batch));
+  return codegen::generate(spec.shared->geometry, spec.facts, batch, leaves);
 }
 
 bool make_module(Specialisation& spec, const std::vector<VolumeId>& batch) {
   const double start = steady_seconds();
-  codegen::Module module = generate(spec, batch, takes_rays_along_faces(spec, batch));
+  codegen::Module module =
+      generate(spec, batch, takes_rays_along_faces(spec, batch), leaves_of(spec, batch));
   if (spec.shared->faults.edit_source) spec.shared->faults.edit_source(module.source);
   if (auto found = spec.maker->find(module.source)) {
     if (install(spec, module, std::move(found->code), true, start)) return true;

@@ -9,8 +9,8 @@
 namespace navjit {
 
 /// `along_faces`: with code for rays along faces and from within daughters.
-codegen::Module generate(Specialisation& spec, const std::vector<VolumeId>& batch,
-                         bool along_faces);
+codegen::Module generate(Specialisation& spec, const std::vector<VolumeId>& batch, bool along_faces,
+                         codegen::Leaves leaves);
 
 /// After a failure to compile: whether nothing can be compiled in this process. Says so in the log.
 bool nothing_more(Specialisation& spec, const Failure& failure);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "runtime/choose.hpp"
 #include "runtime/fingerprint.hpp"
@@ -29,9 +30,12 @@ void install_remembered(Specialisation& spec) {
       if (!fresh) continue;
     }
     // What the cache has no more is left to the profile of this run.
-    for (const bool along_faces : {false, true}) {
+    using codegen::Leaves;
+    for (const auto& [along_faces, leaves] :
+         {std::pair(false, Leaves::apart), std::pair(false, Leaves::shared),
+          std::pair(true, Leaves::apart), std::pair(true, Leaves::shared)}) {
       const double start = steady_seconds();
-      const codegen::Module module = generate(spec, batch, along_faces);
+      const codegen::Module module = generate(spec, batch, along_faces, leaves);
       auto found = spec.maker->find(module.source);
       if (!found) continue;
       if (install(spec, module, std::move(found->code), true, start)) {
