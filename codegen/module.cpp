@@ -97,7 +97,7 @@ class ModuleData {
     shared_.push_back(at);
     return at;
   }
-  /// In the arena; null if there are none.
+  /// Puts them into the arena.
   const void* place(Arena& arena) const {
     auto* lines =
         arena.array<TableLine>((bytes_.size() + sizeof(TableLine) - 1) / sizeof(TableLine));

@@ -8,7 +8,8 @@
 
 namespace navjit {
 
-/// `along_faces`: with code for rays along faces and from within daughters.
+/// `along_faces`: with code for rays along faces and from within daughters. `leaves`: whether those
+/// that can share their code do.
 codegen::Module generate(Specialisation& spec, const std::vector<VolumeId>& batch, bool along_faces,
                          codegen::Leaves leaves);
 
