@@ -154,8 +154,20 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
   const bool boxes_possible = boxes.size() <= most_boxes && largest <= largest_float_scene;
   const auto make_boxes = [&] {
     const double inflate = margin + float_margin(largest);
+    if (!plan.boxes.empty()) return;
     for (const Extent& box : boxes) plan.boxes.push_back(inflated(box, inflate));
   };
+  const bool scan = boxes_possible && may_be_scanned(boxes.size());
+  const auto use_scan = [&] {
+    plan.candidates = Candidates::scan;
+    plan.mean_candidates = static_cast<double>(boxes.size());
+  };
+  // Data may be scanned, whatever is chosen here.
+  if (scan) make_boxes();
+  if (scan && forced == Candidates::scan) {
+    use_scan();
+    return;
+  }
   const auto make_wires = [&] {
     if (forced ? *forced != Candidates::wires : slabs_or_grid_serve(geometry, plan)) return false;
     auto wires = find_wires(world, world.volumes[plan.volume].solid, scene.daughters, round_margin);
@@ -239,6 +251,10 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
   if (!boxes_possible || (forced ? *forced == Candidates::grid : may_be_grid(plan))) {
     make(Candidates::grid, CellUse::daughters);
     if (!boxes_possible || forced || is_regular_grid(plan)) return;
+  }
+  if (scan && !forced) {
+    use_scan();
+    return;
   }
   make(Candidates::boxes, CellUse::blocks);
   make_boxes();

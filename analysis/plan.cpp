@@ -232,6 +232,9 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
       }
       out << " " << plan.wires.others.size() << " besides";
       break;
+    case Candidates::scan:
+      out << "those whose boxes it meets, all of " << plan.boxes.size() << " looked at first";
+      break;
     case Candidates::tree:
       out << "by the hierarchy of boxes";
       break;

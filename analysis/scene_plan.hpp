@@ -140,9 +140,16 @@ enum class Candidates : std::uint8_t {
   wires,   ///< those next across, in rows; bound to data only
   grid,    ///< those of the cells that the ray passes
   boxes,   ///< of those, the ones whose boxes it passes
+  scan,    ///< those whose boxes it meets, all looked at first
   tree,    ///< by the generic navigator's hierarchy of boxes; bound to data only
   layers,  ///< slabs within slabs; bound to data only
 };
+
+/// Daughters that Candidates::scan may look at. Fewer are spelled out.
+constexpr std::size_t most_scanned = 64;
+constexpr bool may_be_scanned(std::size_t daughters) {
+  return daughters > 4 && daughters <= most_scanned;
+}
 
 /// Searches that no code is generated for.
 constexpr bool is_for_data_alone(Candidates candidates) {

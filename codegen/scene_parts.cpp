@@ -190,6 +190,8 @@ SceneTables with_search(const Source& source, const SceneParts& parts) {
       return of(kernels::SearchGrid<Index>{});
     case Candidates::boxes:
       return of(kernels::SearchBoxes<Index>{});
+    case Candidates::scan:
+      return of(kernels::SearchScan{});
     case Candidates::nest:
       return of(kernels::SearchNest<Index>{});
     case Candidates::rings:

@@ -26,6 +26,7 @@ std::string type_of(const Lanes<2>&) { return "SearchLanes<FoursAt<2>>"; }
 std::string type_of(const SearchSlabs<Index>&) { return "SearchSlabs<unsigned>"; }
 std::string type_of(const SearchGrid<Index>&) { return "SearchGrid<unsigned>"; }
 std::string type_of(const SearchBoxes<Index>&) { return "SearchBoxes<unsigned>"; }
+std::string type_of(const SearchScan&) { return "SearchScan"; }
 std::string type_of(const SearchNest<Index>&) { return "SearchNest<unsigned>"; }
 std::string type_of(const SearchRings<Index>&) { return "SearchRings<unsigned>"; }
 
@@ -42,6 +43,9 @@ std::string numbers_of_search(const SearchSlabs<Index>& search) {
 }
 std::string numbers_of_search(const SearchGrid<Index>& search) { return of_grid(search.grid); }
 std::string numbers_of_search(const SearchBoxes<Index>& search) { return of_grid(search.grid); }
+std::string numbers_of_search(const SearchScan& search) {
+  return "{nullptr, " + number(search.count) + "}";
+}
 std::string numbers_of_search(const SearchNest<Index>& search) {
   const ShellNest<Index>& s = search.shells;
   return "{{" + number(s.count) + ", nullptr, nullptr, nullptr, " + number(s.ends) + ", " +

@@ -15,6 +15,7 @@ std::string type_of(const Lanes<2>& search);
 std::string type_of(const kernels::SearchSlabs<Index>& search);
 std::string type_of(const kernels::SearchGrid<Index>& search);
 std::string type_of(const kernels::SearchBoxes<Index>& search);
+std::string type_of(const kernels::SearchScan& search);
 std::string type_of(const kernels::SearchNest<Index>& search);
 std::string type_of(const kernels::SearchRings<Index>& search);
 
@@ -27,6 +28,7 @@ std::string numbers_of_search(const Lanes<2>& search);
 std::string numbers_of_search(const kernels::SearchSlabs<Index>& search);
 std::string numbers_of_search(const kernels::SearchGrid<Index>& search);
 std::string numbers_of_search(const kernels::SearchBoxes<Index>& search);
+std::string numbers_of_search(const kernels::SearchScan& search);
 std::string numbers_of_search(const kernels::SearchNest<Index>& search);
 std::string numbers_of_search(const kernels::SearchRings<Index>& search);
 

@@ -58,7 +58,7 @@ PassageEnd pass(AnyNavigator& navigator, const World& world, const Ray& ray, Sin
     }
     for (State before{}; state.inside();) {
       const Step step = navigator.step(state, point, ray.direction);
-      standing = step.length > world.tolerance ? 0 : standing + 1;
+      standing = goes_ahead(step.length, world.tolerance) ? 0 : standing + 1;
       if (standing == stuck_after) return PassageEnd::stuck;
       if (!sink(Leg{state, before, point, way, way + step.length})) return PassageEnd::stopped;
       way += step.length;

@@ -42,6 +42,12 @@ bool tree_may_be_faster(const Scene& scene, const ScenePlan& plan) {
   return scene.boxes && plan.candidates != Candidates::slabs;
 }
 
+/// Nor is it where all boxes could be looked at first.
+bool scan_may_be_faster(const ScenePlan& plan) {
+  return may_be_scanned(plan.boxes.size()) && plan.candidates != Candidates::scan &&
+         plan.candidates != Candidates::slabs && plan.candidates != Candidates::lanes;
+}
+
 /// How many shapes of the scene have code.
 std::size_t compiled_solids(const codegen::CodeOfSolids& code, const Scene& scene) {
   std::set<const void*> shapes{scene.solid.shape};
@@ -74,17 +80,20 @@ std::vector<Bound> bind_in_all_ways(Specialisation& spec, VolumeId volume, bool 
   const Geometry& geometry = spec.shared->geometry;
   std::vector<ScenePlan> plans{plan_scene(geometry, spec.facts, volume)};
   if (!forced && plans[0].layers.found()) plans[0].candidates = Candidates::layers;
-  if (!forced && tree_may_be_faster(geometry.scene(volume), plans[0])) {
+  const auto or_by = [&](Candidates candidates) {
     plans.push_back(plans[0]);
-    plans[1].candidates = Candidates::tree;
-  }
+    plans.back().candidates = candidates;
+  };
+  if (!forced && scan_may_be_faster(plans[0])) or_by(Candidates::scan);
+  if (!forced && tree_may_be_faster(geometry.scene(volume), plans[0])) or_by(Candidates::tree);
   std::vector<Bound> all;
   for (const ScenePlan& plan : plans) {
     const kernels::DispatchEntry* entry = bind(spec, plan);
     all.push_back({entry, codegen::structure_of(geometry, plan),
                    time_per_step(geometry, spec.shared->table.context(), *entry, samples)});
   }
-  if (all.size() == 2 && all[1].ns < all[0].ns) std::swap(all[0], all[1]);
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Bound& a, const Bound& b) { return a.ns < b.ns; });
   return all;
 }
 

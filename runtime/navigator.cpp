@@ -5,6 +5,7 @@
 #include <string>
 
 #include "geometry/navigation/generic.hpp"
+#include "geometry/navigation/left_for_good.hpp"
 #include "geometry/solids/normal.hpp"
 #include "runtime/shared.hpp"
 #include "runtime/ticks.hpp"
@@ -264,6 +265,7 @@ Step Navigator::recorded_step(NavigationStack& stack, const Vec3& point, const V
   Sample sample{level.touchable, volume, point, direction, limit};
   if (!shared_->geometry.scene(volume).daughters.empty()) {
     sample.left = stack.levels[stack.depth + 1].daughter;
+    sample.left_for_good = find_left_for_good(shared_->geometry, stack, point) == sample.left;
   }
   own.read_side->enter();
   const kernels::DispatchEntry& entry = *kernels::dispatch_entry_of(context_, volume);

@@ -20,6 +20,7 @@ constexpr Name names[] = {{"off", Variant::off, {}},
                           {"wires", Variant::wires, Candidates::wires},
                           {"grid", Variant::grid, Candidates::grid},
                           {"boxes", Variant::boxes, Candidates::boxes},
+                          {"scan", Variant::scan, Candidates::scan},
                           {"tree", Variant::tree, Candidates::tree},
                           {"layers", Variant::layers, Candidates::layers}};
 

@@ -19,6 +19,7 @@ enum class Variant : std::uint8_t {
   wires,   ///< bound to data, candidates next across, in rows; boxes where that is no pattern
   grid,    ///< specialised, candidates from cells
   boxes,   ///< specialised, candidates from cells and blocks of boxes
+  scan,    ///< specialised, candidates from the boxes of all; boxes where there are too many
   tree,    ///< bound to data, candidates from the hierarchy of boxes; all where there is none
   layers,  ///< bound to data, candidates by slabs within slabs; boxes where that is no pattern
 };
@@ -32,7 +33,7 @@ struct Overrides {
 };
 
 /// Parses "NAME=VARIANT,NAME=VARIANT": logical volumes by name ("*" for every one; later entries
-/// override earlier ones), variants off, all, lanes, nest, rings, wires, grid, boxes, tree,
+/// override earlier ones), variants off, all, lanes, nest, rings, wires, grid, boxes, scan, tree,
 /// layers.
 Overrides parse_overrides(const World& world, std::string_view text);
 

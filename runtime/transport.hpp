@@ -14,8 +14,13 @@ struct RayTotals {
   bool stuck = false;
 };
 
-/// So many steps in a row that do not move the point beyond the tolerance make a stuck ray.
+/// So many steps in a row that are no way ahead make a stuck ray.
 constexpr int stuck_after = 100;
+
+/// Whether a step (mm) is a way ahead, and not one of those by which a ray crawls along a face on
+/// which it stands: they may be longer than the tolerance, where a coordinate is so large that
+/// what they add to it is rounded away. Nothing real has a hundred boundaries so near.
+constexpr bool goes_ahead(double length, double tolerance) { return length > 1000 * tolerance; }
 
 /// Transports one ray until it leaves the world, calling sink(state, length) for each step with the
 /// state it was made in. A ray that starts outside makes no steps. The navigator may be a Navigator
@@ -27,7 +32,7 @@ RayTotals transport(AnyNavigator& navigator, const Ray& ray, double tolerance, S
   int standing = 0;
   for (State state = navigator.locate(point, ray.direction); state.inside();) {
     const Step step = navigator.step(state, point, ray.direction);
-    standing = step.length > tolerance ? 0 : standing + 1;
+    standing = goes_ahead(step.length, tolerance) ? 0 : standing + 1;
     if (standing == stuck_after) {
       totals.stuck = true;
       return totals;

@@ -83,7 +83,7 @@ std::vector<RayTotals> transport_in_basket(Basket& basket, std::span<const Ray> 
       z[i] = at.begin.z + at.length * w[i];
       state[i] = after[i];
       if (at.goes_on) continue;
-      at.standing = at.length > tolerance ? 0 : at.standing + 1;
+      at.standing = goes_ahead(at.length, tolerance) ? 0 : at.standing + 1;
       bool ends = at.standing == stuck_after;
       if (ends) {
         total.stuck = true;

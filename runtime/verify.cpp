@@ -24,11 +24,19 @@ std::string describe(const Sample& s, const char* what, double right, double wro
   return text;
 }
 
+/// What the stack of a sample in a volume with daughters knows of the last step.
+void bring_what_was_left(NavigationStack& stack, const Sample& s) {
+  stack.levels[stack.depth + 1].daughter = s.left;
+  if (s.left_for_good) {
+    stack.left = {{s.point.x, s.point.y, s.point.z}, s.touchable, s.left, -1};
+  }
+}
+
 /// The stack as it was when the sample was recorded, or made up.
 void bring_to(const Geometry& geometry, NavigationStack& stack, const Sample& s) {
   generic::restore(geometry, stack, s.touchable);
   if (!geometry.scene(s.volume).daughters.empty()) {
-    stack.levels[stack.depth + 1].daughter = s.left;
+    bring_what_was_left(stack, s);
   }
 }
 
@@ -41,8 +49,8 @@ std::string verify_step(const Geometry& geometry, const kernels::Context& contex
                         const kernels::DispatchEntry& specialised, const Sample& s, Pair& stacks) {
   bring_to(geometry, stacks.generic, s);
   copy(stacks.generic, stacks.specialised);
-  bring_to(geometry, stacks.specialised, s);
   kernels::set_ray(stacks.specialised, s.direction.x, s.direction.y, s.direction.z);
+  bring_to(geometry, stacks.specialised, s);
   const double wrong = specialised.step(&stacks.specialised, &context, specialised.data, s.point.x,
                                         s.point.y, s.point.z, s.limit);
   if (wrong < 0) {
@@ -140,8 +148,8 @@ double time_per_step(const Geometry& geometry, const kernels::Context& context,
     for (std::size_t i = 0; i < count; ++i) {
       const Sample& s = samples[i];
       copy(stacks[i], *work);
-      if (has_daughters[i] != 0) work->levels[work->depth + 1].daughter = s.left;
       kernels::set_ray(*work, s.direction.x, s.direction.y, s.direction.z);
+      if (has_daughters[i] != 0) bring_what_was_left(*work, s);
       if (step) {
         entry.step(work.get(), &context, entry.data, s.point.x, s.point.y, s.point.z, s.limit);
       }

@@ -133,7 +133,7 @@ std::map<VolumeId, std::vector<RecordedStep>> record_steps(Navigator& navigator,
       std::vector<RecordedStep>& of_scene = recorded[state.volume()];
       if (of_scene.size() < most_of_a_scene) of_scene.push_back({state, point, ray.direction});
       const Step step = navigator.step(state, point, ray.direction);
-      standing = step.length > world.tolerance ? 0 : standing + 1;
+      standing = goes_ahead(step.length, world.tolerance) ? 0 : standing + 1;
       point += step.length * ray.direction;
       state = step.next;
     }

@@ -143,6 +143,23 @@ void make(const Source& source, BoxDaughters& daughters) {
 
 namespace {
 
+bool can_be_left_for_good(const QuickSolid& solid) {
+  switch (solid.kind) {
+    case SolidKind::box:
+    case SolidKind::trd:
+    case SolidKind::trap:
+    case SolidKind::hull:
+    case SolidKind::orb:
+      return true;
+    case SolidKind::tube:
+    case SolidKind::cone:
+      return !solid.has_code;
+    default:
+      return false;
+  }
+}
+bool can_be_left_for_good(const KnownSolid<Tube<double>>&) { return true; }
+
 template <class Solid>
 Solid as(const Source& source, const kernels::AnySolid<double>& solid) {
   if constexpr (std::is_same_v<Solid, QuickSolid>) {
@@ -174,7 +191,8 @@ void make_solids(const Source& source, SolidDaughters<Solid>& daughters) {
              d.offset,
              d.volume,
              inner[k],
-             boxed};
+             boxed,
+             can_be_left_for_good(solids.at(d.solid.shape))};
     if (!boxed) continue;
     if (boxes == nullptr) boxes = source.arena.array<navjit::Vec3[2]>(from.size());
     const Extent box = box_with_margin(source.geometry, d);
@@ -276,6 +294,20 @@ void make(const Source& source, SearchBoxes<Index>& search) {
   search.grid.first = source.arena.copy(first);
   search.grid.blocks = blocks;
   search.grid.daughters = daughters;
+}
+
+void make(const Source& source, SearchScan& search) {
+  static_assert(navjit::most_scanned == kernels::most_scanned);
+  const std::vector<Extent>& boxes = source.plan.boxes;
+  const std::size_t count = (boxes.size() + box_lanes - 1) / box_lanes;
+  auto* blocks = source.arena.array<BoxBlock>(count);
+  for (std::size_t b = 0; b < count; ++b) {
+    blocks[b] = block_of([&](std::size_t lane) {
+      const std::size_t k = b * box_lanes + lane;
+      return k < boxes.size() ? &boxes[k] : nullptr;
+    });
+  }
+  search = {blocks, static_cast<unsigned>(count)};
 }
 
 void make(const Source& source, SearchTree& search) { search.tree = source.scene.boxes.get(); }
@@ -387,7 +419,8 @@ const kernels::NeighbourList* make_neighbour_lists(const Source& source) {
                 of.first,
                 of.listed() ? of.count : kernels::NeighbourList::unlisted,
                 of.mother_contains,
-                of.block};
+                of.block,
+                of.margin};
   }
   return lists;
 }

@@ -47,6 +47,16 @@ inline QuickSolid quick(const AnySolid<double>& solid, const SolidCode* code) {
   return {solid.kind, true, code};
 }
 
+/// Of a kind that may be left for good; a tube or cone has no code of its own.
+inline bool is_left_for_good(const QuickSolid& s, const Vec3<double>& p, double tol) {
+  if (s.kind == SolidKind::tube) {
+    return is_left_for_good(*static_cast<const Tube<double>*>(s.shape), p, tol);
+  }
+  if (s.kind == SolidKind::cone) {
+    return is_left_for_good(*static_cast<const Cone<double>*>(s.shape), p, tol);
+  }
+  return true;
+}
 inline bool contains(const QuickSolid& s, const Vec3<double>& p, const Direction<double>& v,
                      double tol) {
   if (s.is_box()) return contains(s.box(), p, v, tol);

@@ -1,6 +1,14 @@
 // A solid of a known kind as a part of a scene: its numbers are elsewhere in memory, or constants.
 namespace navjit::kernels {
 
+/// Whether a ray that has come out of the solid along its way, at this point, cannot meet it again:
+/// then distance_to_in is infinite, there and all along the ray. Solids that may tell have an
+/// overload of their own, beside their kernels; all others may be met again.
+template <class Solid>
+bool is_left_for_good(const Solid&, const Vec3<double>&, double) {
+  return false;
+}
+
 /// A solid that is known to be of this kind.
 template <class Shape>
 struct KnownSolid {
@@ -41,6 +49,11 @@ double safety_to_out(const KnownSolid<Shape>& s, const Vec3<double>& p) {
   return safety_to_out(*s.shape, p);
 }
 
+template <class Shape>
+bool is_left_for_good(const KnownSolid<Shape>& s, const Vec3<double>& p, double tol) {
+  return is_left_for_good(*s.shape, p, tol);
+}
+
 /// A solid whose numbers are constants of the program.
 template <const auto& solid>
 struct ConstantSolid {};
@@ -69,6 +82,10 @@ template <const auto& solid>
 double distance_to_exit(const ConstantSolid<solid>&, const Vec3<double>& p,
                         const Direction<double>& v, double tol) {
   return distance_to_exit(solid, p, v, tol);
+}
+template <const auto& solid>
+bool is_left_for_good(const ConstantSolid<solid>&, const Vec3<double>& p, double tol) {
+  return is_left_for_good(solid, p, tol);
 }
 template <const auto& solid>
 double safety_to_in(const ConstantSolid<solid>&, const Vec3<double>& p) {

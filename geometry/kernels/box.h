@@ -119,6 +119,8 @@ Real distance_to_out(const Box<Real>& s, const Vec3<Real>& p, const Direction<Re
   return distance_to_exit(s, p, v, tol);
 }
 
+inline bool is_left_for_good(const Box<double>&, const Vec3<double>&, double) { return true; }
+
 template <class Real>
 Real safety_to_in(const Box<Real>& s, const Vec3<Real>& p) {
   Real away = larger(absolute(p.x) - s.hx, Real(0));

@@ -153,6 +153,10 @@ struct DaughterClass {
     }
   }
   template <class Daughter>
+  static bool leaves_for_good(const Daughter& d, const Vec3<double>& p, double tol) {
+    return is_left_for_good(Solid::of(d), local(d, p), tol);
+  }
+  template <class Daughter>
   static double away(const Daughter& d, const Vec3<double>& p) {
     return safety_to_in(Solid::of(d), local(d, p));
   }
@@ -214,6 +218,11 @@ struct ClassedDaughters : DaughterTable<Daughter> {
                double tol) const {
     return path_to<true>(k, p, v, reach, tol);
   }
+  bool leaves_for_good(unsigned k, const Vec3<double>& p, double tol) const {
+    const Daughter& d = this->at[k];
+    return ask_class<Classes...>(d.kind,
+                                 [&](auto c) { return decltype(c)::leaves_for_good(d, p, tol); });
+  }
   double away(unsigned k, const Vec3<double>& p) const {
     const Daughter& d = this->at[k];
     return ask_class<Classes...>(d.kind, [&](auto c) { return decltype(c)::away(d, p); });
@@ -267,6 +276,10 @@ struct ListedDaughters {
   static bool holds(unsigned k, const Vec3<double>& p, const Direction<double>& v, double tol) {
     return ask_class<Classes...>(
         k, [&](auto c) { return decltype(c)::holds(table, places[k], k, p, v, tol); });
+  }
+  static bool leaves_for_good(unsigned k, const Vec3<double>& p, double tol) {
+    return ask_class<Classes...>(
+        k, [&](auto c) { return decltype(c)::leaves_for_good(places[k], p, tol); });
   }
   static double away(unsigned k, const Vec3<double>& p) {
     return ask_class<Classes...>(k, [&](auto c) { return decltype(c)::away(places[k], p); });

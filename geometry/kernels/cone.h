@@ -202,6 +202,14 @@ Real distance_to_out(const Cone<Real>& s, const Vec3<Real>& p, const Direction<R
   return leave_wedge(s.wedge, p, v, tol, leave);
 }
 
+/// Out of the bore it may come back, and where an azimuth is missing.
+inline bool is_left_for_good(const Cone<double>& s, const Vec3<double>& p, double tol) {
+  if (s.bored == 0) return s.wedge.kind != 2;
+  if (s.wedge.kind != 0) return false;
+  const double rho = square_root(p.x * p.x + p.y * p.y);
+  return (cone_distance(s.outer, rho, p.z) > -tol) & (cone_distance(s.inner, rho, p.z) > 8 * tol);
+}
+
 template <class Real>
 Real safety_to_in(const Cone<Real>& s, const Vec3<Real>& p) {
   const Real rho = square_root(p.x * p.x + p.y * p.y);

@@ -31,6 +31,10 @@ template <class Index>
   known.grid.daughters = tables.grid.daughters;
   return known;
 }
+[[gnu::always_inline]] inline SearchScan with_tables(SearchScan known, const SearchScan& tables) {
+  known.blocks = tables.blocks;
+  return known;
+}
 template <class Index>
 [[gnu::always_inline]] inline Beside<Index> with_tables(Beside<Index> known,
                                                         const Beside<Index>& tables) {

@@ -48,6 +48,7 @@ struct BoxDaughters {
     return distance_to_entry(Box<double>{d.hx, d.hy, d.hz},
                              Vec3<double>{p.x - d.x, p.y - d.y, p.z - d.z}, v, tol);
   }
+  static bool leaves_for_good(unsigned, const Vec3<double>&, double) { return true; }
   [[gnu::always_inline]] double away(unsigned k, const Vec3<double>& p) const {
     const BoxDaughter& d = at[k];
     return safety_to_in(Box<double>{d.hx, d.hy, d.hz},
@@ -72,7 +73,8 @@ struct SolidDaughter {
   unsigned long long offset;
   unsigned volume;
   InnerDaughters inner;
-  unsigned short boxed;  ///< its solid is costly: its box is tested before
+  bool boxed;                 ///< its solid is costly: its box is tested before
+  bool can_be_left_for_good;  ///< leaves_for_good may say so
 };
 
 template <class Solid>
@@ -132,6 +134,10 @@ struct SolidDaughters {
     if (d.boxed && !may_meet_box(boxes[k][0], boxes[k][1], q, e, reach)) return infinity<double>();
     return ask(d.solid, q, e, true);
   }
+  bool leaves_for_good(unsigned k, const Vec3<double>& p, double tol) const {
+    const SolidDaughter<Solid>& d = at[k];
+    return d.can_be_left_for_good && is_left_for_good(d.solid, local(d, p), tol);
+  }
   [[gnu::always_inline]] double away(unsigned k, const Vec3<double>& p) const {
     return safety_to_in(at[k].solid, local(at[k], p));
   }
@@ -150,12 +156,14 @@ struct SolidDaughters {
 };
 
 /// Daughters without what is rare: distances may be negative where the ray starts within one
-/// (distance_to_entry). `is_oblique`: the ray is known to be.
+/// (distance_to_entry), and without that which the ray has left for good. `is_oblique`: the ray is
+/// known to be.
 template <class Daughters, bool is_oblique>
 struct MostlyAhead {
   static constexpr unsigned listed = Daughters::listed;
   const Daughters& all;
   unsigned count;
+  unsigned left_for_good;
 
   [[gnu::always_inline]] bool holds(unsigned k, const Vec3<double>& p, const Direction<double>& v,
                                     double tol) const {
@@ -164,12 +172,13 @@ struct MostlyAhead {
   [[gnu::always_inline]] double distance(unsigned k, const Vec3<double>& p,
                                          const Direction<double>& v, double reach,
                                          double tol) const {
-    return all.entry(k, p, v, reach, tol);
+    return k == left_for_good ? infinity<double>() : all.entry(k, p, v, reach, tol);
   }
   template <unsigned k>
   [[gnu::always_inline]] double distance_one(const Vec3<double>& p, const Direction<double>& v,
                                              double reach, double tol) const {
-    return all.template path_to_one<k, true>(p, v, reach, tol);
+    return k == left_for_good ? infinity<double>()
+                              : all.template path_to_one<k, true>(p, v, reach, tol);
   }
 };
 

@@ -96,6 +96,8 @@ inline double distance_to_out(const Hull<double>& s, const Vec3<double>& p,
   return faces.path();
 }
 
+inline bool is_left_for_good(const Hull<double>&, const Vec3<double>&, double) { return true; }
+
 template <class Real>
 Real safety_to_in(const Hull<Real>& s, const Vec3<Real>& p) {
   return larger(hull_distance(s, p), Real(0));

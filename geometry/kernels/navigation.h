@@ -40,6 +40,20 @@ inline void set_ray(NavigationStack& stack, double u, double v, double w) {
   ray.direction = make_direction<double>(u, v, w);
   ray.oblique = is_oblique(ray.direction);
   stack.turned.rotation = 0;
+  stack.left.daughter = LeftForGood::none;
+  stack.left.from = -1;
+}
+
+/// The daughter of the innermost level that the stack's ray cannot meet again from this point, if
+/// it is known; LeftForGood::none else. To within a quarter of the tolerance the point need not be
+/// that where the daughter was left: what callers compute differs in the last bit.
+inline unsigned left_for_good(const NavigationStack& stack, double x, double y, double z,
+                              double tol) {
+  const LeftForGood& left = stack.left;
+  const double off =
+      larger(absolute(x - left.at[0]), larger(absolute(y - left.at[1]), absolute(z - left.at[2])));
+  const bool is_here = (left.mother == stack.levels[stack.depth].touchable) & (off <= 0.25 * tol);
+  return is_here ? left.daughter : LeftForGood::none;
 }
 
 /// turn(), the stack's ray in a frame of the rotation of that number, without doing it again where

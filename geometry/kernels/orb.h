@@ -98,6 +98,8 @@ template <class Real>
 Real distance_to_out(const Orb<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   return leave_ball(s.radius, p, v, tol);
 }
+inline bool is_left_for_good(const Orb<double>&, const Vec3<double>&, double) { return true; }
+
 template <class Real>
 Real safety_to_in(const Orb<Real>& s, const Vec3<Real>& p) {
   return larger(length(p) - s.radius, Real(0));

@@ -311,8 +311,8 @@ bool holds_start(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol) {
   return edges_ahead_inside<Keep::total>(s, ray, tol).total < 0;
 }
 
-/// Whether the polygon holds the point: told by a ray, of which edges that the point is within `tol`
-/// of are behind.
+/// Whether the polygon holds the point: told by a ray, of which edges that the point is within
+/// `tol` of are behind.
 template <class Real>
 bool is_in_polygon(const Prism<Real>& s, Real x, Real y, Real tol = 0) {
   if (outside_box(s, x, y) > 0) return false;

@@ -14,6 +14,7 @@ struct alignas(64) NeighbourList {
   unsigned short count;
   unsigned short mother_contains;  ///< all of the box
   unsigned block;                  ///< of the neighbours' boxes; no_block: there are none
+  float margin;                    ///< by which the box is the larger, mm
 
   static constexpr unsigned short unlisted = 0xffff;
   static constexpr unsigned no_block = 0xffffffff;
@@ -24,12 +25,37 @@ inline bool is_there(const NeighbourList& a, const Vec3<double>& p) {
          (p.z >= a.low[2]) & (p.z <= a.high[2]);
 }
 
+/// Whether a ray that leaves the daughter here comes out of its box, and is not nearly along the
+/// face: whatever is in the box, it is behind.
+inline bool comes_out_of_box(const NeighbourList& a, const Vec3<double>& p,
+                             const Direction<double>& v, double tol) {
+  constexpr double least_slope = 1e-3;
+  const double margin = double{a.margin} + 0.25 * tol;
+  const auto along = [&](int axis, double at, double rate) {
+    const double beyond = rate < 0 ? a.low[axis] + margin - at : at - (a.high[axis] - margin);
+    return (beyond >= 0) & (absolute(rate) > least_slope);
+  };
+  return along(0, p.x, v.x) | along(1, p.y, v.y) | along(2, p.z, v.z);
+}
+
 /// What becomes of steps that are rare: from within a daughter, along faces.
 enum class Rare {
   out_of_line,  ///< made by code apart from the common step's
   left_out,     ///< left to the generic navigator: much less code
   taken,        ///< made by the one code there is, which takes every step
 };
+
+/// Whether a search may ask the daughter that was left last, for nothing: those that ask all at
+/// once, or go on from it, do not.
+template <class Search>
+constexpr bool asks_what_was_left = true;
+template <class Fours>
+constexpr bool asks_what_was_left<SearchLanes<Fours>> = false;
+template <class Index>
+constexpr bool asks_what_was_left<SearchSlabs<Index>> = false;
+template <const auto& known>
+constexpr bool asks_what_was_left<ConstantSearch<known>> =
+    asks_what_was_left<decltype(ConstantSearch<known>::tables)>;
 
 /// Whether a table is there.
 enum class Has { maybe, yes, no };
@@ -200,7 +226,11 @@ template <bool rare, class S>
     if constexpr (rare) {
       hit = s.search.nearest(s.daughters, p, v, best, limit, left, tol);
     } else {
-      const MostlyAhead<Daughters, S::oblique_only> ahead{s.daughters, s.daughters.count};
+      unsigned for_good = LeftForGood::none;
+      if constexpr (asks_what_was_left<decltype(s.search)>) {
+        for_good = left_for_good(*stack, x, y, z, tol);
+      }
+      const MostlyAhead<Daughters, S::oblique_only> ahead{s.daughters, s.daughters.count, for_good};
       hit = s.search.nearest(ahead, p, v, best, limit, left, tol);
     }
   }
@@ -222,6 +252,7 @@ template <bool rare, class S>
       return best;
     }
   }
+  stack->left.from = stack->depth;
   S::leave::go(data, stack, context, x, y, z, stack->levels[stack->depth].daughter);
   return best;
 }
@@ -309,7 +340,18 @@ template <class S>
   }
   const int k = listed ? find_beside(s, s.lists[blocked], there, p, v, blocked)
                        : s.search.find(s.daughters, p, v, static_cast<int>(blocked), tol);
-  if (k >= 0) enter_daughter(data, s, stack, context, static_cast<unsigned>(k), x, y, z);
+  if (k >= 0) {
+    enter_daughter(data, s, stack, context, static_cast<unsigned>(k), x, y, z);
+    return;
+  }
+  if constexpr (asks_what_was_left<decltype(s.search)>) {
+    // A level between may have ended elsewhere: what was in it reached beyond.
+    if (stack->left.from == stack->depth + 1 &&
+        (s.daughters.leaves_for_good(blocked, p, tol) ||
+         (there && comes_out_of_box(s.lists[blocked], p, v, tol)))) {
+      stack->left = {{x, y, z}, level.touchable, blocked, -1};
+    }
+  }
 }
 
 template <class S>

@@ -121,6 +121,8 @@ inline double distance_to_out(const Trap<double>& s, const Vec3<double>& p,
   return leave_slab(s.hz, p.z, v.z, v.inverse_z, tol, sides.path());
 }
 
+inline bool is_left_for_good(const Trap<double>&, const Vec3<double>&, double) { return true; }
+
 template <class Real>
 Real safety_to_in(const Trap<Real>& s, const Vec3<Real>& p) {
   Real away = larger(absolute(p.z) - s.hz, Real(0));

@@ -120,6 +120,15 @@ Real distance_to_out(const Tube<Real>& s, const Vec3<Real>& p, const Direction<R
   return leave_wedge(s.wedge, p, v, tol, leave);
 }
 
+/// Out of the bore it may come back, and where an azimuth is missing. Nearer to the bore than to
+/// the outer face it is not known which of them it has left.
+inline bool is_left_for_good(const Tube<double>& s, const Vec3<double>& p, double tol) {
+  if (s.rmin == 0) return s.wedge.kind != 2;
+  const double middle = (s.rmin + s.rmax) / 2;
+  return (s.wedge.kind == 0) & (s.rmax - s.rmin > 8 * tol) &
+         (p.x * p.x + p.y * p.y > middle * middle);
+}
+
 template <class Real>
 Real safety_to_in(const Tube<Real>& s, const Vec3<Real>& p) {
   const Real r = square_root(p.x * p.x + p.y * p.y);

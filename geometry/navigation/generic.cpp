@@ -233,6 +233,7 @@ double step_along_ray(const Geometry& geometry, NavigationStack& stack, const Ve
     push(stack, scene.daughters[hit.daughter], hit.daughter);
   } else {
     left = static_cast<int>(level.daughter);
+    stack.left.from = stack.depth;
     if (--stack.depth < 0) return hit.distance;
   }
   relocate_after(geometry, stack, end, stack.ray.direction, left, hit.distance == 0);
@@ -291,6 +292,8 @@ double safety(const Geometry& geometry, const NavigationStack& stack, const Vec3
 
 void restore(const Geometry& geometry, NavigationStack& stack, TouchableId touchable) {
   const World& world = geometry.world();
+  stack.left.daughter = kernels::LeftForGood::none;
+  stack.left.from = -1;
   // Keep the levels whose range of touchables holds the one asked for.
   while (stack.depth >= 0) {
     const StackLevel& level = stack.levels[stack.depth];

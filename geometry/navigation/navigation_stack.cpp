@@ -44,6 +44,7 @@ Transformation frame_of(const StackLevel& level) {
 void copy(const NavigationStack& from, NavigationStack& to) {
   to.depth = from.depth;
   to.boundary = from.boundary;
+  to.left = {};  // of the ray, which is not copied
   for (int i = 0; i <= from.depth; ++i) {
     to.levels[i] = from.levels[i];
     const double* rotation = from.levels[i].rotation;

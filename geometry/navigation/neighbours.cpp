@@ -130,7 +130,8 @@ NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxe
          listed ? static_cast<std::uint16_t>(found.size()) : NeighbourLists::Of::unlisted,
          holds_deep(mother, box, margin, most_parts),
          in_blocks ? static_cast<std::uint32_t>(result.blocks.size())
-                   : NeighbourLists::Of::no_block});
+                   : NeighbourLists::Of::no_block,
+         static_cast<float>(margin)});
     if (listed) result.neighbours.insert(result.neighbours.end(), found.begin(), found.end());
     if (in_blocks) append_blocks(found, boxes, margin, result.blocks);
   }

@@ -30,6 +30,7 @@ struct NeighbourLists {
     std::uint16_t count;
     bool mother_contains;  ///< the mother contains every point of the box
     std::uint32_t block;   ///< into `blocks`; no_block: neighbours are asked one by one
+    float margin;          ///< by which the box is the larger, mm
 
     static constexpr std::uint16_t unlisted = 0xffff;
     static constexpr std::uint32_t no_block = 0xffffffff;

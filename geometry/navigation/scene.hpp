@@ -18,6 +18,7 @@
 #include "geometry/kernels/search_few.h"
 #include "geometry/kernels/searches.h"
 #include "geometry/kernels/layers.h"
+#include "geometry/kernels/scan.h"
 #include "geometry/kernels/constant_searches.h"
 #include "geometry/kernels/scene.h"
 #include "geometry/kernels/shared_leaf.h"

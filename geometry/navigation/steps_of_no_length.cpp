@@ -48,6 +48,9 @@ void leave_at_once(NavigationStack* stack, const Context* context, double x, dou
   stack->boundary = 1;
   const int left = static_cast<int>(stack->levels[stack->depth].daughter);
   if (--stack->depth >= 0) relocate(stack, context, x, y, z, left);
+  // It was no more than within the tolerance of its end: the ray may come into it again.
+  stack->left.daughter = kernels::LeftForGood::none;
+  stack->left.from = -1;
 }
 
 double return_at_once(NavigationStack* stack, const Context* context, double x, double y,

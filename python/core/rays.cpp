@@ -12,9 +12,10 @@ namespace {
 
 constexpr std::size_t chunk_of_rays = 64;
 
-/// So many steps in a row that do not move the point beyond the tolerance make a stuck ray, as in
-/// the command.
+/// So many steps in a row of no more than so many tolerances make a stuck ray, as in the command
+/// (runtime/transport.hpp).
 constexpr int stuck_after = 100;
+constexpr double least_ahead = 1000;
 
 /// Calls sink(state, length) for each step of a ray; whether it came to its end and was not stuck.
 template <class Sink>
@@ -23,7 +24,7 @@ bool follow(const ObservedDetector& seen, Navigator& navigator, Vec3 point, cons
   int standing = 0;
   for (State state = navigator.locate(point, direction); state.inside();) {
     const Step step = seen.step(navigator, state, point, direction);
-    standing = step.length > tolerance ? 0 : standing + 1;
+    standing = step.length > least_ahead * tolerance ? 0 : standing + 1;
     if (standing == stuck_after) return false;
     sink(state, step.length);
     point += step.length * direction;

@@ -74,7 +74,7 @@ void run_ray(Navigator& generic, Navigator& specialised, const Ray& ray, std::ui
         differences.push_back({index, state, point, ray.direction, right, made});
       }
     }
-    standing = right.length > tolerance ? 0 : standing + 1;
+    standing = goes_ahead(right.length, tolerance) ? 0 : standing + 1;
     if (standing == stuck_after) {
       ++counts.stuck;
       return;

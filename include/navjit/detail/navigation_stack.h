@@ -6,7 +6,7 @@
 #define NAVJIT_DETAIL_NAVIGATION_STACK_H
 namespace navjit::kernels {
 
-constexpr unsigned abi_version = 10;
+constexpr unsigned abi_version = 11;
 constexpr int stack_levels = 64;
 
 /// One level: a placed volume and its frame in the world, local = rotation * (global -
@@ -38,12 +38,24 @@ struct TurnedRay {
   bool oblique = false;
 };
 
+/// A daughter that the innermost volume's ray has left for good: it came out of it through a face
+/// that bounds its convex hull, and would have to turn round to meet it again. Specialised
+/// navigators keep it, to ask one daughter less.
+struct LeftForGood {
+  static constexpr unsigned none = ~0U;
+  double at[3] = {0, 0, 0};       ///< where, mm, in the world
+  unsigned long long mother = 0;  ///< the touchable that it is a daughter of
+  unsigned daughter = none;
+  int from = -1;  ///< depth of the level whose own end was the last step's; -1: not known
+};
+
 /// Not copyable by bytes: rotations point into the stack itself.
 struct NavigationStack {
   int depth;     ///< index of the innermost level; -1 outside the world
   int boundary;  ///< whether the last step ended on a boundary
   RayConstants ray;
   TurnedRay turned;
+  LeftForGood left;
   StackLevel levels[stack_levels];
 };
 

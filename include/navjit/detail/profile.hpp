@@ -25,6 +25,7 @@ struct Sample {
   Vec3 point, direction;
   double limit;
   unsigned left = 0;  ///< the daughter that was left last, or any number: no answer depends on it
+  bool left_for_good = false;                    ///< that daughter, as kernels::LeftForGood has it
   const kernels::DispatchEntry* used = nullptr;  ///< what made the step, if it was timed
   std::uint64_t ticks = 0;                       ///< that it took
   bool safety = false;                           ///< the safety was asked, and no step made

@@ -311,7 +311,7 @@ TEST(Plan, WalksNestsAndRingsOfSegments) {
   modules.finished(random);
   EXPECT_EQ(plan(ring).candidates, Candidates::rings);
   // Boxes tell these better.
-  EXPECT_EQ(plan(modules).candidates, Candidates::boxes);
+  EXPECT_EQ(plan(modules).candidates, Candidates::scan);
 }
 
 }  // namespace
