@@ -233,7 +233,7 @@ double step_along_ray(const Geometry& geometry, NavigationStack& stack, const Ve
     push(stack, scene.daughters[hit.daughter], hit.daughter);
   } else {
     left = static_cast<int>(level.daughter);
-    stack.left.from = stack.depth;
+    stack.left.from = hit.distance > 0 ? stack.depth : -1;
     if (--stack.depth < 0) return hit.distance;
   }
   relocate_after(geometry, stack, end, stack.ray.direction, left, hit.distance == 0);
