@@ -153,8 +153,8 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
   const double round_margin = 2 * geometry.tolerance() + 1e-9 * largest;
   const bool boxes_possible = boxes.size() <= most_boxes && largest <= largest_float_scene;
   const auto make_boxes = [&] {
-    const double inflate = margin + float_margin(largest);
     if (!plan.boxes.empty()) return;
+    const double inflate = margin + float_margin(largest);
     for (const Extent& box : boxes) plan.boxes.push_back(inflated(box, inflate));
   };
   const bool scan = boxes_possible && may_be_scanned(boxes.size());

@@ -42,7 +42,7 @@ bool tree_may_be_faster(const Scene& scene, const ScenePlan& plan) {
   return scene.boxes && plan.candidates != Candidates::slabs;
 }
 
-/// Nor is it where all boxes could be looked at first.
+/// Where daughters are few enough, looking at all their boxes first is one more.
 bool scan_may_be_faster(const ScenePlan& plan) {
   return may_be_scanned(plan.boxes.size()) && plan.candidates != Candidates::scan &&
          plan.candidates != Candidates::slabs && plan.candidates != Candidates::lanes;

@@ -1,6 +1,6 @@
 // Some dozens of daughters, the boxes of all of them looked at before any daughter is asked. What a
-// ray meets cannot be foreseen, and a branch that is foreseen wrongly costs as much as looking at
-// eight boxes twice: here nothing branches on it but whether another daughter is asked.
+// ray meets cannot be foreseen, and a branch that is foreseen wrongly is dear: here nothing
+// branches on it but whether another daughter is asked.
 namespace navjit::kernels {
 
 typedef unsigned Keys __attribute__((vector_size(32)));
