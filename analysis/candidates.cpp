@@ -49,8 +49,25 @@ constexpr std::size_t most_beside_rings = 4;
 /// needs a test.
 constexpr double about_one = 1.05;
 
+/// Slabs that take less of the mother's cross-section are missed by most rays, which are walked
+/// past one slab after the other; then boxes are looked at first. A guess: in halls of trackers,
+/// where they took a tenth or less, scans were 1.2 to 1.8 times as fast, in calorimeters of full
+/// plates 0.9 times.
+constexpr double least_met = 0.5;
+
 /// What single precision loses of a position, twice over.
 double float_margin(double largest) { return largest * 0x1p-21; }
+
+/// Of the boxes across an axis, in parts of the mother's.
+double mean_cross_section(const Extent& mother, const std::vector<Extent>& boxes, int axis) {
+  const auto across = [&](const Extent& e) {
+    const Vec3 size = e.max - e.min;
+    return axis == 0 ? size.y * size.z : axis == 1 ? size.x * size.z : size.x * size.y;
+  };
+  double sum = 0;
+  for (const Extent& box : boxes) sum += across(box);
+  return sum / (across(mother) * static_cast<double>(boxes.size()));
+}
 
 /// What is_regular_grid() asks that is known before there are grid.
 bool may_be_grid(const ScenePlan& plan) {
@@ -158,14 +175,20 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     for (const Extent& box : boxes) plan.boxes.push_back(inflated(box, inflate));
   };
   const bool scan = boxes_possible && may_be_scanned(boxes.size());
+  const bool groups = boxes_possible && may_be_grouped(boxes.size());
   const auto use_scan = [&] {
     plan.candidates = Candidates::scan;
     plan.mean_candidates = static_cast<double>(boxes.size());
   };
   // Data may be scanned, whatever is chosen here.
-  if (scan) make_boxes();
+  if (scan || groups) make_boxes();
   if (scan && forced == Candidates::scan) {
     use_scan();
+    return;
+  }
+  if (groups && forced == Candidates::groups) {
+    plan.candidates = Candidates::groups;
+    plan.mean_candidates = static_cast<double>(boxes.size());
     return;
   }
   const auto make_wires = [&] {
@@ -211,12 +234,16 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
   }
   if (!forced || *forced == Candidates::slabs) {
     if (auto slabs = find_slabs(extent, boxes, geometry.tolerance(), margin)) {
-      plan.candidates = Candidates::slabs;
       plan.slabs = std::move(*slabs);
       if (plan.classes.size() == 1 && plan.classes[0].kind() == SolidKind::box &&
           !plan.classes[0].rotated) {
         plan.slabs.skin = margin + geometry.tolerance() / 2;
       }
+      if (scan && !forced && mean_cross_section(extent, boxes, plan.slabs.axis) < least_met) {
+        use_scan();
+        return;
+      }
+      plan.candidates = Candidates::slabs;
       plan.mean_candidates = 1;
       return;
     }

@@ -136,7 +136,7 @@ bool is_costly(SolidKind kind) {
 }
 
 ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId volume) {
-  const auto forced = facts.forced_candidates.find(volume);
+  const auto forced = facts.forced_candidates.find(facts.first_equal[volume]);
   const KnownPlans::Question question{
       volume,
       forced == facts.forced_candidates.end() ? std::nullopt : std::optional(forced->second),
@@ -234,6 +234,9 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
       break;
     case Candidates::scan:
       out << "those whose boxes it meets, all of " << plan.boxes.size() << " looked at first";
+      break;
+    case Candidates::groups:
+      out << "those whose boxes it meets, looked at by groups of eight";
       break;
     case Candidates::tree:
       out << "by the hierarchy of boxes";

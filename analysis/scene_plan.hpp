@@ -141,20 +141,26 @@ enum class Candidates : std::uint8_t {
   grid,    ///< those of the cells that the ray passes
   boxes,   ///< of those, the ones whose boxes it passes
   scan,    ///< those whose boxes it meets, all looked at first
+  groups,  ///< the same, of boxes around several of them first; bound to data only
   tree,    ///< by the generic navigator's hierarchy of boxes; bound to data only
   layers,  ///< slabs within slabs; bound to data only
 };
 
-/// Daughters that Candidates::scan may look at. Fewer are spelled out.
+/// Daughters that Candidates::scan may look at.
 constexpr std::size_t most_scanned = 64;
 constexpr bool may_be_scanned(std::size_t daughters) {
-  return daughters > 4 && daughters <= most_scanned;
+  return daughters > 1 && daughters <= most_scanned;
+}
+/// And Candidates::groups. A guess.
+constexpr std::size_t most_grouped = 1024;
+constexpr bool may_be_grouped(std::size_t daughters) {
+  return daughters > most_scanned / 2 && daughters <= most_grouped;
 }
 
 /// Searches that no code is generated for.
 constexpr bool is_for_data_alone(Candidates candidates) {
-  return candidates == Candidates::wires || candidates == Candidates::tree ||
-         candidates == Candidates::layers;
+  return candidates == Candidates::wires || candidates == Candidates::groups ||
+         candidates == Candidates::tree || candidates == Candidates::layers;
 }
 
 enum class SafetyFrom : std::uint8_t {

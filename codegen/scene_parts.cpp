@@ -175,6 +175,7 @@ SceneTables with_search(const Source& source, const SceneParts& parts) {
   switch (source.plan.candidates) {
     case Candidates::none:
     case Candidates::wires:
+    case Candidates::groups:
     case Candidates::tree:
     case Candidates::layers:
       break;

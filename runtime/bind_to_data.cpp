@@ -11,6 +11,7 @@
 #include "geometry/navigation/generic.hpp"
 #include "runtime/judge.hpp"
 #include "runtime/log_text.hpp"
+#include "runtime/measured_search.hpp"
 #include "runtime/verify.hpp"
 
 namespace navjit {
@@ -36,16 +37,22 @@ constexpr std::uint64_t many_shares = 40;
 /// tried in the run, which is less kind to either of them. A guess.
 constexpr double most_of_generic = 1.1;
 
-/// Where the plan's way to find daughters is not sure to be the best, the hierarchy of boxes is
-/// another.
-bool tree_may_be_faster(const Scene& scene, const ScenePlan& plan) {
-  return scene.boxes && plan.candidates != Candidates::slabs;
-}
+/// What was so many times slower than another way on recorded states is not tried in the run. A
+/// guess.
+constexpr double most_of_best = 1.5;
 
-/// Where daughters are few enough, looking at all their boxes first is one more.
-bool scan_may_be_faster(const ScenePlan& plan) {
-  return may_be_scanned(plan.boxes.size()) && plan.candidates != Candidates::scan &&
-         plan.candidates != Candidates::slabs && plan.candidates != Candidates::lanes;
+/// How else daughters may be found than as the analysis chose.
+std::vector<Candidates> other_searches(const Scene& scene, const ScenePlan& plan) {
+  std::vector<Candidates> others;
+  if (!plan.slabs.members.empty() && plan.candidates != Candidates::slabs) {
+    others.push_back(Candidates::slabs);
+  }
+  if (may_be_scanned(plan.boxes.size()) && plan.candidates != Candidates::scan) {
+    others.push_back(Candidates::scan);
+  }
+  if (may_be_grouped(plan.boxes.size())) others.push_back(Candidates::groups);
+  if (scene.boxes) others.push_back(Candidates::tree);
+  return others;
 }
 
 /// How many shapes of the scene have code.
@@ -78,19 +85,22 @@ struct Bound {
 std::vector<Bound> bind_in_all_ways(Specialisation& spec, VolumeId volume, bool forced,
                                     const std::vector<Sample>& samples) {
   const Geometry& geometry = spec.shared->geometry;
-  std::vector<ScenePlan> plans{plan_scene(geometry, spec.facts, volume)};
+  std::vector<ScenePlan> plans{plan_without_measurement(spec, volume)};
+  const Candidates chosen = plans[0].candidates;
   if (!forced && plans[0].layers.found()) plans[0].candidates = Candidates::layers;
-  const auto or_by = [&](Candidates candidates) {
-    plans.push_back(plans[0]);
-    plans.back().candidates = candidates;
-  };
-  if (!forced && scan_may_be_faster(plans[0])) or_by(Candidates::scan);
-  if (!forced && tree_may_be_faster(geometry.scene(volume), plans[0])) or_by(Candidates::tree);
+  if (!forced) {
+    for (const Candidates other : other_searches(geometry.scene(volume), plans[0])) {
+      plans.push_back(plans[0]);
+      plans.back().candidates = other;
+    }
+  }
   std::vector<Bound> all;
   for (const ScenePlan& plan : plans) {
     const kernels::DispatchEntry* entry = bind(spec, plan);
-    all.push_back({entry, codegen::structure_of(geometry, plan),
-                   time_per_step(geometry, spec.shared->table.context(), *entry, samples)});
+    if (plan.candidates != chosen) spec.searches[entry] = plan.candidates;
+    const double ns = time_per_step(geometry, spec.shared->table.context(), *entry, samples);
+    const bool is_fastest = spec.shared->faults.fastest == plan.candidates;
+    all.push_back({entry, codegen::structure_of(geometry, plan), is_fastest ? 0 : ns});
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const Bound& a, const Bound& b) { return a.ns < b.ns; });
@@ -103,7 +113,7 @@ void bind_to_data(Specialisation& spec, VolumeId volume) {
   if (!spec.bound.insert(volume).second) return;
   const Geometry& geometry = spec.shared->geometry;
   const kernels::Context& context = spec.shared->table.context();
-  const bool forced = spec.facts.forced_candidates.contains(spec.facts.first_equal[volume]);
+  const bool forced = spec.forced.contains(spec.facts.first_equal[volume]);
   const bool only_if_faster = spec.shared->options.specialiser.keep_only_faster && !forced;
   std::vector<Sample> samples = spec.samples[volume];
   if (samples.size() < few_recorded) samples.clear();
@@ -136,8 +146,12 @@ void bind_to_data(Specialisation& spec, VolumeId volume) {
   if (pays) {
     spec.shared->table.install(volume, ways[0].entry, spec.arena);
     spec.without_code[volume] = ways[0].entry;
+    // Made-up states are not those of any run, and code shall not depend on how they were timed.
+    if (recorded) search_as_bound(spec, volume);
     try_out(spec, volume, ways[0].entry, spec.arena);
-    if (ways.size() > 1 && only_if_faster) spec.second_choices[volume] = ways[1].entry;
+    if (ways.size() > 1 && only_if_faster && ways[1].ns <= most_of_best * ways[0].ns) {
+      spec.second_choices[volume] = ways[1].entry;
+    }
   }
   const std::lock_guard lock(spec.mutex);
   SceneReport& scene = spec.scenes[volume];

@@ -40,6 +40,7 @@ void apply_overrides(Specialisation& spec) {
         spec.off.erase(equal);
       }
       spec.facts.forced_candidates[first] = *candidates_of(variant);
+      spec.forced.insert(first);
     }
   }
   if (!overrides.complaints.empty()) {

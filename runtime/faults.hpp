@@ -2,7 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+
+#include "analysis/scene_plan.hpp"
 
 namespace navjit {
 
@@ -18,6 +21,7 @@ struct Faults {
   bool pass_trials = false;        ///< and stays, whatever its own trial says
   /// What navigators other than the generic one are taken to last, times their own.
   double specialised_lasts = 1;
+  std::optional<Candidates> fastest{};  ///< the search that is taken to be so, where it is tried
 };
 
 }  // namespace navjit

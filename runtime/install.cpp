@@ -67,8 +67,7 @@ Expected<SceneReport> install_scene(Specialisation& spec, VolumeId volume,
       recorded > 0 ? std::span(samples).first(recorded) : std::span<const Sample>(samples);
   const double generic_ns = time_per_step(geometry, context, generic::dispatch_entry, timed);
   const double specialised_ns = time_per_step(geometry, context, record, timed);
-  const bool forced =
-      spec.facts.forced_candidates.contains(spec.facts.first_equal[volume]) || !only_if_faster;
+  const bool forced = spec.forced.contains(spec.facts.first_equal[volume]) || !only_if_faster;
   // What is bound to data stays unless constants win something over that, too.
   const double bar = std::min(generic_ns, bound_ns(spec, volume));
   const bool tried = spec.shared->options.jit != JitMode::wait;

@@ -8,6 +8,7 @@
 #include "runtime/gather.hpp"
 #include "runtime/judge_group.hpp"
 #include "runtime/log_text.hpp"
+#include "runtime/measured_search.hpp"
 
 namespace navjit {
 namespace {
@@ -52,6 +53,7 @@ void note_without_code(Specialisation& spec, VolumeId volume, const Trial& trial
   const std::shared_ptr<const void>& owner = goes ? trial.before_owner : trial.candidate_owner;
   if (owner != nullptr && owner != spec.arena) return;
   spec.without_code[volume] = goes ? trial.before : trial.candidate;
+  search_as_bound(spec, volume);
 }
 
 void conclude(Specialisation& spec, VolumeId volume, Trial& trial) {
@@ -82,7 +84,7 @@ void conclude(Specialisation& spec, VolumeId volume, Trial& trial) {
 void try_out(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry* candidate,
              const std::shared_ptr<const void>& owner, bool to_be_proved) {
   if (!spec.shared->options.specialiser.keep_only_faster ||
-      spec.facts.forced_candidates.contains(spec.facts.first_equal[volume])) {
+      spec.forced.contains(spec.facts.first_equal[volume])) {
     spec.trials.end(volume);
     return;
   }

@@ -7,7 +7,27 @@
 namespace navjit {
 namespace {
 
-constexpr std::string_view first_line = "navjit hot scenes 1\n";
+constexpr std::string_view first_line = "navjit hot scenes 2\n";
+
+struct Name {
+  std::string_view text;
+  Candidates search;
+};
+constexpr Name names[] = {{":scan", Candidates::scan}, {":slabs", Candidates::slabs}};
+
+/// Takes "12" or "12:scan" from the front of the text.
+std::optional<ListedScene> take_scene(std::string_view& text) {
+  ListedScene scene;
+  const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), scene.volume);
+  if (error != std::errc{}) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(at - text.data()));
+  for (const Name& name : names) {
+    if (scene.search || !text.starts_with(name.text)) continue;
+    scene.search = name.search;
+    text.remove_prefix(name.text.size());
+  }
+  return scene;
+}
 
 }  // namespace
 
@@ -15,7 +35,10 @@ std::string write_module_list(const ModuleList& list) {
   std::string text(first_line);
   for (const auto& batch : list) {
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      text += (i == 0 ? "" : " ") + std::to_string(batch[i]);
+      text += (i == 0 ? "" : " ") + std::to_string(batch[i].volume);
+      for (const Name& name : names) {
+        if (batch[i].search == name.search) text += name.text;
+      }
     }
     text += '\n';
   }
@@ -28,19 +51,17 @@ std::optional<ModuleList> read_module_list(std::string_view text, std::size_t vo
   ModuleList list;
   std::set<VolumeId> seen;
   while (!text.empty()) {
-    std::vector<VolumeId>& batch = list.emplace_back();
+    std::vector<ListedScene>& batch = list.emplace_back();
     for (char end = ' '; end == ' ';) {
-      VolumeId volume = 0;
-      const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), volume);
-      if (error != std::errc{} || volume >= volumes || !seen.insert(volume).second) {
+      const std::optional<ListedScene> scene = take_scene(text);
+      if (!scene || scene->volume >= volumes || !seen.insert(scene->volume).second) {
         return std::nullopt;
       }
-      text.remove_prefix(static_cast<std::size_t>(at - text.data()));
       if (text.empty()) return std::nullopt;
       end = text[0];
       if (end != ' ' && end != '\n') return std::nullopt;
       text.remove_prefix(1);
-      batch.push_back(volume);
+      batch.push_back(*scene);
     }
   }
   return list;
@@ -49,9 +70,12 @@ std::optional<ModuleList> read_module_list(std::string_view text, std::size_t vo
 ModuleList merge(const ModuleList& mine, const ModuleList& others) {
   ModuleList merged = mine;
   std::set<VolumeId> taken;
-  for (const auto& batch : mine) taken.insert(batch.begin(), batch.end());
+  for (const auto& batch : mine) {
+    for (const ListedScene& scene : batch) taken.insert(scene.volume);
+  }
   for (const auto& batch : others) {
-    if (std::none_of(batch.begin(), batch.end(), [&](VolumeId v) { return taken.contains(v); })) {
+    if (std::none_of(batch.begin(), batch.end(),
+                     [&](const ListedScene& s) { return taken.contains(s.volume); })) {
       merged.push_back(batch);
     }
   }

@@ -7,12 +7,25 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/model/world.hpp"
+#include "analysis/scene_plan.hpp"
 
 namespace navjit {
 
-/// Batches of volumes, as they were compiled.
-using ModuleList = std::vector<std::vector<VolumeId>>;
+struct ListedScene {
+  VolumeId volume = 0;
+  /// How its code finds daughters, where a run measured another way than the analysis chooses.
+  std::optional<Candidates> search{};
+
+  bool operator==(const ListedScene&) const = default;
+};
+
+/// Batches of scenes, as they were compiled.
+using ModuleList = std::vector<std::vector<ListedScene>>;
+
+/// Of the ways to find daughters, those that are measured and that code can use.
+constexpr bool may_be_listed(Candidates search) {
+  return search == Candidates::scan || search == Candidates::slabs;
+}
 
 std::string write_module_list(const ModuleList& list);
 

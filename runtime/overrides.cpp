@@ -21,6 +21,7 @@ constexpr Name names[] = {{"off", Variant::off, {}},
                           {"grid", Variant::grid, Candidates::grid},
                           {"boxes", Variant::boxes, Candidates::boxes},
                           {"scan", Variant::scan, Candidates::scan},
+                          {"groups", Variant::groups, Candidates::groups},
                           {"tree", Variant::tree, Candidates::tree},
                           {"layers", Variant::layers, Candidates::layers}};
 

@@ -20,6 +20,7 @@ enum class Variant : std::uint8_t {
   grid,    ///< specialised, candidates from cells
   boxes,   ///< specialised, candidates from cells and blocks of boxes
   scan,    ///< specialised, candidates from the boxes of all; boxes where there are too many
+  groups,  ///< bound to data, the same by groups of eight; boxes where there are too many
   tree,    ///< bound to data, candidates from the hierarchy of boxes; all where there is none
   layers,  ///< bound to data, candidates by slabs within slabs; boxes where that is no pattern
 };

@@ -8,8 +8,18 @@
 #include "runtime/fingerprint.hpp"
 #include "runtime/install.hpp"
 #include "runtime/make_module.hpp"
+#include "runtime/measured_search.hpp"
 
 namespace navjit {
+namespace {
+
+std::vector<VolumeId> volumes_of(const std::vector<ListedScene>& scenes) {
+  std::vector<VolumeId> volumes;
+  for (const ListedScene& scene : scenes) volumes.push_back(scene.volume);
+  return volumes;
+}
+
+}  // namespace
 
 void install_remembered(Specialisation& spec) {
   if (!spec.maker->has_cache()) return;
@@ -19,7 +29,8 @@ void install_remembered(Specialisation& spec) {
   const std::optional<ModuleList> list =
       text ? read_module_list(*text, geometry.size()) : std::optional<ModuleList>();
   if (!list) return;
-  for (const std::vector<VolumeId>& batch : *list) {
+  for (const std::vector<ListedScene>& listed : *list) {
+    const std::vector<VolumeId> batch = volumes_of(listed);
     {
       const std::lock_guard lock(spec.mutex);
       const bool fresh = std::all_of(batch.begin(), batch.end(), [&](VolumeId v) {
@@ -29,7 +40,9 @@ void install_remembered(Specialisation& spec) {
       if (spec.stopping()) return;
       if (!fresh) continue;
     }
+    for (const ListedScene& scene : listed) search_as_listed(spec, scene);
     // What the cache has no more is left to the profile of this run.
+    bool installed = false;
     using codegen::Leaves;
     for (const auto& [along_faces, leaves] :
          {std::pair(false, Leaves::apart), std::pair(false, Leaves::shared),
@@ -39,12 +52,15 @@ void install_remembered(Specialisation& spec) {
       auto found = spec.maker->find(module.source);
       if (!found) continue;
       if (install(spec, module, std::move(found->code), true, start)) {
-        spec.module_list.push_back(batch);
+        spec.module_list.push_back(listed);
+        installed = true;
       } else if (!spec.stopping()) {
         spec.maker->reject(module.source);
       }
       break;
     }
+    if (installed) continue;
+    for (const VolumeId volume : batch) search_as_bound(spec, volume);
   }
 }
 
@@ -52,7 +68,8 @@ namespace {
 
 void remember(Specialisation& spec, const std::vector<VolumeId>& batch) {
   if (!spec.maker->has_cache() || spec.shared->options.jit == JitMode::wait) return;
-  spec.module_list.push_back(batch);
+  std::vector<ListedScene>& listed = spec.module_list.emplace_back();
+  for (const VolumeId volume : batch) listed.push_back(to_be_listed(spec, volume));
   // Other runs of the same detector may have found other scenes meanwhile.
   const std::optional<std::string> text = spec.maker->recall(spec.module_list_name);
   const std::optional<ModuleList> others =

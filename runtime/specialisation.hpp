@@ -68,6 +68,8 @@ struct Specialisation {
   std::shared_ptr<codegen::Arena> arena = std::make_shared<codegen::Arena>();  ///< bound data
   std::set<VolumeId> bound;  ///< volumes that need not, or must not, be bound to data (again)
   std::set<VolumeId> off;    ///< volumes that must not be specialised in any way
+  /// Of equal volumes the first, where the environment says how daughters are found.
+  std::set<VolumeId> forced;
   std::vector<VolumeId> leaves_due;   ///< rare ones that are to be bound together
   std::uint64_t leaves_again_at = 0;  ///< steps of the run before which no others are looked for
   /// By volume: another way to bind it, to be tried once the first was judged.
@@ -83,6 +85,9 @@ struct Specialisation {
   std::size_t all_judged = 0;          ///< scenes that were not generic when all were tried last
   bool group_lost = false;             ///< all of it: nothing more is compiled in this phase
   std::map<VolumeId, const kernels::DispatchEntry*> without_code;  ///< what was bound to data
+  /// By record that is bound to data, where it finds daughters in another way than the analysis
+  /// chose: how (runtime/measured_search.hpp).
+  std::map<const kernels::DispatchEntry*, Candidates> searches;
   bool candidates_shown = true;          ///< in the dispatch table, of open trials
   unsigned stretches = 0;                ///< of trials, since they began or were interrupted
   std::shared_ptr<CodeMaker> maker;      ///< null: nothing is ever compiled

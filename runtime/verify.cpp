@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
+#include <numeric>
+#include <random>
 #include <vector>
 
 #include "geometry/navigation/generic.hpp"
@@ -132,8 +134,9 @@ std::string verify(const Geometry& geometry, const kernels::Context& context,
 double time_per_step(const Geometry& geometry, const kernels::Context& context,
                      const kernels::DispatchEntry& entry, std::span<const Sample> samples) {
   if (samples.empty()) return 0;
-  // Enough different states that processors do not learn them by heart, few enough that the levels
-  // they use stay near.
+  // Few enough that the levels they use stay near. In the same order again and again processors
+  // would learn by heart which way each branch goes, which no run is so kind to let them: each pass
+  // has another order.
   const std::size_t count = std::min<std::size_t>(samples.size(), 256);
   std::vector<NavigationStack> stacks(count);
   std::vector<char> has_daughters(count);
@@ -143,9 +146,12 @@ double time_per_step(const Geometry& geometry, const kernels::Context& context,
     has_daughters[i] = geometry.scene(samples[i].volume).daughters.empty() ? 0 : 1;
   }
   const auto work = std::make_unique<NavigationStack>();
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  std::mt19937 random(1);
   const auto pass = [&](bool step) {
     const double start = thread_seconds();
-    for (std::size_t i = 0; i < count; ++i) {
+    for (const std::size_t i : order) {
       const Sample& s = samples[i];
       copy(stacks[i], *work);
       kernels::set_ray(*work, s.direction.x, s.direction.y, s.direction.z);
@@ -161,6 +167,7 @@ double time_per_step(const Geometry& geometry, const kernels::Context& context,
   constexpr double long_enough_ns = 1e6;
   double with = infinity, without = infinity, spent = 0;
   for (int n = 0; n < least_passes || (n < most_passes && spent < long_enough_ns); ++n) {
+    std::shuffle(order.begin(), order.end(), random);
     const double ns = pass(true);
     spent += ns * static_cast<double>(count);
     with = std::min(with, ns);

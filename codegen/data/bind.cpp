@@ -37,8 +37,9 @@ std::string structure_of(const Geometry& geometry, const ScenePlan& plan) {
           : scene.solid.kind == SolidKind::tube ? "tube"
                                                 : "solid";
   static constexpr const char* searches[] = {
-      "",           ", all of",  ", lanes of",     ", slabs of", ", nest of", ", rings of",
-      ", wires of", ", grid of", ", boxes around", ", scan of",  ", tree of", ", layers of"};
+      "",           ", all of",  ", lanes of",     ", slabs of", ", nest of",   ", rings of",
+      ", wires of", ", grid of", ", boxes around", ", scan of",  ", groups of", ", tree of",
+      ", layers of"};
   text += searches[static_cast<int>(plan.candidates)];
   if (scene.daughters.empty()) return text;
   if (plan.candidates == Candidates::lanes) {

@@ -86,6 +86,8 @@ const kernels::DispatchEntry* bind_search(const Source& source) {
       return bind<Frame, Mother, Daughters, kernels::SearchBoxes<Index>>(source);
     case Candidates::scan:
       return bind<Frame, Mother, Daughters, kernels::SearchScan>(source);
+    case Candidates::groups:
+      return bind<Frame, Mother, Daughters, kernels::SearchGroups>(source);
     case Candidates::layers:
       return bind<Frame, Mother, Daughters, kernels::SearchLayers<Index>>(source);
     case Candidates::tree:

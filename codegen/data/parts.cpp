@@ -310,6 +310,11 @@ void make(const Source& source, SearchScan& search) {
   search = {blocks, static_cast<unsigned>(count)};
 }
 
+void make(const Source& source, SearchGroups& search) {
+  static_assert(navjit::most_grouped == kernels::most_grouped);
+  search.boxes = make_near_boxes(source.plan.boxes, source.arena);
+}
+
 void make(const Source& source, SearchTree& search) { search.tree = source.scene.boxes.get(); }
 
 void make(const Source& source, SearchNest<Index>& search) {

@@ -73,6 +73,7 @@ void make(const Source& source, kernels::SearchSlabs<Index>& search);
 void make(const Source& source, kernels::SearchGrid<Index>& search);
 void make(const Source& source, kernels::SearchBoxes<Index>& search);
 void make(const Source& source, kernels::SearchScan& search);
+void make(const Source& source, kernels::SearchGroups& search);
 void make(const Source& source, SearchTree& search);
 void make(const Source& source, kernels::SearchLayers<Index>& search);
 void make(const Source& source, kernels::SearchNest<Index>& search);

@@ -5,13 +5,11 @@ namespace navjit::kernels {
 
 typedef unsigned Keys __attribute__((vector_size(32)));
 
-/// So many boxes at most: a key has their number in its last bits.
-constexpr unsigned most_scanned = 64;
-
 /// Boxes that a ray meets, as numbers in the order of where it enters them: the bits of that path
-/// length, which are ordered as it is, with the number of the box in the place of the last six.
+/// length, which are ordered as it is, with the number of the box in the place of the last `bits`.
+template <unsigned bits>
 struct ScanKeys {
-  static constexpr unsigned number_bits = most_scanned - 1;
+  static constexpr unsigned number_bits = (1U << bits) - 1;
   static constexpr unsigned none = 0xffffffff;
 
   static Keys all(unsigned x) { return Keys{x, x, x, x, x, x, x, x}; }
@@ -27,8 +25,78 @@ struct ScanKeys {
   static float enter(unsigned key) { return __builtin_bit_cast(float, key & ~number_bits); }
 };
 
+/// A ray that is held against many blocks of boxes.
+struct ScanRay {
+  FloatRay ray;
+  Floats leave_all;
+  // Rows of a block: where its boxes begin along each axis, then where they end.
+  int near_x, near_y, near_z, far_x, far_y, far_z;
+
+  /// `end`: the path length at which it ends.
+  [[gnu::always_inline]] ScanRay(const Vec3<double>& p, const Direction<double>& v, float end)
+      : ray(float_ray(p, v)),
+        leave_all(all_lanes(end * path_slack)),
+        near_x(ray.down[0] ? 3 : 0),
+        near_y(ray.down[1] ? 4 : 1),
+        near_z(ray.down[2] ? 5 : 2),
+        far_x(3 - near_x),
+        far_y(5 - near_y),
+        far_z(7 - near_z) {}
+
+  /// Where it enters the boxes of a block, whose rows begin here; all ones for those that it meets.
+  [[gnu::always_inline]] auto meets(const Floats* row, Floats& enter) const {
+    enter = larger_lanes((row[near_x] - ray.p[0]) * ray.inverse[0], all_lanes(0));
+    enter = larger_lanes((row[near_y] - ray.p[1]) * ray.inverse[1], enter);
+    enter = larger_lanes((row[near_z] - ray.p[2]) * ray.inverse[2], enter);
+    Floats leave = smaller_lanes((row[far_x] - ray.p[0]) * ray.inverse[0], leave_all);
+    leave = smaller_lanes((row[far_y] - ray.p[1]) * ray.inverse[1], leave);
+    leave = smaller_lanes((row[far_z] - ray.p[2]) * ray.inverse[2], leave);
+    return enter <= leave * all_lanes(path_slack);
+  }
+};
+
+/// The keys of a block's boxes, which have these numbers and stand for these daughters; none for
+/// those that the ray does not meet, and for the daughter `left`.
+template <class Key>
+[[gnu::always_inline]] inline Keys keys_of(const Floats* row, const ScanRay& ray, Keys numbers,
+                                           Keys daughters, unsigned left) {
+  Floats enter;
+  const auto met = ray.meets(row, enter) & (daughters != Key::all(left));
+  const Keys key = (__builtin_bit_cast(Keys, enter) & ~Key::all(Key::number_bits)) | numbers;
+  return met ? key : Key::all(Key::none);
+}
+
+/// Asks the daughters that keys stand for, in their order from the key `next` on, which is the
+/// least of all, until one was met before the ray enters the next box.
+template <class Key, class Nearest, class DaughterOf>
+[[gnu::always_inline]] inline void ask_in_order(const Keys* keys, unsigned count, unsigned next,
+                                                float end, Nearest& nearest,
+                                                const DaughterOf& daughter_of) {
+  while (next != Key::none && Key::enter(next) <= end * path_slack * path_slack) {
+    nearest(daughter_of(Key::number(next)));
+    end = static_cast<float>(smaller(nearest.limit, nearest.best));
+    Keys least = Key::all(Key::none);
+    for (unsigned m = 0; m < count; ++m) {
+      const Keys after = keys[m] > next ? keys[m] : Key::all(Key::none);
+      least = Key::smaller_keys(least, after);
+    }
+    next = Key::least(least);
+  }
+}
+
+/// The daughter that the ray has left for good, as far as is known to who asks.
+template <class Daughters>
+[[gnu::always_inline]] inline unsigned left_by_ray(const Daughters& d) {
+  if constexpr (requires { d.left_for_good; }) return d.left_for_good;
+  return LeftForGood::none;
+}
+
+/// So many boxes at most: a key has their number in its last bits.
+constexpr unsigned most_scanned = 64;
+
 /// Of the daughters; `blocks` holds their boxes in file order.
 struct SearchScan {
+  using Key = ScanKeys<6>;
   const BoxBlock* blocks;
   unsigned count;  ///< of blocks
 
@@ -52,53 +120,19 @@ struct SearchScan {
                                      unsigned, double tol) const {
     NearestAhead<Daughters> nearest{d, p, v, best, limit, tol};
     // Rounded, a number beyond single precision is infinite, which serves as well.
-    float end = static_cast<float>(smaller(limit, best));
+    const float end = static_cast<float>(smaller(limit, best));
+    const ScanRay ray(p, v, end);
+    const unsigned left = left_by_ray(d);
     Keys keys[most_scanned / box_lanes];
-    unsigned left = none_of_them;
-    if constexpr (requires { d.left_for_good; }) left = d.left_for_good;
-    unsigned next = first_key(p, v, end, left, keys);
-    while (next != ScanKeys::none && ScanKeys::enter(next) <= end * path_slack * path_slack) {
-      nearest(ScanKeys::number(next));
-      end = static_cast<float>(smaller(limit, best));
-      Keys least = ScanKeys::all(ScanKeys::none);
-      for (unsigned m = 0; m < count; ++m) {
-        const Keys after = keys[m] > next ? keys[m] : ScanKeys::all(ScanKeys::none);
-        least = ScanKeys::smaller_keys(least, after);
-      }
-      next = ScanKeys::least(least);
-    }
-    return nearest.hit;
-  }
-
- private:
-  static constexpr unsigned none_of_them = ~0U;
-
-  /// All but `left`.
-  [[gnu::always_inline]] unsigned first_key(const Vec3<double>& p, const Direction<double>& v,
-                                            float end, unsigned left, Keys* keys) const {
-    const FloatRay ray = float_ray(p, v);
-    const Floats leave_all = all_lanes(end * path_slack);
-    // Rows of a block: where its boxes begin along each axis, then where they end.
-    const int near_x = ray.down[0] ? 3 : 0, near_y = ray.down[1] ? 4 : 1,
-              near_z = ray.down[2] ? 5 : 2;
-    const int far_x = 3 - near_x, far_y = 5 - near_y, far_z = 7 - near_z;
-    Keys least = ScanKeys::all(ScanKeys::none), numbers = {0, 1, 2, 3, 4, 5, 6, 7};
+    Keys least = Key::all(Key::none), numbers = {0, 1, 2, 3, 4, 5, 6, 7};
     const Floats* row = blocks[0].low;
     for (unsigned m = 0; m < count; ++m, row += 6) {
-      Floats enter = larger_lanes((row[near_x] - ray.p[0]) * ray.inverse[0], all_lanes(0));
-      enter = larger_lanes((row[near_y] - ray.p[1]) * ray.inverse[1], enter);
-      enter = larger_lanes((row[near_z] - ray.p[2]) * ray.inverse[2], enter);
-      Floats leave = smaller_lanes((row[far_x] - ray.p[0]) * ray.inverse[0], leave_all);
-      leave = smaller_lanes((row[far_y] - ray.p[1]) * ray.inverse[1], leave);
-      leave = smaller_lanes((row[far_z] - ray.p[2]) * ray.inverse[2], leave);
-      const Keys key =
-          (__builtin_bit_cast(Keys, enter) & ~ScanKeys::all(ScanKeys::number_bits)) | numbers;
-      const auto met = (enter <= leave * all_lanes(path_slack)) & (numbers != ScanKeys::all(left));
-      keys[m] = met ? key : ScanKeys::all(ScanKeys::none);
-      least = ScanKeys::smaller_keys(least, keys[m]);
-      numbers += ScanKeys::all(box_lanes);
+      keys[m] = keys_of<Key>(row, ray, numbers, numbers, left);
+      least = Key::smaller_keys(least, keys[m]);
+      numbers += Key::all(box_lanes);
     }
-    return ScanKeys::least(least);
+    ask_in_order<Key>(keys, count, Key::least(least), end, nearest, [](unsigned k) { return k; });
+    return nearest.hit;
   }
 };
 

@@ -19,6 +19,7 @@
 #include "geometry/kernels/searches.h"
 #include "geometry/kernels/layers.h"
 #include "geometry/kernels/scan.h"
+#include "geometry/kernels/scan_groups.h"
 #include "geometry/kernels/constant_searches.h"
 #include "geometry/kernels/scene.h"
 #include "geometry/kernels/shared_leaf.h"

@@ -168,5 +168,25 @@ TEST(Plan, SeesStacksAndGrids) {
   EXPECT_NE(describe(geometry, stack).find("20 slabs along z"), std::string::npos);
 }
 
+/// Most rays pass beside small plates, and walking past one after the other is for nothing.
+TEST(Plan, WalksSlabsThatFillTheirMotherAndScansOthers) {
+  for (const auto& [plates, half, expected] : {std::tuple(12, 40.0, Candidates::slabs),
+                                               {12, 30.0, Candidates::slabs},
+                                               {12, 20.0, Candidates::scan},
+                                               {3, 20.0, Candidates::lanes},
+                                               {70, 20.0, Candidates::slabs}}) {
+    World world;
+    world.top = tests::add_volume(world, "world", make_box("world", 40, 40, 80));
+    const VolumeId plate = tests::add_volume(world, "plate", make_box("plate", half, half, 0.5));
+    for (int i = 0; i < plates; ++i) tests::place(world, world.top, plate, {0, 0, 2.0 * i - 75});
+    finish(world);
+    const Geometry geometry(std::make_shared<const World>(std::move(world)));
+    const ScenePlan plan = plan_scene(geometry, analyse_world(geometry), geometry.world().top);
+    EXPECT_EQ(plan.candidates, expected) << plates << " plates of " << half;
+    // What a run may measure to be faster.
+    EXPECT_EQ(plan.slabs.members.empty(), plates <= 4);
+  }
+}
+
 }  // namespace
 }  // namespace navjit

@@ -85,8 +85,8 @@ struct Forced {
   ~Forced() { unsetenv(overrides_variable); }
 };
 
-const char* const searches[] = {"",        "*=all",  "*=lanes", "*=nest", "*=rings",
-                                "*=wires", "*=grid", "*=boxes", "*=tree", "*=layers"};
+const char* const searches[] = {"",       "*=all",   "*=lanes", "*=nest",   "*=rings", "*=wires",
+                                "*=grid", "*=boxes", "*=scan",  "*=groups", "*=tree",  "*=layers"};
 
 TEST(BoundToData, MixedWorldAlikeWithEachSearch) {
   const auto world = std::make_shared<const World>(tests::mixed_world());

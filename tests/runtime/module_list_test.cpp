@@ -17,9 +17,11 @@ TEST(ModuleList, ReadsWhatItWrites) {
     std::shuffle(volumes.begin(), volumes.end(), random);
     for (std::size_t at = 0; at < volumes.size();) {
       const std::size_t n = std::min<std::size_t>(1 + random() % 12, volumes.size() - at);
-      list.emplace_back(volumes.begin() + static_cast<std::ptrdiff_t>(at),
-                        volumes.begin() + static_cast<std::ptrdiff_t>(at + n));
-      at += n;
+      for (auto& batch = list.emplace_back(); batch.size() < n; ++at) {
+        batch.push_back({volumes[at]});
+        if (random() % 3 == 0) batch.back().search = Candidates::scan;
+        if (random() % 5 == 0) batch.back().search = Candidates::slabs;
+      }
     }
     const std::string text = write_module_list(list);
     EXPECT_EQ(read_module_list(text, 50), list);
@@ -30,6 +32,9 @@ TEST(ModuleList, ReadsWhatItWrites) {
     EXPECT_TRUE(!cut || cut->size() < list.size());
   }
   EXPECT_EQ(read_module_list(write_module_list({}), 0), ModuleList{});
+  for (const char* scene : {"1:", "1:2", "1:wires", "1:scan:scan", ":scan", "1 :scan", "1:scan,"}) {
+    EXPECT_FALSE(read_module_list(std::string("navjit hot scenes 2\n") + scene + "\n", 9)) << scene;
+  }
 }
 
 TEST(ModuleList, MergedBatchesShareNoVolume) {
@@ -39,10 +44,10 @@ TEST(ModuleList, MergedBatchesShareNoVolume) {
     for (ModuleList& list : lists) {
       std::set<VolumeId> seen;
       for (int b = 0; b < 5; ++b) {
-        std::vector<VolumeId> batch;
+        std::vector<ListedScene> batch;
         for (int i = 0; i < 3; ++i) {
           const auto v = static_cast<VolumeId>(random() % 30);
-          if (seen.insert(v).second) batch.push_back(v);
+          if (seen.insert(v).second) batch.push_back({v});
         }
         if (!batch.empty()) list.push_back(batch);
       }

@@ -21,7 +21,7 @@ TEST(Overrides, AreParsedAndComplainedAbout) {
   EXPECT_EQ(o.at(2), Variant::all);
   EXPECT_NE(
       complaints.find("'tile=fast': NAME=off, all, lanes, nest, rings, wires, grid, boxes, scan, "
-                      "tree or layers is needed"),
+                      "groups, tree or layers is needed"),
       std::string::npos)
       << complaints;
   EXPECT_EQ(candidates_of(Variant::wires), Candidates::wires);

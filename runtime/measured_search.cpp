@@ -1,0 +1,41 @@
+#include "runtime/measured_search.hpp"
+
+#include "analysis/plan.hpp"
+
+namespace navjit {
+
+ScenePlan plan_without_measurement(Specialisation& spec, VolumeId volume) {
+  const VolumeId first = spec.facts.first_equal[volume];
+  if (spec.forced.contains(first)) return plan_scene(spec.shared->geometry, spec.facts, volume);
+  auto measured = spec.facts.forced_candidates.extract(first);
+  ScenePlan plan = plan_scene(spec.shared->geometry, spec.facts, volume);
+  if (measured) spec.facts.forced_candidates.insert(std::move(measured));
+  return plan;
+}
+
+void search_as_bound(Specialisation& spec, VolumeId volume) {
+  const VolumeId first = spec.facts.first_equal[volume];
+  if (spec.forced.contains(first)) return;
+  spec.facts.forced_candidates.erase(first);
+  const auto bound = spec.without_code.find(volume);
+  if (bound == spec.without_code.end()) return;
+  const auto search = spec.searches.find(bound->second);
+  if (search == spec.searches.end() || !may_be_listed(search->second)) return;
+  spec.facts.forced_candidates[first] = search->second;
+}
+
+void search_as_listed(Specialisation& spec, const ListedScene& scene) {
+  const VolumeId first = spec.facts.first_equal[scene.volume];
+  if (scene.search && !spec.forced.contains(first)) {
+    spec.facts.forced_candidates[first] = *scene.search;
+  }
+}
+
+ListedScene to_be_listed(const Specialisation& spec, VolumeId volume) {
+  const VolumeId first = spec.facts.first_equal[volume];
+  const auto measured = spec.facts.forced_candidates.find(first);
+  const bool none = measured == spec.facts.forced_candidates.end() || spec.forced.contains(first);
+  return none ? ListedScene{volume} : ListedScene{volume, measured->second};
+}
+
+}  // namespace navjit

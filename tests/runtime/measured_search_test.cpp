@@ -1,0 +1,105 @@
+// Where the run measured that daughters are found faster in another way than the analysis chose,
+// code finds them so, too, and so does that of the next run.
+#include <gtest/gtest.h>
+
+#include <mutex>
+
+#include "runtime/faulty_runtime.hpp"
+#include "tests/support/folder.hpp"
+#include "tests/support/traces.hpp"
+
+namespace navjit {
+namespace {
+
+/// All sources that are compiled.
+struct Sources {
+  std::mutex mutex;
+  std::string text;
+};
+
+FaultyOptions options_with(const std::string& cache, std::optional<Candidates> fastest,
+                           const std::shared_ptr<Sources>& sources) {
+  FaultyOptions options{tests::eager_options(JitMode::on)};
+  options.cache = Cache::in(cache);
+  options.specialiser.min_steps = 5000;  // scenes are bound to data before
+  const auto faults = std::make_shared<Faults>();
+  faults->fastest = fastest;
+  faults->skip_replay = true;
+  faults->edit_source = [sources](std::string& source) {
+    const std::lock_guard lock(sources->mutex);
+    sources->text += source;
+  };
+  options.faults = faults;
+  return options;
+}
+
+void expect_right(Runtime& runtime) {
+  Runtime generic(runtime.share_world(), tests::eager_options(JitMode::off));
+  Navigator a = generic.navigator(), b = runtime.navigator();
+  for (const Ray& ray : tests::rays_through(runtime.world(), 3, 1500)) {
+    const double tolerance = runtime.world().tolerance;
+    ASSERT_TRUE(tests::same_bits(tests::trace(a, ray, tolerance), tests::trace(b, ray, tolerance)));
+  }
+}
+
+std::size_t specialised(const Runtime& runtime) {
+  std::size_t count = 0;
+  for (const SceneReport& scene : runtime.report().scenes) {
+    count += scene.status == SceneStatus::specialised ? 1 : 0;
+  }
+  return count;
+}
+
+/// Plates that fill it: the analysis chooses slabs.
+std::shared_ptr<const World> plates() {
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 40, 40, 30));
+  const VolumeId plate = tests::add_volume(world, "plate", make_box("plate", 40, 40, 1.5));
+  for (int i = 0; i < 12; ++i) tests::place(world, world.top, plate, {0, 0, 5.0 * i - 27.5});
+  finish(world);
+  return std::make_shared<const World>(std::move(world));
+}
+
+TEST(MeasuredSearch, IsThatOfTheCode) {
+  for (const auto& [fastest, scans] :
+       {std::pair(Candidates::slabs, false), {Candidates::scan, true}, {Candidates::tree, false}}) {
+    SCOPED_TRACE(static_cast<int>(fastest));
+    const tests::TemporaryFolder folder;
+    const auto sources = std::make_shared<Sources>();
+    FaultyRuntime runtime(plates(), options_with(folder.path(), fastest, sources));
+    for (int pass = 0; pass < 3; ++pass) {
+      expect_right(runtime);
+      runtime.wait_until_idle();
+    }
+    EXPECT_EQ(specialised(runtime), 2U);
+    EXPECT_EQ(sources->text.find("constexpr SearchScan ") != std::string::npos, scans);
+  }
+}
+
+TEST(MeasuredSearch, IsRememberedByTheNextRun) {
+  const std::shared_ptr<const World> world = plates();
+  const tests::TemporaryFolder folder;
+  const auto sources = std::make_shared<Sources>();
+  std::size_t hot = 0;
+  {
+    FaultyRuntime first(world, options_with(folder.path(), Candidates::scan, sources));
+    for (int pass = 0; pass < 3; ++pass) {
+      expect_right(first);
+      first.wait_until_idle();
+    }
+    hot = specialised(first);
+    ASSERT_EQ(hot, 2U);
+    ASSERT_NE(sources->text.find("constexpr SearchScan "), std::string::npos);
+  }
+  sources->text.clear();
+  FaultyOptions patient = options_with(folder.path(), {}, sources);
+  patient.specialiser.min_steps = 1'000'000'000;  // nothing becomes hot by itself
+  FaultyRuntime second(world, patient);
+  second.wait_until_idle();
+  expect_right(second);
+  EXPECT_EQ(specialised(second), hot);
+  EXPECT_EQ(sources->text, "") << "all of it is in the cache";
+}
+
+}  // namespace
+}  // namespace navjit
