@@ -30,9 +30,11 @@ constexpr std::size_t states_made_up_for_one_of_many = 8;
 constexpr std::size_t leaves_alone = 32;
 /// Of all steps, for a scene to be bound by itself. A guess.
 constexpr double least_share = 0.0005;
-/// Leaves that are too rare are bound together, whatever mothers they are in, where all of them
+/// Scenes that are too rare are bound together, whatever mothers they are in, where all of them
 /// have so many times that: 2% of all steps. A guess.
 constexpr std::uint64_t many_shares = 40;
+/// With so few daughters how they are found matters little, and is not timed. A guess.
+constexpr std::size_t few_daughters = 8;
 /// What takes longer than so many times the generic navigator's time on recorded states is not
 /// tried in the run, which is less kind to either of them. A guess.
 constexpr double most_of_generic = 1.1;
@@ -162,7 +164,7 @@ void bind_to_data(Specialisation& spec, VolumeId volume) {
   scene.swapped_at_s = spec.seconds();
 }
 
-/// A leaf beside many like it: its code is that of others, and so is what it wins.
+/// A scene beside many like it: its code is that of others, and so is what it wins.
 void bind_one_of_many(Specialisation& spec, VolumeId volume) {
   if (!spec.bound.insert(volume).second) return;
   const Geometry& geometry = spec.shared->geometry;
@@ -185,42 +187,41 @@ void bind_one_of_many(Specialisation& spec, VolumeId volume) {
   scene.swapped_at_s = spec.seconds();
 }
 
-/// Leaves that are each rare and together hot, in mothers that are bound: wires of many lengths,
-/// crystals of many shapes; plates of a calorimeter whose every layer has volumes of its own. What
-/// leaves an unbound one is relocated generically, in a mother where that may take far longer than
-/// all else.
-std::vector<VolumeId> many_rare_leaves(const Specialisation& spec, std::uint64_t least) {
+/// Scenes that are each rare and together hot: wires of many lengths in one mother, crystals of
+/// many shapes; plates and gaps of a calorimeter whose every layer has volumes of its own, and
+/// these layers. What leaves an unbound one is relocated generically, in a mother where that may
+/// take far longer than all else.
+std::vector<VolumeId> many_rare_scenes(const Specialisation& spec, std::uint64_t least) {
   const Geometry& geometry = spec.shared->geometry;
-  const auto is_one = [&](VolumeId v) {
+  const auto is_leaf = [&](VolumeId v) {
     return geometry.scene(v).daughters.empty() && !spec.bound.contains(v);
   };
-  std::uint64_t all = 0;
-  for (VolumeId v = 0; v < geometry.size(); ++v) {
-    if (spec.steps[v] > 0 && is_one(v)) all += spec.steps[v];
-  }
-  std::set<VolumeId> leaves, of_others;
-  if (all < least) return {};
+  std::set<VolumeId> rare, others;
   std::uint64_t steps_of_others = 0;
+  for (VolumeId v = 0; v < geometry.size(); ++v) {
+    if (spec.steps[v] == 0 || spec.bound.contains(v)) continue;
+    if (geometry.scene(v).daughters.size() > few_daughters) continue;
+    others.insert(v);
+    steps_of_others += spec.steps[v];
+  }
+  if (steps_of_others < least) return {};
   for (const VolumeId mother : spec.bound) {
     std::set<VolumeId> met;
     std::uint64_t steps = 0;
     const auto daughters = geometry.scene(mother).daughters;
     for (const Daughter& d : daughters) {
-      if (spec.steps[d.volume] == 0 || !is_one(d.volume)) continue;
+      if (spec.steps[d.volume] == 0 || !is_leaf(d.volume)) continue;
       if (met.insert(d.volume).second) steps += spec.steps[d.volume];
     }
-    if (steps >= least) {
-      for (const Daughter& d : daughters) {
-        if (is_one(d.volume)) leaves.insert(d.volume);
-      }
-    } else {
-      for (const VolumeId leaf : met) {
-        if (of_others.insert(leaf).second) steps_of_others += spec.steps[leaf];
-      }
+    if (steps < least) continue;
+    for (const Daughter& d : daughters) {
+      if (!is_leaf(d.volume)) continue;
+      rare.insert(d.volume);
+      if (others.erase(d.volume) > 0) steps_of_others -= spec.steps[d.volume];
     }
   }
-  if (steps_of_others >= many_shares * least) leaves.merge(of_others);
-  return {leaves.begin(), leaves.end()};
+  if (steps_of_others >= many_shares * least) rare.merge(others);
+  return {rare.begin(), rare.end()};
 }
 
 bool bind_hot_to_data(Specialisation& spec) {
@@ -243,15 +244,15 @@ bool bind_hot_to_data(Specialisation& spec) {
     bind_to_data(spec, volume);
   }
   // Once it is due, all of it is, though less and less of it is left.
-  if (spec.leaves_due.empty() && all >= spec.leaves_again_at) {
-    spec.leaves_due = many_rare_leaves(spec, least);
+  if (spec.rare_due.empty() && all >= spec.rare_again_at) {
+    spec.rare_due = many_rare_scenes(spec, least);
     // It looks at every daughter of all that is bound.
-    if (spec.leaves_due.empty()) spec.leaves_again_at = all / 8 * 9;
+    if (spec.rare_due.empty()) spec.rare_again_at = all / 8 * 9;
   }
-  while (!spec.leaves_due.empty()) {
+  while (!spec.rare_due.empty()) {
     if (spec.stopping() || steady_seconds() > until) return true;
-    bind_one_of_many(spec, spec.leaves_due.back());
-    spec.leaves_due.pop_back();
+    bind_one_of_many(spec, spec.rare_due.back());
+    spec.rare_due.pop_back();
   }
   return false;
 }

@@ -70,8 +70,8 @@ struct Specialisation {
   std::set<VolumeId> off;    ///< volumes that must not be specialised in any way
   /// Of equal volumes the first, where the environment says how daughters are found.
   std::set<VolumeId> forced;
-  std::vector<VolumeId> leaves_due;   ///< rare ones that are to be bound together
-  std::uint64_t leaves_again_at = 0;  ///< steps of the run before which no others are looked for
+  std::vector<VolumeId> rare_due;   ///< scenes that are to be bound together
+  std::uint64_t rare_again_at = 0;  ///< steps of the run before which no others are looked for
   /// By volume: another way to bind it, to be tried once the first was judged.
   std::map<VolumeId, const kernels::DispatchEntry*> second_choices;
   std::uint64_t structures_again_at = 0;  ///< steps of the run before which no structure pays
