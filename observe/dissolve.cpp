@@ -16,6 +16,7 @@ constexpr const char* many_daughters =
     "its daughters are found faster within it than among the mother's";
 constexpr const char* copies =
     "it is placed more than once, and its daughters would be more placements than they are";
+constexpr const char* faster_with_it = "rays take less time with it than in the mother";
 constexpr const char* sticks_out = "it reaches out of the mother, or might";
 constexpr const char* overlaps = "it overlaps another daughter, or might";
 constexpr const char* daughters_stick_out = "its daughters reach out of it, or might";
@@ -119,6 +120,7 @@ class Rewriting {
     const std::size_t below = result_.world.volumes[id].daughters.size();
     if (below > options_.most_daughters && sisters.size() > 1) return {many_daughters};
     if (uses_[id] > 1 && below > 1) return {copies};
+    if (options_.kept.contains({id, mother})) return {faster_with_it};
     Outcome outcome{dissolved};
     outcome.verdict = weaker(outcome.verdict, daughters_within(id));
     if (outcome.verdict == Verdict::no) return {daughters_stick_out};

@@ -7,6 +7,7 @@
 #include "observe/budget.hpp"
 #include "observe/choose_mixtures.hpp"
 #include "observe/marks.hpp"
+#include "observe/worth_dissolving.hpp"
 
 namespace navjit {
 
@@ -17,6 +18,8 @@ struct DissolveOptions {
   std::size_t most_daughters = 3;
   /// mm: solids that overlap by less do not; no less than the rounding of positions in the world.
   double overlap = 1e-9;
+  /// These daughters of these mothers are kept for speed.
+  Pairs kept{};
 };
 
 /// The world without what nobody sees.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/rays/ray_maker.hpp"
 #include "navjit/errors.hpp"
 #include "observe/budget.hpp"
 
@@ -14,16 +13,6 @@ constexpr std::uint64_t rays_to_choose = 4000, rays_to_judge = 20000;
 /// Of the error of the mean: what is promised holds by so many of them.
 constexpr double standard_deviations = 3;
 constexpr int attempts = 12;
-
-std::vector<Ray> sample(const World& world, const Observation::Rays& rays, std::uint64_t count,
-                        std::uint64_t seed) {
-  RaySource source{.origin = rays.origin, .eta = rays.eta, .seed = seed};
-  if (!rays.origin) source.aim = "auto";
-  const RayMaker maker(world, source);
-  std::vector<Ray> made;
-  for (std::uint64_t i = 0; i < count; ++i) made.push_back(maker.ray(i));
-  return made;
-}
 
 ObservationReport::Measured measured(const RayChanges& c, std::uint64_t rays) {
   return {.rays = rays,

@@ -28,6 +28,9 @@ struct ObservedDetector::Data {
 
 namespace {
 
+/// To learn which volumes are passed, and how: few, since nothing but speed depends on them.
+constexpr std::uint64_t rays_to_count = 500;
+
 void see_all(ObservedDetector::Data& data) {
   ObservationReport& report = data.report;
   for (const LogicalVolume& volume : data.original.model()->volumes) {
@@ -51,7 +54,13 @@ void simplify(ObservedDetector::Data& data, const World& world, double budget,
   const Marks marks = find_marks(world, data.observation, groups.group_of);
   SmallVolumes small;
   if (merges) small = choose_small(world, marks, budget - groups.bound, unit);
-  Dissolved dissolved = dissolve(world, marks, small, mixed);
+  DissolveOptions options;
+  if (mixed.empty()) {
+    const Passages passages =
+        pass_through(data.original.model(), sample(world, data.observation.rays, rays_to_count, 1));
+    options.kept = better_kept(world, marks, small, passages, options.most_daughters);
+  }
+  Dissolved dissolved = dissolve(world, marks, small, mixed, options);
   dissolved.report.bound += groups.bound;
   data.simplified = Detector(std::move(dissolved.world));
   data.offsets = std::move(dissolved.offsets);

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "geometry/navigation/generic.hpp"
+#include "geometry/rays/ray_maker.hpp"
 
 namespace navjit {
 namespace {
@@ -88,6 +89,16 @@ class Recorder {
 };
 
 }  // namespace
+
+std::vector<Ray> sample(const World& world, const Observation::Rays& rays, std::uint64_t count,
+                        std::uint64_t seed) {
+  RaySource source{.origin = rays.origin, .eta = rays.eta, .seed = seed};
+  if (!rays.origin) source.aim = "auto";
+  const RayMaker maker(world, source);
+  std::vector<Ray> made;
+  for (std::uint64_t i = 0; i < count; ++i) made.push_back(maker.ray(i));
+  return made;
+}
 
 Passages pass_through(const std::shared_ptr<const World>& world, std::span<const Ray> rays) {
   Recorder recorder(world);

@@ -8,6 +8,7 @@
 
 #include "geometry/model/world.hpp"
 #include "geometry/rays/ray.hpp"
+#include "navjit/observation.hpp"
 
 namespace navjit {
 
@@ -38,6 +39,10 @@ struct Passages {
   std::vector<PassedBoundaries> boundaries;  ///< by `from`
   std::size_t rays = 0;
 };
+
+/// So many rays of those that an observation is about.
+std::vector<Ray> sample(const World& world, const Observation::Rays& rays, std::uint64_t count,
+                        std::uint64_t seed);
 
 /// Rays that begin outside the world pass nothing. The world has to be finished.
 Passages pass_through(const std::shared_ptr<const World>& world, std::span<const Ray> rays);
