@@ -67,12 +67,12 @@ class Rewriting {
 
   void rewrite(VolumeId mother) {
     const LogicalVolume& was = original_.volumes[mother];
-    const auto nobody_sees = [&](const Placement& p) {
-      return invisible(marks_, p.volume, mother) || small_.contains({p.volume, mother});
+    const auto is_unseen = [&](const Placement& p) {
+      return nobody_sees(marks_, small_, p.volume, mother);
     };
     const auto part = mixed_.find(mother);
     if (part == mixed_.end() &&
-        std::none_of(was.daughters.begin(), was.daughters.end(), nobody_sees)) {
+        std::none_of(was.daughters.begin(), was.daughters.end(), is_unseen)) {
       return;
     }
     std::vector<Extent> boxes;
@@ -91,7 +91,7 @@ class Rewriting {
       }
       const std::size_t before = daughters.size();
       Outcome outcome{"", Verdict::no};
-      const bool unseen = nobody_sees(placement);
+      const bool unseen = is_unseen(placement);
       if (unseen) {
         outcome = judge(mother, k, boxes);
         if (outcome.why == dissolved && !replace(placement, daughters, offsets))

@@ -55,7 +55,7 @@ void simplify(ObservedDetector::Data& data, const World& world, double budget,
   SmallVolumes small;
   if (merges) small = choose_small(world, marks, budget - groups.bound, unit);
   DissolveOptions options;
-  if (mixed.empty()) {
+  if (mixed.empty() && anything_unseen(world, marks, small)) {
     const Passages passages =
         pass_through(data.original.model(), sample(world, data.observation.rays, rays_to_count, 1));
     options.kept = better_kept(world, marks, small, passages, options.most_daughters);

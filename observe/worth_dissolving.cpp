@@ -168,6 +168,16 @@ class Thinning {
 
 }  // namespace
 
+bool anything_unseen(const World& world, const Marks& marks, const SmallVolumes& small) {
+  for (VolumeId mother = 0; mother < world.volumes.size(); ++mother) {
+    if (world.volumes[mother].touchables == 0) continue;
+    for (const Placement& p : world.volumes[mother].daughters) {
+      if (nobody_sees(marks, small, p.volume, mother)) return true;
+    }
+  }
+  return false;
+}
+
 Pairs better_kept(const World& world, const Marks& marks, const SmallVolumes& small,
                   const Passages& passages, std::size_t most_daughters) {
   Thinning tree(world, passages);
@@ -175,7 +185,7 @@ Pairs better_kept(const World& world, const Marks& marks, const SmallVolumes& sm
   for (const VolumeId mother : daughters_first(world)) {
     std::set<VolumeId> unseen;
     for (const Placement& p : world.volumes[mother].daughters) {
-      if ((invisible(marks, p.volume, mother) || small.contains({p.volume, mother})) &&
+      if (nobody_sees(marks, small, p.volume, mother) &&
           !tree.is_kept_anyway(p.volume, mother, most_daughters)) {
         unseen.insert(p.volume);
       }

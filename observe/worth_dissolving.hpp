@@ -13,6 +13,14 @@ namespace navjit {
 /// Daughters and their mothers.
 using Pairs = std::set<std::pair<VolumeId, VolumeId>>;
 
+/// Whether nobody sees the daughter in this mother, or it is small enough not to be missed.
+inline bool nobody_sees(const Marks& marks, const SmallVolumes& small, VolumeId daughter,
+                        VolumeId mother) {
+  return invisible(marks, daughter, mother) || small.contains({daughter, mother});
+}
+/// Whether that is so of any.
+bool anything_unseen(const World& world, const Marks& marks, const SmallVolumes& small);
+
 /// Those of the invisible daughters, and of the small ones, without which rays like these would
 /// take longer. A dissolved volume spares the steps that end on its boundary with its mother's own
 /// material. But where a spacer touches what is on either side of it there was none, and a step in
