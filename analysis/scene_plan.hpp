@@ -152,7 +152,7 @@ constexpr bool may_be_scanned(std::size_t daughters) {
   return daughters > 1 && daughters <= most_scanned;
 }
 /// And Candidates::groups. A guess.
-constexpr std::size_t most_grouped = 1024;
+constexpr std::size_t most_grouped = 16384;
 constexpr bool may_be_grouped(std::size_t daughters) {
   return daughters > most_scanned / 2 && daughters <= most_grouped;
 }

@@ -95,14 +95,17 @@ State Navigator::locate(const Vec3& point, const Vec3& direction) {
 }
 
 State Navigator::locate_in(NavigationStack& stack, const Vec3& point, const Vec3& direction) {
-  require_finite(point, "the point");
-  require_finite(direction, "the direction");
-  if (shadow_ || !is_unit(direction)) {
+  // 0 unless a number is not finite, or the sum is beyond all numbers.
+  const double sum = 0 * (point.x + point.y + point.z + direction.x + direction.y + direction.z);
+  if (!(sum == 0)) [[unlikely]] {
+    require_finite(point, "the point");
+    require_finite(direction, "the direction");
+  }
+  if (shadow_ || !is_unit_vector(direction.x, direction.y, direction.z)) {
     generic::locate(shared_->geometry, stack, point, direction);
     return state_of(stack);
   }
-  begin_ray(stack, direction);
-  stack.boundary = 0;
+  kernels::set_ray(stack, direction.x, direction.y, direction.z);
   if (generic::enter(shared_->geometry, stack, point, direction)) relocate_within(stack, point);
   return state_of(stack);
 }

@@ -310,9 +310,43 @@ void make(const Source& source, SearchScan& search) {
   search = {blocks, static_cast<unsigned>(count)};
 }
 
+namespace {
+
+/// Boxes around groups.
+const BoxBlock* make_halls(const NearBoxes& boxes, Arena& arena) {
+  std::vector<Extent> around;
+  for (unsigned g = 0; g * box_lanes < boxes.count; ++g) {
+    const BoxBlock& group = boxes.groups[g];
+    double low[3], high[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = group.low[axis][0];
+      high[axis] = group.high[axis][0];
+      for (std::size_t lane = 1; lane < box_lanes; ++lane) {
+        low[axis] = std::min<double>(low[axis], group.low[axis][lane]);
+        high[axis] = std::max<double>(high[axis], group.high[axis][lane]);
+      }
+    }
+    around.push_back({{low[0], low[1], low[2]}, {high[0], high[1], high[2]}});
+  }
+  auto* halls = arena.array<BoxBlock>((around.size() + box_lanes - 1) / box_lanes);
+  for (std::size_t h = 0; h * box_lanes < around.size(); ++h) {
+    halls[h] = block_of([&](std::size_t lane) {
+      const std::size_t g = h * box_lanes + lane;
+      return g < around.size() ? &around[g] : nullptr;
+    });
+  }
+  return halls;
+}
+
+}  // namespace
+
 void make(const Source& source, SearchGroups& search) {
   static_assert(navjit::most_grouped == kernels::most_grouped);
   search.boxes = make_near_boxes(source.plan.boxes, source.arena);
+  search.halls = nullptr;
+  if (search.boxes.count >= kernels::blocks_with_halls) {
+    search.halls = make_halls(search.boxes, source.arena);
+  }
 }
 
 void make(const Source& source, SearchTree& search) { search.tree = source.scene.boxes.get(); }

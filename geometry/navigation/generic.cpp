@@ -113,6 +113,13 @@ bool enter(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
            const Vec3& direction) {
   enter_world(stack, geometry.world().top);
   stack.boundary = 0;
+  // Nearly all rays start well within a world that is a box.
+  const Extent& well_inside = geometry.well_inside();
+  if ((point.x > well_inside.min.x) & (point.x < well_inside.max.x) &
+      (point.y > well_inside.min.y) & (point.y < well_inside.max.y) &
+      (point.z > well_inside.min.z) & (point.z < well_inside.max.z)) {
+    return true;
+  }
   const Vec3 p{point.x + 0.0, point.y + 0.0, point.z + 0.0};
   const Direction v = kernels::make_heading(direction.x, direction.y, direction.z);
   if (contains(geometry.packed(geometry.world().top).solid, p, v, geometry.tolerance()))

@@ -71,11 +71,21 @@ void check_names(const World& world, const GeometryOptions& options) {
   }
 }
 
+Extent well_inside_of(const World& world) {
+  const Solid& solid = world.volumes[world.top].solid;
+  if (solid.kind != SolidKind::box) return {{1, 1, 1}, {-1, -1, -1}};
+  const double within = 2 * world.tolerance;
+  const Extent& e = solid.extent;
+  return {{e.min.x + within, e.min.y + within, e.min.z + within},
+          {e.max.x - within, e.max.y - within, e.max.z - within}};
+}
+
 }  // namespace
 
 Geometry::Geometry(std::shared_ptr<const World> world, const GeometryOptions& options)
-    : world_(std::move(world)) {
+    : world_(std::move(world)), well_inside_{} {
   require_finished(world_.get());
+  well_inside_ = well_inside_of(*world_);
   check_names(*world_, options);
   std::size_t total = 0;
   for (const LogicalVolume& volume : world_->volumes) total += volume.daughters.size();

@@ -58,6 +58,9 @@ class Geometry {
   const PackedScene& packed(VolumeId volume) const { return packed_[volume]; }
   std::size_t size() const { return scenes_.size(); }
   double tolerance() const { return world_->tolerance; }
+  /// A box, mm, of which all is in the world, farther from its surface than the tolerance; empty
+  /// where the world is no box.
+  const Extent& well_inside() const { return well_inside_; }
   /// Empty where there are too many.
   const TouchableTable& touchables() const { return touchables_; }
 
@@ -67,6 +70,7 @@ class Geometry {
   std::vector<Scene> scenes_;
   PackedScenes packed_;
   TouchableTable touchables_;
+  Extent well_inside_;
 };
 
 /// The box around a placed solid in its mother's frame, mm.

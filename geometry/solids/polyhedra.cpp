@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "geometry/solids/bodies.hpp"
 #include "geometry/solids/sections.hpp"
 
 namespace navjit {
@@ -48,6 +49,31 @@ Turns make_turns(int sides, double start_phi, double delta_phi, const std::strin
   return {wedge, step, 1 / std::cos(step / 2)};
 }
 
+/// So many planes at most are asked quicker than sides: two groups of them.
+constexpr std::size_t most_planes = 16;
+
+/// The planes of one section that is convex, the ends first, as those of extruded solids; none if
+/// it is not, or has too many.
+std::vector<kernels::Plane<double>> convex_planes(
+    const detail::Sections& sections, const kernels::Wedge<double>& wedge,
+    const std::vector<kernels::SideNormal<double>>& sides) {
+  const kernels::Section<double>& section = sections.sections.front();
+  const std::size_t count = 2 + sides.size() + (wedge.kind == 0 ? 0 : 2);
+  if (sections.sections.size() > 1 || section.bored != 0 || wedge.kind == 2 ||
+      count > most_planes) {
+    return {};
+  }
+  const kernels::ConicalFace<double>& face = section.outer;
+  std::vector<kernels::Plane<double>> planes{{0, 0, -1, section.z_low}, {0, 0, 1, -section.z_high}};
+  if (wedge.kind == 1) planes.push_back({wedge.start_y, -wedge.start_x, 0, 0});
+  for (const kernels::SideNormal<double>& n : sides) {
+    planes.push_back({face.cosine * n.x, face.cosine * n.y, -face.slope,
+                      face.slope * section.z_low - face.radius});
+  }
+  if (wedge.kind == 1) planes.push_back({-wedge.end_y, wedge.end_x, 0, 0});
+  return planes;
+}
+
 /// `planes` bound the extent.
 Solid polyhedra(std::string name, detail::Sections&& sections, std::span<const ZPlane> planes,
                 int sides, double start_phi, const Turns& turns) {
@@ -57,8 +83,6 @@ Solid polyhedra(std::string name, detail::Sections&& sections, std::span<const Z
     const detail::UnitVector n = detail::unit_vector(start_phi + (i + 0.5) * step);
     normals.push_back({n.x, n.y});
   }
-  const auto holder = std::make_shared<const Holder>(std::move(sections), turns.wedge,
-                                                     std::move(normals), edge_factor);
   Extent e{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
   for (int i = 0; i <= sides; ++i) {
     const detail::UnitVector edge = detail::unit_vector(start_phi + i * step);
@@ -69,6 +93,10 @@ Solid polyhedra(std::string name, detail::Sections&& sections, std::span<const Z
       }
     }
   }
+  std::vector<kernels::Plane<double>> faces = convex_planes(sections, turns.wedge, normals);
+  if (!faces.empty()) return detail::make_hull(std::move(name), std::move(faces), e);
+  const auto holder = std::make_shared<const Holder>(std::move(sections), turns.wedge,
+                                                     std::move(normals), edge_factor);
   return {std::move(name), SolidKind::polyhedra,
           std::shared_ptr<const void>(holder, &holder->shape), e};
 }

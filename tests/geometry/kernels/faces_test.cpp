@@ -94,7 +94,7 @@ TEST(EightSides, HoldAPointThatAllOfThemHold) {
 
 TEST(EightSides, OfALastGroupThatIsNotFullAreThere) {
   for (int sides = 3; sides <= 40; ++sides) {
-    const std::vector<ZPlane> planes{{-1, 0, 1}, {1, 0, 1}};
+    const std::vector<ZPlane> planes{{-1, 0.2, 1}, {1, 0.2, 1}};
     const Solid solid = make_polyhedra("polyhedra", planes, sides, 0, 2 * std::numbers::pi);
     const Polyhedra& s = polyhedra_of(solid);
     ASSERT_EQ(s.group_count, (sides + 7) / 8);

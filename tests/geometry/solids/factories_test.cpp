@@ -8,6 +8,7 @@
 
 #include "geometry/solids/fields.hpp"
 #include "geometry/solids/solid.hpp"
+#include "tests/geometry/kernels/random.hpp"
 
 namespace navjit {
 namespace {
@@ -128,6 +129,49 @@ TEST(Factories, MeasurePolyhedraAcrossTheirSides) {
   EXPECT_EQ(where(half, 0, std::sqrt(2.0), 0), Side::surface);
   EXPECT_EQ(where(half, 0.1, std::sqrt(2.0), 0), Side::outside);
   EXPECT_EQ(where(half, 1, 0, 0), Side::surface);
+}
+
+/// A convex section is planes; cut in two by a plane across z it is a polyhedra still.
+TEST(Factories, MakePlanesOfAConvexPolyhedra) {
+  test::Random random(71);
+  int met = 0;
+  for (int n = 0; n < 200; ++n) {
+    const int sides = random.integer(3, 12);
+    const bool whole = random.chance(0.5);
+    const double start = random.uniform(0, 6), delta = whole ? turn : random.uniform(0.5, 3.1);
+    const double low = random.uniform(0.5, 2), high = random.chance(0.5) ? low : 1.5;
+    const Solid solid =
+        make_polyhedra("s", Planes{{-1, 0, low}, {1, 0, high}}, sides, start, delta);
+    const Solid cut = make_polyhedra(
+        "s", Planes{{-1, 0, low}, {0, 0, (low + high) / 2}, {1, 0, high}}, sides, start, delta);
+    ASSERT_EQ(solid.kind, SolidKind::hull);
+    ASSERT_EQ(cut.kind, SolidKind::polyhedra);
+    EXPECT_EQ(solid.extent.max.x, cut.extent.max.x);
+    EXPECT_NEAR(capacity(solid), capacity(cut), 1e-12);
+    for (int ray = 0; ray < 50; ++ray) {
+      const Vec3 p{random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-1.5, 1.5)};
+      const Direction v = random.any_direction();
+      if (inside(cut.any(), p, 1e-9) == Side::surface) continue;
+      ASSERT_EQ(contains(solid.any(), p, v, 1e-9), contains(cut.any(), p, v, 1e-9));
+      if (contains(cut.any(), p, v, 1e-9)) {
+        ASSERT_NEAR(distance_to_out(solid.any(), p, v, 1e-9),
+                    distance_to_out(cut.any(), p, v, 1e-9), 1e-12);
+        continue;
+      }
+      const double in = distance_to_in(cut.any(), p, v, 1e-9);
+      if (in < 100) {
+        ASSERT_NEAR(distance_to_in(solid.any(), p, v, 1e-9), in, 1e-10);
+        ++met;
+      }
+    }
+  }
+  EXPECT_GT(met, 300);
+  // What is bored, has a notch, or has very many sides is none.
+  EXPECT_EQ(make_polyhedra("s", Planes{{-1, 1, 2}, {1, 0, 2}}, 6, 0, turn).kind,
+            SolidKind::polyhedra);
+  EXPECT_EQ(make_polyhedra("s", Planes{{-1, 0, 2}, {1, 0, 2}}, 6, 0, 4).kind, SolidKind::polyhedra);
+  EXPECT_EQ(make_polyhedra("s", Planes{{-1, 0, 2}, {1, 0, 2}}, 15, 0, turn).kind,
+            SolidKind::polyhedra);
 }
 
 TEST(Factories, PutTheCornersOfATrapWhereTheyBelong) {
