@@ -164,6 +164,8 @@ struct MostlyAhead {
   const Daughters& all;
   unsigned count;
   unsigned left_for_good;
+  BoxesAhead* boxes_ahead;    ///< for searches that remember them
+  unsigned long long mother;  ///< the touchable, for these
 
   [[gnu::always_inline]] bool holds(unsigned k, const Vec3<double>& p, const Direction<double>& v,
                                     double tol) const {

@@ -42,6 +42,7 @@ inline void set_ray(NavigationStack& stack, double u, double v, double w) {
   stack.turned.rotation = 0;
   stack.left.daughter = LeftForGood::none;
   stack.left.from = -1;
+  for (BoxesAhead& boxes : stack.boxes_ahead) boxes.search = nullptr;
 }
 
 /// The daughter of the innermost level that the stack's ray cannot meet again from this point, if

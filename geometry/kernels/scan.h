@@ -43,38 +43,45 @@ struct ScanRay {
         far_y(5 - near_y),
         far_z(7 - near_z) {}
 
-  /// Where it enters the boxes of a block, whose rows begin here; all ones for those that it meets.
-  [[gnu::always_inline]] auto meets(const Floats* row, Floats& enter) const {
+  /// Where it enters and leaves the boxes of a block, whose rows begin here; all ones for those
+  /// that it meets.
+  [[gnu::always_inline]] auto crosses(const Floats* row, Floats& enter, Floats& leave) const {
     enter = larger_lanes((row[near_x] - ray.p[0]) * ray.inverse[0], all_lanes(0));
     enter = larger_lanes((row[near_y] - ray.p[1]) * ray.inverse[1], enter);
     enter = larger_lanes((row[near_z] - ray.p[2]) * ray.inverse[2], enter);
-    Floats leave = smaller_lanes((row[far_x] - ray.p[0]) * ray.inverse[0], leave_all);
+    leave = smaller_lanes((row[far_x] - ray.p[0]) * ray.inverse[0], leave_all);
     leave = smaller_lanes((row[far_y] - ray.p[1]) * ray.inverse[1], leave);
     leave = smaller_lanes((row[far_z] - ray.p[2]) * ray.inverse[2], leave);
     return enter <= leave * all_lanes(path_slack);
   }
+  [[gnu::always_inline]] auto meets(const Floats* row, Floats& enter) const {
+    Floats leave;
+    return crosses(row, enter, leave);
+  }
 };
 
 /// The keys of a block's boxes, which have these numbers and stand for these daughters; none for
-/// those that the ray does not meet, and for the daughter `left`.
+/// those that the ray does not meet, and for the daughter `left`. `leave`: where it leaves them.
 template <class Key>
 [[gnu::always_inline]] inline Keys keys_of(const Floats* row, const ScanRay& ray, Keys numbers,
-                                           Keys daughters, unsigned left) {
+                                           Keys daughters, unsigned left, Floats& leave) {
   Floats enter;
-  const auto met = ray.meets(row, enter) & (daughters != Key::all(left));
+  const auto met = ray.crosses(row, enter, leave) & (daughters != Key::all(left));
   const Keys key = (__builtin_bit_cast(Keys, enter) & ~Key::all(Key::number_bits)) | numbers;
   return met ? key : Key::all(Key::none);
 }
 
 /// Asks the daughters that keys stand for, in their order from the key `next` on, which is the
-/// least of all, until one was met before the ray enters the next box.
-template <class Key, class Nearest, class DaughterOf>
+/// least of all, until one was met before the ray enters the next box. `in_keys(path)`: the path as
+/// it is counted in the keys, as `end` is.
+template <class Key, class Nearest, class DaughterOf, class InKeys>
 [[gnu::always_inline]] inline void ask_in_order(const Keys* keys, unsigned count, unsigned next,
                                                 float end, Nearest& nearest,
-                                                const DaughterOf& daughter_of) {
+                                                const DaughterOf& daughter_of,
+                                                const InKeys& in_keys) {
   while (next != Key::none && Key::enter(next) <= end * path_slack * path_slack) {
     nearest(daughter_of(Key::number(next)));
-    end = static_cast<float>(smaller(nearest.limit, nearest.best));
+    end = static_cast<float>(in_keys(smaller(nearest.limit, nearest.best)));
     Keys least = Key::all(Key::none);
     for (unsigned m = 0; m < count; ++m) {
       const Keys after = keys[m] > next ? keys[m] : Key::all(Key::none);
@@ -126,12 +133,15 @@ struct SearchScan {
     Keys keys[most_scanned / box_lanes];
     Keys least = Key::all(Key::none), numbers = {0, 1, 2, 3, 4, 5, 6, 7};
     const Floats* row = blocks[0].low;
+    Floats leave;
     for (unsigned m = 0; m < count; ++m, row += 6) {
-      keys[m] = keys_of<Key>(row, ray, numbers, numbers, left);
+      keys[m] = keys_of<Key>(row, ray, numbers, numbers, left, leave);
       least = Key::smaller_keys(least, keys[m]);
       numbers += Key::all(box_lanes);
     }
-    ask_in_order<Key>(keys, count, Key::least(least), end, nearest, [](unsigned k) { return k; });
+    ask_in_order<Key>(
+        keys, count, Key::least(least), end, nearest, [](unsigned k) { return k; },
+        [](double path) { return path; });
     return nearest.hit;
   }
 };

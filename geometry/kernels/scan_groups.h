@@ -8,8 +8,74 @@ constexpr unsigned most_grouped = 16384;
 /// From so many blocks on, groups have boxes around them. Below, all are looked at.
 constexpr unsigned blocks_with_halls = 129;
 
+/// Keeps a block of boxes, which becomes the last one of those that are kept.
+inline void keep_boxes(BoxesAhead& ahead, unsigned m, const Keys& keys, const Floats& leave) {
+  __builtin_memcpy(ahead.keys[m], &keys, sizeof keys);
+  __builtin_memcpy(ahead.leave[m], &leave, sizeof leave);
+}
+
+/// All boxes that the ray meets from here up to the path `until` are kept.
+inline void all_are_kept(BoxesAhead& ahead, const void* search, unsigned long long mother,
+                         const Vec3<double>& p, float until, unsigned count) {
+  ahead.search = search;
+  ahead.mother = mother;
+  ahead.at[0] = p.x;
+  ahead.at[1] = p.y;
+  ahead.at[2] = p.z;
+  // Boxes that the ray enters a little later are there, too.
+  ahead.until = static_cast<double>(until) * (1 + 0x1p-21);
+  ahead.count = count;
+}
+
+/// Asks the daughters whose boxes a search found from another point of the ray. False if it is not
+/// known that they are all: then none was asked.
+///
+/// The point is as good as on the ray that they were found along: boxes are larger than daughters
+/// by far more than what it may be off (docs/numerics.md).
+template <class Key, class Nearest, class DaughterOf>
+[[gnu::always_inline]] inline bool ask_boxes_ahead(const BoxesAhead& ahead, const void* search,
+                                                   unsigned long long mother, Nearest& nearest,
+                                                   const DaughterOf& daughter_of) {
+  if (ahead.search != search || ahead.mother != mother) return false;
+  const Vec3<double>& p = nearest.p;
+  const Direction<double>& v = nearest.v;
+  const double x = p.x - ahead.at[0], y = p.y - ahead.at[1], z = p.z - ahead.at[2];
+  const double gone = x * v.x + y * v.y + z * v.z;
+  const double off =
+      larger(absolute(x - gone * v.x), larger(absolute(y - gone * v.y), absolute(z - gone * v.z)));
+  const double end = gone + smaller(nearest.limit, nearest.best);
+  if (!((off <= 0.25 * nearest.tol) & (gone >= 0) & (end <= ahead.until))) return false;
+  const Floats behind = all_lanes(static_cast<float>(gone) / path_slack);
+  Keys keys[BoxesAhead::room];
+  Keys least = Key::all(Key::none);
+  for (unsigned m = 0; m < ahead.count; ++m) {
+    Keys key;
+    Floats leave;
+    __builtin_memcpy(&key, ahead.keys[m], sizeof key);
+    __builtin_memcpy(&leave, ahead.leave[m], sizeof leave);
+    keys[m] = leave * all_lanes(path_slack) >= behind ? key : Key::all(Key::none);
+    least = Key::smaller_keys(least, keys[m]);
+  }
+  ask_in_order<Key>(keys, ahead.count, Key::least(least), static_cast<float>(end), nearest,
+                    daughter_of, [&](double path) { return gone + path; });
+  return true;
+}
+
+/// Where boxes may be kept, and for which touchable; null: nowhere.
+template <class Daughters>
+[[gnu::always_inline]] inline BoxesAhead* place_for_boxes(const Daughters& d) {
+  if constexpr (requires { d.boxes_ahead; }) return d.boxes_ahead;
+  return nullptr;
+}
+template <class Daughters>
+[[gnu::always_inline]] inline unsigned long long mother_of(const Daughters& d) {
+  if constexpr (requires { d.boxes_ahead; }) return d.mother;
+  return 0;
+}
+
 struct SearchGroups {
   using Key = ScanKeys<14>;
+  static constexpr bool remembers_boxes = true;
   NearBoxes boxes;        ///< of the daughters; all blocks are full but the last
   const BoxBlock* halls;  ///< lane l of hall h is around group h * box_lanes + l; null: none
 
@@ -44,18 +110,29 @@ struct SearchGroups {
                                      const Direction<double>& v, double& best, double limit,
                                      unsigned, double tol) const {
     NearestAhead<Daughters> nearest{d, p, v, best, limit, tol};
+    const auto daughter_of = [this](unsigned number) {
+      return boxes.daughters[number / box_lanes][number % box_lanes];
+    };
+    BoxesAhead* const ahead = place_for_boxes(d);
+    if (ahead != nullptr) {
+      if (ask_boxes_ahead<Key>(*ahead, this, mother_of(d), nearest, daughter_of)) {
+        return nearest.hit;
+      }
+      ahead->search = nullptr;
+    }
     // Rounded, a number beyond single precision is infinite, which serves as well.
     float end = static_cast<float>(smaller(limit, best));
+    const float until = end;
     ScanRay ray(p, v, end);
     const unsigned left = left_by_ray(d);
     constexpr unsigned room = in_hall;
     Keys keys[2 * room];
     Keys least = Key::all(Key::none);
     unsigned met = 0;
+    bool all_kept = true;
     const auto ask = [&] {
-      ask_in_order<Key>(keys, met, Key::least(least), end, nearest, [&](unsigned number) {
-        return boxes.daughters[number / box_lanes][number % box_lanes];
-      });
+      ask_in_order<Key>(keys, met, Key::least(least), end, nearest, daughter_of,
+                        [](double path) { return path; });
     };
     // Which of a hall's groups and blocks are met are words of bits: what a single group has
     // cannot be foreseen.
@@ -82,16 +159,24 @@ struct SearchGroups {
         Keys daughters;
         __builtin_memcpy(&daughters, boxes.daughters[m], sizeof daughters);
         const Keys numbers = Key::all(box_lanes * m) + Keys{0, 1, 2, 3, 4, 5, 6, 7};
-        keys[met] = keys_of<Key>(boxes.blocks[m].low, ray, numbers, daughters, left);
-        least = Key::smaller_keys(least, keys[met++]);
+        Floats leave;
+        keys[met] = keys_of<Key>(boxes.blocks[m].low, ray, numbers, daughters, left, leave);
+        least = Key::smaller_keys(least, keys[met]);
+        if (ahead != nullptr && met < BoxesAhead::room) keep_boxes(*ahead, met, keys[met], leave);
+        // Without a branch: which of the blocks have none cannot be foreseen either.
+        met += lanes_of(keys[met] != Key::all(Key::none)) != 0 ? 1U : 0U;
       }
       if (met <= room) continue;
       // No room for those of another hall.
+      all_kept = false;
       ask();
-      end = static_cast<float>(smaller(nearest.limit, nearest.best));
+      end = static_cast<float>(smaller(limit, best));
       ray.leave_all = all_lanes(end * path_slack);
       least = Key::all(Key::none);
       met = 0;
+    }
+    if (ahead != nullptr && all_kept && met <= BoxesAhead::room) {
+      all_are_kept(*ahead, this, mother_of(d), p, until, met);
     }
     ask();
     return nearest.hit;

@@ -230,7 +230,12 @@ template <bool rare, class S>
       if constexpr (asks_what_was_left<decltype(s.search)>) {
         for_good = left_for_good(*stack, x, y, z, tol);
       }
-      const MostlyAhead<Daughters, S::oblique_only> ahead{s.daughters, s.daughters.count, for_good};
+      MostlyAhead<Daughters, S::oblique_only> ahead{s.daughters, s.daughters.count, for_good,
+                                                    nullptr, 0};
+      if constexpr (requires { decltype(s.search)::remembers_boxes; }) {
+        ahead.boxes_ahead = stack->boxes_ahead + stack->depth % 2;
+        ahead.mother = stack->levels[stack->depth].touchable;
+      }
       hit = s.search.nearest(ahead, p, v, best, limit, left, tol);
     }
   }

@@ -2,6 +2,7 @@
 // a point meets, and that few are asked.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <type_traits>
 #include <vector>
@@ -88,7 +89,7 @@ class Scan : public testing::Test {
  protected:
   static std::vector<std::size_t> counts() {
     if constexpr (Made<Search>::candidates == Candidates::scan) return {2, 5, 8, 9, 31, 63, 64};
-    return {33, 64, 65, 72, 200, 512, 513, 1024};
+    return {33, 64, 65, 72, 200, 512, 513, 1024, 1025, 3000};
   }
 };
 using Searches = testing::Types<kernels::SearchScan, kernels::SearchGroups>;
@@ -138,7 +139,8 @@ TYPED_TEST(Scan, LeavesOutWhatWasLeftForGood) {
     const Direction v = kernels::make_direction(d.x, d.y, d.z);
     const Counted daughters(a);
     const auto nearest = [&](unsigned left) {
-      const kernels::MostlyAhead<Counted, false> ahead{daughters, daughters.count, left};
+      kernels::BoxesAhead boxes{};
+      const kernels::MostlyAhead<Counted, false> ahead{daughters, daughters.count, left, &boxes, 0};
       double best = 4 * half;
       daughters.asked = 0;
       const int hit = scan.search.nearest(ahead, p, v, best, best, 0, tests::pattern_tolerance);
@@ -151,6 +153,72 @@ TYPED_TEST(Scan, LeavesOutWhatWasLeftForGood) {
     spared += next < 0 && asked_then < asked ? 1 : 0;
   }
   EXPECT_GT(spared, 100U);
+}
+
+/// Steps of a ray in one mother, as a run makes them.
+TEST(BoxesAhead, AnswerAsAllDaughtersDo) {
+  for (const std::size_t count : {33, 200, 1025, 3000}) {
+    const Arrangement a = mixed(count + 1, count);
+    const Made<kernels::SearchGroups> made(a);
+    std::mt19937_64 random(19);
+    const Counted some(a), all(a);
+    kernels::BoxesAhead boxes{};
+    std::size_t steps = 0, remembered = 0, met = 0;
+    for (int i = 0; i < 300; ++i) {
+      auto [p, d] = tests::random_ray(random, a, half, i);
+      const Direction v = kernels::make_direction(d.x, d.y, d.z);
+      boxes.search = nullptr;  // as set_ray() does
+      for (int n = 0; n < 12; ++n) {
+        const unsigned long long mother = i % 5 == 0 ? static_cast<unsigned>(n) : 7;
+        // Until the ray leaves the mother, or a step is limited.
+        const double out = distance_to_out(a.geometry->scene(0).solid, p, v, 0.0);
+        if (!(out > 0)) break;
+        const double limit = i % 3 == 0 ? uniform(random, 0, half) : tests::infinite;
+        const kernels::MostlyAhead<Counted, false> ahead{
+            some, some.count, kernels::LeftForGood::none, &boxes, mother};
+        double best = out, expected = out;
+        const Vec3 before{boxes.at[0], boxes.at[1], boxes.at[2]};
+        const bool known = boxes.search != nullptr && boxes.mother == mother;
+        const int hit = made.search.nearest(ahead, p, v, best, limit, 0, tests::pattern_tolerance);
+        const int right =
+            kernels::SearchAll{}.nearest(all, p, v, expected, limit, 0, tests::pattern_tolerance);
+        ++steps;
+        remembered += known && n > 0 && before.x == boxes.at[0] && before.y == boxes.at[1] ? 1 : 0;
+        if (expected <= limit) {
+          EXPECT_EQ(hit, right) << "ray " << i << ", step " << n << " of " << count;
+          EXPECT_EQ(best, expected);
+          met += right >= 0 ? 1 : 0;
+        }
+        const double way = std::min({limit, best, out}) + uniform(random, 0, 3);
+        p = {p.x + way * d.x, p.y + way * d.y, p.z + way * d.z};
+      }
+    }
+    EXPECT_GT(met, 30U);
+    EXPECT_GT(10 * remembered, steps) << count;
+  }
+}
+
+TEST(BoxesAhead, AreOfOneRayAlone) {
+  const Arrangement a = mixed(5, 60);
+  const Made<kernels::SearchGroups> made(a);
+  const Counted some(a);
+  const Direction v = kernels::make_direction(0.36, 0.48, 0.8);
+  const auto nearest = [&](kernels::BoxesAhead& boxes, const Vec3& p, double best) {
+    const kernels::MostlyAhead<Counted, false> ahead{some, some.count, kernels::LeftForGood::none,
+                                                     &boxes, 7};
+    made.search.nearest(ahead, p, v, best, tests::infinite, 0, tests::pattern_tolerance);
+  };
+  const auto is_found_anew = [&](const Vec3& p, double best) {
+    kernels::BoxesAhead boxes{};
+    nearest(boxes, {-20, -20, -20}, 50);
+    nearest(boxes, p, best);
+    return boxes.at[0] == p.x;
+  };
+  EXPECT_FALSE(is_found_anew({-20 + 0.36 * 9, -20 + 0.48 * 9, -20 + 0.8 * 9}, 41));
+  EXPECT_TRUE(is_found_anew({-20 + 0.36 * 9 + 1e-6, -20 + 0.48 * 9, -20 + 0.8 * 9}, 41))
+      << "beside";
+  EXPECT_TRUE(is_found_anew({-20 - 0.36 * 9, -20 - 0.48 * 9, -20 - 0.8 * 9}, 9)) << "before";
+  EXPECT_TRUE(is_found_anew({-20 + 0.36 * 9, -20 + 0.48 * 9, -20 + 0.8 * 9}, 42)) << "further";
 }
 
 TEST(ChosenSearch, IsAScanForDozensOfDaughtersInNoPattern) {

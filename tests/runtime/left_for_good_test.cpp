@@ -6,11 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "analysis/plan.hpp"
-#include "codegen/data/bind.hpp"
 #include "geometry/navigation/generic.hpp"
 #include "geometry/navigation/left_for_good.hpp"
-#include "geometry/navigation/steps_of_no_length.hpp"
+#include "tests/runtime/bound_world.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace navjit {
@@ -20,29 +18,10 @@ using kernels::LeftForGood;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// All volumes of a world bound to data.
-struct Bound {
-  Geometry geometry;
-  codegen::Arena arena;
-  std::vector<const kernels::DispatchEntry*> table;
-  kernels::Context context{};
+/// With what is known to be left for good.
+struct Bound : tests::BoundWorld {
+  using BoundWorld::BoundWorld;
 
-  explicit Bound(World world) : geometry(std::make_shared<const World>(std::move(world))) {
-    const WorldFacts facts = analyse_world(geometry);
-    for (VolumeId v = 0; v < geometry.size(); ++v) {
-      table.push_back(facts.reachable[v]
-                          ? codegen::bind_to_data(geometry, plan_scene(geometry, facts, v), arena)
-                          : &generic::dispatch_entry);
-    }
-    context = {table.data(), &geometry, leave_at_once, return_at_once};
-  }
-
-  double step(NavigationStack& stack, const Vec3& p, const Vec3& v, double limit) const {
-    kernels::set_ray(stack, v.x, v.y, v.z);
-    const auto& entry = *table[stack.levels[stack.depth].volume];
-    const double length = entry.step(&stack, &context, entry.data, p.x, p.y, p.z, limit);
-    return length >= 0 ? length : generic::step(geometry, stack, p, v, limit);
-  }
   unsigned left(const NavigationStack& stack, const Vec3& p) const {
     return kernels::left_for_good(stack, p.x, p.y, p.z, geometry.tolerance());
   }

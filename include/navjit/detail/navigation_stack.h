@@ -6,7 +6,7 @@
 #define NAVJIT_DETAIL_NAVIGATION_STACK_H
 namespace navjit::kernels {
 
-constexpr unsigned abi_version = 11;
+constexpr unsigned abi_version = 12;
 constexpr int stack_levels = 64;
 
 /// One level: a placed volume and its frame in the world, local = rotation * (global -
@@ -49,6 +49,19 @@ struct LeftForGood {
   int from = -1;  ///< depth of the level whose own end was the last step's; -1: not known
 };
 
+/// The boxes of a mother's daughters that its ray meets, as a search found them once: the next
+/// steps of the ray in that mother need not look for them again. Specialised navigators keep it.
+struct BoxesAhead {
+  static constexpr unsigned room = 32;  ///< blocks of eight boxes; a guess
+  const void* search = nullptr;         ///< that it is of; null: nothing is known
+  unsigned long long mother = 0;        ///< the touchable
+  double at[3] = {0, 0, 0};             ///< where the ray was then, mm, in the mother's frame
+  double until = 0;                     ///< the path, mm, up to which all boxes are here
+  unsigned count = 0;                   ///< of blocks
+  unsigned keys[room][8];               ///< as ScanKeys has them
+  float leave[room][8];                 ///< the path to where the ray leaves the box, at most
+};
+
 /// Not copyable by bytes: rotations point into the stack itself.
 struct NavigationStack {
   int depth;     ///< index of the innermost level; -1 outside the world
@@ -56,6 +69,7 @@ struct NavigationStack {
   RayConstants ray;
   TurnedRay turned;
   LeftForGood left;
+  BoxesAhead boxes_ahead[2];  ///< of the mothers at even and at odd depths that were asked last
   StackLevel levels[stack_levels];
 };
 
