@@ -69,6 +69,7 @@ void note_relocations(Sample& sample, const Above& above, const NavigationStack&
 
 Navigator::Own::Own(std::size_t volumes) : profile(volumes) {
   stack.depth = -1;
+  stack.boxes_ahead = boxes_ahead;
   // No step has this direction, so that even the first one's is looked at.
   for (double& given : stack.ray.given) given = std::numeric_limits<double>::signaling_NaN();
 }

@@ -42,7 +42,10 @@ inline void set_ray(NavigationStack& stack, double u, double v, double w) {
   stack.turned.rotation = 0;
   stack.left.daughter = LeftForGood::none;
   stack.left.from = -1;
-  for (BoxesAhead& boxes : stack.boxes_ahead) boxes.search = nullptr;
+  if (stack.boxes_ahead != nullptr) {
+    stack.boxes_ahead[0].search = nullptr;
+    stack.boxes_ahead[1].search = nullptr;
+  }
 }
 
 /// The daughter of the innermost level that the stack's ray cannot meet again from this point, if

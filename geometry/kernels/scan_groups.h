@@ -1,6 +1,7 @@
 // Some hundreds or thousands of daughters: a scan (scan.h) of boxes around eight of them that are
 // close together, then of the boxes of those eights that the ray may meet, before any daughter is
-// asked. Of thousands, boxes around eight times eight are looked at before.
+// asked. Of thousands, boxes around eight times eight are looked at before. A straight ray that
+// comes back from a daughter meets the same boxes again: which they are is kept (BoxesAhead).
 namespace navjit::kernels {
 
 /// So many boxes at most: a key has the number of its block and lane in its last bits.

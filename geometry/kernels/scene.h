@@ -233,7 +233,9 @@ template <bool rare, class S>
       MostlyAhead<Daughters, S::oblique_only> ahead{s.daughters, s.daughters.count, for_good,
                                                     nullptr, 0};
       if constexpr (requires { decltype(s.search)::remembers_boxes; }) {
-        ahead.boxes_ahead = stack->boxes_ahead + stack->depth % 2;
+        if (stack->boxes_ahead != nullptr) {
+          ahead.boxes_ahead = stack->boxes_ahead + stack->depth % 2;
+        }
         ahead.mother = stack->levels[stack->depth].touchable;
       }
       hit = s.search.nearest(ahead, p, v, best, limit, left, tol);

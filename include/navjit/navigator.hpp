@@ -142,6 +142,7 @@ class Navigator {
   friend class Basket;
   struct Own {
     kernels::NavigationStack stack{};
+    kernels::BoxesAhead boxes_ahead[2]{};  ///< of the stack
     Profile profile;
     std::shared_ptr<ReadSide> read_side;
     NavigatorCounts counts;

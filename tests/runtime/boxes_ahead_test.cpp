@@ -48,6 +48,8 @@ struct Walked {
 Walked walk(const tests::BoundWorld& bound, std::uint64_t seed, int rays, double turns) {
   const Geometry& geometry = bound.geometry;
   const auto right = std::make_unique<NavigationStack>(), got = std::make_unique<NavigationStack>();
+  kernels::BoxesAhead kept[2]{};
+  got->boxes_ahead = kept;
   std::mt19937_64 random(seed);
   Walked walked;
   for (int ray = 0; ray < rays; ++ray) {
@@ -58,7 +60,7 @@ Walked walk(const tests::BoundWorld& bound, std::uint64_t seed, int rays, double
     for (int n = 0; n < 200 && right->depth >= 0; ++n) {
       const double limit = random() % 4 == 0 ? uniform(random, 0, 10) : unlimited;
       const int depth = got->depth;
-      const kernels::BoxesAhead& boxes = got->boxes_ahead[depth % 2];
+      const kernels::BoxesAhead& boxes = kept[depth % 2];
       const bool known =
           boxes.search != nullptr && boxes.mother == got->levels[depth].touchable && n > 0;
       const Vec3 before{boxes.at[0], boxes.at[1], boxes.at[2]};

@@ -69,7 +69,7 @@ struct NavigationStack {
   RayConstants ray;
   TurnedRay turned;
   LeftForGood left;
-  BoxesAhead boxes_ahead[2];  ///< of the mothers at even and at odd depths that were asked last
+  BoxesAhead* boxes_ahead = nullptr;  ///< two, for even and odd depths; null: none are kept
   StackLevel levels[stack_levels];
 };
 
