@@ -38,6 +38,18 @@ struct BoundWorld {
     const double length = entry.step(&stack, &context, entry.data, p.x, p.y, p.z, limit);
     return length >= 0 ? length : generic::step(geometry, stack, p, v, limit);
   }
+
+  struct Compared {
+    double length;  ///< the generic navigator's
+    bool same;      ///< bit by bit, and where it leads
+  };
+  /// The same step by the generic navigator, of `right`, and bound to data, of `got`.
+  Compared step_both(NavigationStack& right, NavigationStack& got, const Vec3& p, const Vec3& v,
+                     double limit) const {
+    const double expected = generic::step(geometry, right, p, v, limit);
+    const double length = step(got, p, v, limit);
+    return {expected, kernels::same_bits(length, expected) && identical(right, got)};
+  }
 };
 
 }  // namespace navjit::tests

@@ -64,14 +64,12 @@ Walked walk(const tests::BoundWorld& bound, std::uint64_t seed, int rays, double
       const bool known =
           boxes.search != nullptr && boxes.mother == got->levels[depth].touchable && n > 0;
       const Vec3 before{boxes.at[0], boxes.at[1], boxes.at[2]};
-      const double expected = generic::step(geometry, *right, p, v, limit);
-      const double length = bound.step(*got, p, v, limit);
-      const bool same = kernels::same_bits(length, expected) && identical(*right, *got);
+      const auto [length, same] = bound.step_both(*right, *got, p, v, limit);
       EXPECT_TRUE(same) << "ray " << ray << ", step " << n;
       if (!same) return walked;
       ++walked.steps;
       if (known && boxes.search != nullptr && before.x == boxes.at[0]) ++walked.kept;
-      p += expected * v;
+      p += length * v;
       if (uniform(random, 0, 1) < turns) v = tests::random_direction(random);
       if (random() % 20 == 0 && right->depth >= 0) {
         // Elsewhere in the same world, without a word to the stack that keeps boxes.

@@ -51,14 +51,12 @@ Walked walk(const Bound& bound, std::uint64_t seed, int rays) {
         walked.found += find_left_for_good(geometry, *right, p) != LeftForGood::none ? 1 : 0;
       }
       const int depth = right->depth;
-      const double expected = generic::step(geometry, *right, p, v, limit);
-      const double length = bound.step(*got, p, v, limit);
-      const bool same = kernels::same_bits(length, expected) && identical(*right, *got);
+      const auto [length, same] = bound.step_both(*right, *got, p, v, limit);
       EXPECT_TRUE(same) << "ray " << ray << ", step " << n;
       if (!same) return walked;
       ++walked.steps;
       if (right->depth == depth - 1 && right->depth >= 0) ++walked.out;
-      p += expected * v;
+      p += length * v;
       if (random() % 5 == 0) v = tests::random_direction(random);
     }
   }
