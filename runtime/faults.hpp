@@ -19,6 +19,7 @@ struct Faults {
   bool skip_verification = false;  ///< what is wrong is installed, and stays
   bool skip_replay = false;        ///< what is slow on recorded states is installed
   bool pass_trials = false;        ///< and stays, whatever its own trial says
+  bool lose_trials = false;        ///< or goes
   /// What navigators other than the generic one are taken to last, times their own.
   double specialised_lasts = 1;
   std::optional<Candidates> fastest{};  ///< the search that is taken to be so, where it is tried

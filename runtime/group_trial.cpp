@@ -12,8 +12,21 @@ constexpr double least_pairs = 8;
 /// sooner or later, who looks at the end is not: there what is likelier holds, with a little to
 /// spare.
 constexpr double errors_apart_early = 4, errors_apart_late = 0.5;
+/// The same for one scene's loss: one of thousands loses by chance.
+constexpr double errors_apart_alone = 4;
 /// Of a step: what switching so much code costs the side that has it. A guess.
 constexpr double cost_of_switching = 0.02;
+
+Verdict verdict_on(const GroupTrial& group, double now) {
+  const bool late = now - group.began > Trials::most_s;
+  if (group.lost.pairs < least_pairs) return late ? Verdict::stays : Verdict::open;
+  const double lost = group.lost.mean() - cost_of_switching * group.all.mean();
+  const double error = group.lost.error();
+  if (lost < -errors_apart_early * error) return Verdict::stays;
+  if (lost > errors_apart_early * error) return Verdict::goes;
+  if (!late) return Verdict::open;
+  return lost > errors_apart_late * error ? Verdict::goes : Verdict::stays;
+}
 
 }  // namespace
 
@@ -36,14 +49,16 @@ Verdict decide(GroupTrial& group, double now) {
     group.lost.add(group.with, group.without);
     group.with = group.without = {};
   }
-  const bool late = now - group.began > Trials::most_s;
-  if (group.lost.pairs < least_pairs) return late ? Verdict::stays : Verdict::open;
-  const double lost = group.lost.mean() - cost_of_switching * group.all.mean();
-  const double error = group.lost.error();
-  if (lost < -errors_apart_early * error) return Verdict::stays;
-  if (lost > errors_apart_early * error) return Verdict::goes;
-  if (!late) return Verdict::open;
-  return lost > errors_apart_late * error ? Verdict::goes : Verdict::stays;
+  const Verdict verdict = verdict_on(group, now);
+  const bool faster = group.lost.pairs >= least_pairs && group.lost.mean() < 0;
+  const bool unproved = group.group == Group::unproved && !faster;
+  return verdict == Verdict::stays && unproved ? Verdict::goes : verdict;
+}
+
+bool hardly_lost(const Trial& trial) {
+  if (trial.verdict != Verdict::goes) return false;
+  const double lost = trial.lost.mean() - trial.allowed;
+  return trial.is_rare() || lost < errors_apart_alone * trial.lost.error();
 }
 
 double saved_share(const std::map<VolumeId, Trial>& trials, const std::vector<double>& executions) {

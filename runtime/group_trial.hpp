@@ -1,7 +1,8 @@
 // What was compiled is tried as one, too. Each scene's code may win its own trial while all of it
 // together wears caches and branch tables that every other step needs: that is seen only where all
 // steps of the run are timed, with all of the code and with none of it. So is all that is
-// installed, against the generic navigator alone.
+// installed, against the generic navigator alone, and so are scenes that lost their own trials by
+// little that was known of them.
 #pragma once
 
 #include <vector>
@@ -10,13 +11,20 @@
 
 namespace navjit {
 
+/// What is tried together, and against what.
+enum class Group : std::uint8_t {
+  code,      ///< what was compiled, against what is bound to data
+  all,       ///< all that is not generic, against the generic navigator
+  unproved,  ///< what is bound to data and lost its own trials, but hardly; against what is there
+};
+
 /// Volumes that are switched together. Not for several threads.
 struct GroupTrial {
   std::vector<VolumeId> members{};  ///< none: nothing is tried
-  bool against_generic = false;     ///< else against what is bound to data
-  double began = 0;                 ///< s of navigation
-  bool shown = true;                ///< what the members' trials left, in the present stretch
-  unsigned looks = 0;               ///< at the profile, since it began
+  Group group = Group::code;
+  double began = 0;    ///< s of navigation
+  bool shown = true;   ///< what the members' trials left, in the present stretch
+  unsigned looks = 0;  ///< at the profile, since it began
   double steps_before = 0, ns_before = 0;  ///< of the run, when the present stretch began
   TickSum all{};                           ///< steps, and the time that they took, ns
   TickSum with{}, without{};               ///< of the present pair of stretches
@@ -34,7 +42,7 @@ void record(GroupTrial& group, double steps, double ns, double lasts = 1);
 void begin_stretch(GroupTrial& group, double steps, double ns);
 
 /// A pair of stretches is over. What is known of the group at time `now`, s of navigation: it goes
-/// only where that is no chance.
+/// only where that is no chance; what is unproved stays only where it is the faster side.
 Verdict decide(GroupTrial& group, double now);
 
 /// What the trials of single scenes found together, as a share of all the time that they saw: what
@@ -45,6 +53,10 @@ struct Member {
   VolumeId volume;
   double executions;  ///< steps and relocations in it
 };
+
+/// Whether a scene lost its trial by what may be chance: thousands of scenes have a few hundred
+/// timed steps each, and are looked at again and again.
+bool hardly_lost(const Trial& trial);
 
 /// Those with the least executions: what is left when the hottest, which have `share` of all
 /// executions, are taken away.

@@ -58,6 +58,7 @@ void note_without_code(Specialisation& spec, VolumeId volume, const Trial& trial
 
 void conclude(Specialisation& spec, VolumeId volume, Trial& trial) {
   if (spec.shared->faults.pass_trials) trial.verdict = Verdict::stays;
+  if (spec.shared->faults.lose_trials) trial.verdict = Verdict::goes;
   spec.shared->log->debug(
       "event=judged at_s={:.3f} scene={} verdict={} with_ticks={:.0f} without_ticks={:.0f} "
       "with_steps={:.0f} without_steps={:.0f} lost={:.1f} error={:.1f}",
@@ -142,7 +143,7 @@ void judge(Specialisation& spec) {
     if (!spec.trials.open()) return;
     spec.group_lost = false;
     spec.group_judged.clear();
-    spec.all_judged = 0;
+    spec.all_judged = spec.unproved_judged = 0;
   }
   // With, without, without, with, ...: two stretches are a pair, and what changes steadily in a run
   // favours neither side.

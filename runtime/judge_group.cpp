@@ -20,6 +20,9 @@ constexpr std::size_t least_members = 3;
 /// guess.
 constexpr double no_doubt = 0.2;
 
+/// Of all executions, what those that hardly lost have to have to be tried again.
+constexpr double least_share = 0.05;
+
 bool is_compiled(const Specialisation& spec, const std::shared_ptr<const void>& owner) {
   return owner != nullptr && owner != spec.arena;
 }
@@ -35,6 +38,14 @@ const std::shared_ptr<const void>& owner_of_winner(const Trial& trial) {
 const kernels::DispatchEntry* without_code(const Specialisation& spec, VolumeId volume) {
   const auto bound = spec.without_code.find(volume);
   return bound == spec.without_code.end() ? &generic::dispatch_entry : bound->second;
+}
+
+double all_executions(const Specialisation& spec) {
+  double all = 0;
+  for (std::size_t v = 0; v < spec.steps.size(); ++v) {
+    all += spec.executions(static_cast<VolumeId>(v));
+  }
+  return all;
 }
 
 std::vector<VolumeId> compiled(const Specialisation& spec) {
@@ -61,45 +72,140 @@ std::vector<VolumeId> doubtful(const Specialisation& spec) {
   return members;
 }
 
-/// What members have while the others' turn is.
-const kernels::DispatchEntry* other_side(const Specialisation& spec, VolumeId volume) {
-  return spec.group.against_generic ? &generic::dispatch_entry : without_code(spec, volume);
+/// What is bound to data, but was left out by little that was known of it.
+std::vector<VolumeId> unproved(const Specialisation& spec) {
+  std::vector<VolumeId> members;
+  double executions = 0;
+  for (const auto& [volume, trial] : spec.trials.all()) {
+    if (!hardly_lost(trial) || trial.candidate_owner != spec.arena) continue;
+    members.push_back(volume);
+    executions += spec.executions(volume);
+  }
+  if (executions < least_share * all_executions(spec)) members.clear();
+  return members;
 }
 
-void show(Specialisation& spec, bool code) {
-  spec.group.shown = code;
+/// What members have in the present stretch: the side that is tried, or the other one.
+const kernels::DispatchEntry* side(const Specialisation& spec, VolumeId volume, const Trial& trial,
+                                   bool tried) {
+  switch (spec.group.group) {
+    case Group::code:
+      return tried ? winner(trial) : without_code(spec, volume);
+    case Group::all:
+      return tried ? winner(trial) : &generic::dispatch_entry;
+    case Group::unproved:
+      break;
+  }
+  return tried ? trial.candidate : trial.before;
+}
+
+void show(Specialisation& spec, bool tried) {
+  spec.group.shown = tried;
   for (const VolumeId volume : spec.group.members) {
     const auto trial = spec.trials.all().find(volume);
     if (trial == spec.trials.all().end()) continue;  // deoptimised meanwhile
-    spec.shared->table.show(volume, code ? winner(trial->second) : other_side(spec, volume));
+    spec.shared->table.show(volume, side(spec, volume, trial->second, tried));
   }
 }
 
-void begin(Specialisation& spec, std::vector<VolumeId> members, bool against_generic) {
+void begin(Specialisation& spec, std::vector<VolumeId> members, Group group) {
   spec.group = {};
   spec.group.members = std::move(members);
-  spec.group.against_generic = against_generic;
+  spec.group.group = group;
   spec.group.began = spec.active_s;
+  show(spec, true);
   begin_stretch(spec.group, spec.steps_made, spec.navigating_ns);
   spec.stretches = 0;
 }
 
+/// A scene's binding, as reports have it. `note`: why it is that one.
+void write_down(Specialisation& spec, VolumeId volume, Binding binding, SceneStatus status,
+                const std::string& note) {
+  const std::lock_guard lock(spec.mutex);
+  SceneReport& scene = spec.scenes[volume];
+  scene.binding = binding;
+  scene.status = status;
+  scene.note = note;
+}
+
 void take_out(Specialisation& spec) {
   spec.group_lost = true;
+  const std::string note =
+      spec.group.group == Group::all
+          ? "with the other scenes that are not generic slower in the run than without"
+          : "with the other compiled scenes slower in the run than without";
   for (const VolumeId volume : spec.group.members) {
-    const kernels::DispatchEntry* record = other_side(spec, volume);
+    const auto trial = spec.trials.all().find(volume);
+    if (trial == spec.trials.all().end()) continue;
+    const kernels::DispatchEntry* record = side(spec, volume, trial->second, false);
     const bool generic = record == &generic::dispatch_entry;
     const std::shared_ptr<const void> owner = generic ? nullptr : spec.arena;
-    if (!spec.trials.take_out(volume, record, owner)) continue;
+    spec.trials.take_out(volume, record, owner);
     spec.shared->table.install(volume, record, owner);
-    const std::lock_guard lock(spec.mutex);
-    SceneReport& scene = spec.scenes[volume];
-    scene.binding = generic ? Binding::generic : Binding::data;
-    scene.status = SceneStatus::unprofitable;
-    scene.note = spec.group.against_generic
-                     ? "with the other scenes that are not generic slower in the run than without"
-                     : "with the other compiled scenes slower in the run than without";
+    write_down(spec, volume, generic ? Binding::generic : Binding::data, SceneStatus::unprofitable,
+               note);
   }
+}
+
+void take_in(Specialisation& spec) {
+  for (const VolumeId volume : spec.group.members) {
+    const auto trial = spec.trials.all().find(volume);
+    // Compiled code may have come meanwhile, and be on trial itself.
+    if (trial == spec.trials.all().end() || trial->second.verdict != Verdict::goes) continue;
+    spec.shared->table.install(volume, trial->second.candidate, trial->second.candidate_owner);
+    spec.trials.take_in(volume);
+    // As for all that is bound to data: constants are still to be tried.
+    write_down(spec, volume, Binding::data, SceneStatus::generic, "");
+  }
+}
+
+/// The next group that there is to try, if any.
+void begin_next(Specialisation& spec) {
+  // A few more make no difference.
+  const auto worth_it = [](std::size_t members, std::size_t judged) {
+    return members >= least_members && members * 10 > judged * 11;
+  };
+  std::vector<VolumeId> members = unproved(spec);
+  if (worth_it(members.size(), spec.unproved_judged)) {
+    begin(spec, std::move(members), Group::unproved);
+    return;
+  }
+  members = compiled(spec);
+  if (members.size() >= least_members && members != spec.group_judged) {
+    begin(spec, std::move(members), Group::code);
+    return;
+  }
+  members = doubtful(spec);
+  if (worth_it(members.size(), spec.all_judged)) begin(spec, std::move(members), Group::all);
+}
+
+/// What follows from the verdict on the group. `whole`: it was all that is compiled.
+void conclude(Specialisation& spec, Verdict verdict, bool whole) {
+  const Group group = spec.group.group;
+  const std::size_t size = spec.group.members.size();
+  const bool goes = verdict == Verdict::goes;
+  show(spec, group != Group::unproved || !goes);
+  std::vector<VolumeId> rare;
+  if (group == Group::unproved) {
+    if (!goes) take_in(spec);
+  } else if (goes) {
+    take_out(spec);
+  } else if (whole) {
+    std::vector<Member> members;
+    for (const VolumeId volume : spec.group.members) {
+      members.push_back({volume, spec.executions(volume)});
+    }
+    rare = rarest(std::move(members), hottest_share);
+  }
+  if (group == Group::all) spec.all_judged = size;
+  if (group == Group::unproved) {
+    spec.unproved_judged = size;
+    // What came in together need not be doubted together.
+    if (!goes) spec.all_judged += size;
+  }
+  spec.group = {};
+  spec.group_judged = compiled(spec);
+  if (rare.size() >= least_members) begin(spec, std::move(rare), Group::code);
 }
 
 }  // namespace
@@ -114,58 +220,33 @@ void interrupt_group(Specialisation& spec) {
 
 void give_up_group(Specialisation& spec) {
   interrupt_group(spec);
+  if (spec.group.group == Group::unproved) show(spec, false);
   spec.group = {};
 }
 
 void judge_group(Specialisation& spec) {
   GroupTrial& group = spec.group;
-  if (!group.open()) {
-    std::vector<VolumeId> members = compiled(spec);
-    if (members.size() >= least_members && members != spec.group_judged) {
-      begin(spec, std::move(members), false);
-    } else if (members = doubtful(spec);
-               // A few more make no difference.
-               members.size() >= least_members && members.size() * 10 > spec.all_judged * 11) {
-      begin(spec, std::move(members), true);
-    } else {
-      return;
-    }
-  }
-  if (++group.looks % looks_in_stretch != 0) return;
+  if (!group.open()) begin_next(spec);
+  if (!group.open() || ++group.looks % looks_in_stretch != 0) return;
   record(group, spec.steps_made, spec.navigating_ns,
          group.shown ? spec.shared->faults.specialised_lasts : 1);
-  const bool whole = !group.against_generic && group.members == compiled(spec);
   // With, without, without, with, ..., as for single scenes.
   const unsigned over = spec.stretches++ % 4;
-  if (over % 2 == 1) {
-    if (const Verdict verdict = decide(group, spec.active_s); verdict != Verdict::open) {
-      spec.shared->log->debug(
-          "event=judged_together at_s={:.3f} scenes={} all={} generic={} verdict={} lost={:.1f} "
-          "error={:.1f} of={:.1f} steps={:.0f}",
-          spec.seconds(), group.members.size(), whole, group.against_generic,
-          verdict == Verdict::goes ? "goes" : "stays", group.lost.mean(), group.lost.error(),
-          group.all.mean(), group.all.count);
-      spec.trials.spend(spec.active_s - group.began);
-      show(spec, true);
-      std::vector<VolumeId> rare;
-      if (verdict == Verdict::goes) {
-        take_out(spec);
-      } else if (whole) {
-        std::vector<Member> members;
-        for (const VolumeId volume : group.members) {
-          members.push_back({volume, spec.executions(volume)});
-        }
-        rare = rarest(std::move(members), hottest_share);
-      }
-      if (group.against_generic) spec.all_judged = group.members.size();
-      group = {};
-      spec.group_judged = compiled(spec);
-      if (rare.size() >= least_members) begin(spec, std::move(rare), false);
-      return;
-    }
+  if (over % 2 == 0) {
+    show(spec, over == 2);
     return;
   }
-  show(spec, over == 2);
+  const Verdict verdict = decide(group, spec.active_s);
+  if (verdict == Verdict::open) return;
+  const bool whole = group.group == Group::code && group.members == compiled(spec);
+  spec.shared->log->debug(
+      "event=judged_together at_s={:.3f} scenes={} all={} generic={} unproved={} verdict={} "
+      "lost={:.1f} error={:.1f} of={:.1f} steps={:.0f}",
+      spec.seconds(), group.members.size(), whole, group.group == Group::all,
+      group.group == Group::unproved, verdict == Verdict::goes ? "goes" : "stays",
+      group.lost.mean(), group.lost.error(), group.all.mean(), group.all.count);
+  spec.trials.spend(spec.active_s - group.began);
+  conclude(spec, verdict, whole);
 }
 
 }  // namespace navjit

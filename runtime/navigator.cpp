@@ -260,8 +260,8 @@ void Navigator::restore(NavigationStack& stack, const State& from) {
   if (!is_at(stack, from)) throw_other_world();
 }
 
-Step Navigator::recorded_step(NavigationStack& stack, const Vec3& point, const Vec3& direction,
-                              double limit) {
+double Navigator::recorded_step(NavigationStack& stack, const Vec3& point, const Vec3& direction,
+                                double limit) {
   Own& own = *own_;
   const kernels::StackLevel& level = stack.levels[stack.depth];
   const VolumeId volume = level.volume;
@@ -288,7 +288,7 @@ Step Navigator::recorded_step(NavigationStack& stack, const Vec3& point, const V
   // With shadow mode on all steps are made here, and few of them are recorded.
   if (!shadow_ || own.shadowed++ % Profile::period == 0) own.profile.record(sample);
   if (shadow_) own.profile.come_again();
-  return {length, stack.boundary != 0, state_of(stack)};
+  return length;
 }
 
 double Navigator::bail_out(NavigationStack& stack, const Vec3& point, const Vec3& direction,

@@ -83,6 +83,7 @@ struct Specialisation {
   GroupTrial group;                    ///< of what was compiled, once its scenes were tried
   std::vector<VolumeId> group_judged;  ///< compiled scenes when a group of them was tried last
   std::size_t all_judged = 0;          ///< scenes that were not generic when all were tried last
+  std::size_t unproved_judged = 0;     ///< scenes that had hardly lost when these were tried last
   bool group_lost = false;             ///< all of it: nothing more is compiled in this phase
   std::map<VolumeId, const kernels::DispatchEntry*> without_code;  ///< what was bound to data
   /// By record that is bound to data, where it finds daughters in another way than the analysis

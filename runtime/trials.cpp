@@ -17,10 +17,6 @@ constexpr double errors_apart = 2.5;
 /// After so many steps a difference that may be chance is small.
 constexpr double enough_count = 5000;
 
-bool is_rare(const Trial& t) {
-  return std::min(t.with.count, t.without.count) < least_count || t.lost.pairs < least_pairs;
-}
-
 /// What was no faster goes, though chance may have brought it: more code is slower for all others.
 Verdict at_last(const PairedDifference& lost, const Trial& t) {
   const bool slower = lost.mean() > t.allowed, faster = lost.mean() < 0;
@@ -28,7 +24,7 @@ Verdict at_last(const PairedDifference& lost, const Trial& t) {
 }
 
 Verdict verdict_on(const Trial& t) {
-  if (is_rare(t)) return Verdict::open;
+  if (t.is_rare()) return Verdict::open;
   const double lost = t.lost.mean() - t.allowed, error = t.lost.error();
   if (lost < -errors_apart * error) return Verdict::stays;
   if (lost > errors_apart * error) return Verdict::goes;
@@ -37,6 +33,10 @@ Verdict verdict_on(const Trial& t) {
 }
 
 }  // namespace
+
+bool Trial::is_rare() const {
+  return std::min(with.count, without.count) < least_count || lost.pairs < least_pairs;
+}
 
 void TickSum::add(double ticks, double usual) {
   constexpr double far = 8;
@@ -87,11 +87,19 @@ bool Trials::take_out(VolumeId volume, const kernels::DispatchEntry* instead,
   const auto found = trials_.find(volume);
   if (found == trials_.end()) return false;
   Trial& trial = found->second;
+  if (trial.verdict == Verdict::open) --open_;
   trial.before = instead;
   trial.before_owner = std::move(owner);
   trial.verdict = Verdict::goes;
   trial.out = true;
   return true;
+}
+
+void Trials::take_in(VolumeId volume) {
+  const auto found = trials_.find(volume);
+  if (found == trials_.end() || found->second.verdict != Verdict::goes) return;
+  found->second.verdict = Verdict::stays;
+  found->second.out = false;
 }
 
 void Trials::record(VolumeId volume, const kernels::DispatchEntry* used, double ticks) {
@@ -119,7 +127,7 @@ std::vector<Trials::Of> Trials::decide(double now) {
     trial.verdict = verdict_on(trial);
     if (trial.verdict == Verdict::open) {
       if (!(now - trial.began > most_s)) continue;
-      if (is_rare(trial)) {
+      if (trial.is_rare()) {
         few.push_back(&trial);
       } else {
         trial.verdict = at_last(trial.lost, trial);

@@ -46,6 +46,9 @@ enum class Verdict : std::uint8_t {
 };
 
 struct Trial {
+  /// Whether too few steps were timed for a judgement of its own.
+  bool is_rare() const;
+
   const kernels::DispatchEntry* candidate = nullptr;
   const kernels::DispatchEntry* before = nullptr;
   std::shared_ptr<const void> candidate_owner{}, before_owner{};  ///< null: nobody need keep it
@@ -78,6 +81,8 @@ class Trials {
   /// was not tried.
   bool take_out(VolumeId volume, const kernels::DispatchEntry* instead,
                 std::shared_ptr<const void> owner);
+  /// The volume's candidate had lost, and won together with others: it is installed.
+  void take_in(VolumeId volume);
   /// Time that other trials took, s.
   void spend(double s) { spent_ += s; }
 

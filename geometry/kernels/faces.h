@@ -67,4 +67,11 @@ inline bool beyond_any(const FaceLanes<Lanes>& f, double tol) {
   return any_lane((f.beyond > tol) | ((f.beyond >= -tol) & (f.nv > along_a_face<double>())));
 }
 
+/// Is the start beyond any of the faces, without heading in? Then nothing of the body is ahead, and
+/// no quotient is needed.
+template <class Lanes>
+inline bool passes_any(const FaceLanes<Lanes>& f, double tol) {
+  return any_lane((f.beyond > tol) & (f.nv >= -along_a_face<double>()));
+}
+
 }  // namespace navjit::kernels

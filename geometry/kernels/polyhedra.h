@@ -48,15 +48,21 @@ Span<Real> face_span(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const
   }
   return span;
 }
+/// Eight sides of a face, seen from a ray.
+inline FaceLanes<EightLanes> faces_of(const SideGroup<double>& g, const ConicalFace<double>& f,
+                                      const Vec3<double>& p, const Direction<double>& v) {
+  const EightLanes x = lanes_from(g.x), y = lanes_from(g.y);
+  return {f.cosine * (x * p.x + y * p.y) - (f.radius + f.slope * p.z),
+          f.cosine * (x * v.x + y * v.y) - f.slope * v.z};
+}
 /// As above, eight sides at once.
 inline Span<double> face_span(const Polyhedra<double>& s, const ConicalFace<double>& f,
                               const Vec3<double>& p, const Direction<double>& v, double tol) {
-  const double radius = f.radius + f.slope * p.z, rate = f.slope * v.z;
   FaceSpans<EightLanes> spans;
   for (int i = 0; i < s.group_count; ++i) {
-    const EightLanes x = lanes_from(s.groups[i].x), y = lanes_from(s.groups[i].y);
-    spans.clip({f.cosine * (x * p.x + y * p.y) - radius, f.cosine * (x * v.x + y * v.y) - rate},
-               tol);
+    const FaceLanes<EightLanes> faces = faces_of(s.groups[i], f, p, v);
+    if (passes_any(faces, tol)) return no_span<double>();
+    spans.clip(faces, tol);
   }
   return spans.span();
 }
@@ -83,12 +89,7 @@ inline double largest_across(const Polyhedra<double>& s, const Vec3<double>& p) 
 template <class Real>
 bool in_face(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const Vec3<Real>& p,
              const Direction<Real>& v, Real tol) {
-  const Real radius = f.radius + f.slope * p.z;
-  // Well on one side of the farthest face, a point is on that side of all of them, or beyond one.
-  const Real most = f.cosine * largest_across(s, p) - radius;
-  if (most > tol) return false;
-  if (most < -tol) return true;
-  const Real rate = f.slope * v.z;
+  const Real radius = f.radius + f.slope * p.z, rate = f.slope * v.z;
   for (int i = 0; i < s.side_count; ++i) {
     const SideNormal<Real>& n = s.sides[i];
     if (beyond_face(f.cosine * (n.x * p.x + n.y * p.y) - radius,
@@ -97,6 +98,24 @@ bool in_face(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const Vec3<Re
     }
   }
   return true;
+}
+inline bool in_face(const Polyhedra<double>& s, const ConicalFace<double>& f, const Vec3<double>& p,
+                    const Direction<double>& v, double tol) {
+  for (int i = 0; i < s.group_count; ++i) {
+    if (beyond_any(faces_of(s.groups[i], f, p, v), tol)) return false;
+  }
+  return true;
+}
+/// One quotient for each side, where face_span needs two.
+inline double face_leave(const Polyhedra<double>& s, const ConicalFace<double>& f,
+                         const Vec3<double>& p, const Direction<double>& v, double tol) {
+  FaceExits<EightLanes> exits;
+  for (int i = 0; i < s.group_count; ++i) {
+    const FaceLanes<EightLanes> faces = faces_of(s.groups[i], f, p, v);
+    if (beyond_any(faces, tol)) return -1;
+    exits.leave(faces, tol);
+  }
+  return exits.path();
 }
 /// The distance to the side that the point is beyond most, or nearest to; `rho` is not needed.
 template <class Real>

@@ -1,8 +1,8 @@
 // Solids made of sections along z: a ring between an outer and an inner face over each section,
 // continued or stepped from one section to the next. What polycones and polyhedra share; they
 // differ in what a face is: each provides, for its faces,
-//   face_span, face_leave, in_face  as cone_span, leave_cone and in_cone do
-//   face_distance                   signed distance bound to it
+//   face_span, in_face  as cone_span and in_cone do
+//   face_distance       signed distance bound to it
 // Sections are searched in the order in which the ray meets them. The paths to the planes between
 // sections are the same bits from either side, so nothing is lost at a seam, and a seam is no
 // surface where both sections continue.
@@ -12,7 +12,7 @@ template <class Real>
 struct Section {
   Real z_low, z_high;              ///< mm
   ConicalFace<Real> outer, inner;  ///< z from z_low
-  int bored;                       ///< 0: no inner face
+  int bored;                       ///< 0: no inner face; 2: the faces are nowhere near each other
 };
 
 /// A part of a plane across z where the solid ends: the end caps, and the steps between sections.
@@ -20,6 +20,14 @@ template <class Real>
 struct Ledge {
   Real z, rmin, rmax;  ///< mm
 };
+
+/// Where a ray that starts in a face leaves it; -1 if it does not start there.
+template <class Sections, class Real>
+Real face_leave(const Sections& s, const ConicalFace<Real>& f, const Vec3<Real>& p,
+                const Direction<Real>& v, Real tol) {
+  const Span<Real> span = face_span(s, f, p, v, tol);
+  return is_ahead(span) && starts_in(span) ? span.leave : Real(-1);
+}
 
 /// The range of a ray over a section, seen from its start; empty unless from < to.
 template <class Real>
@@ -108,6 +116,15 @@ bool sections_contains(const Sections& s, const Vec3<Real>& p, const Direction<R
   return false;
 }
 
+/// The point is in the bore of a whole ring, and far from its face, for all azimuths.
+template <class Real>
+bool well_in_bore(const Section<Real>& section, const Vec3<Real>& q, Real tol) {
+  const ConicalFace<Real>& f = section.inner;
+  const Real x = f.cosine * q.x, y = f.cosine * q.y;
+  const Real radius = f.radius + f.slope * q.z - 2 * tol;
+  return (radius > 0) & (x * x + y * y < radius * radius);
+}
+
 template <class Sections, class Real>
 Real sections_distance_to_in(const Sections& s, const Vec3<Real>& p, const Direction<Real>& v,
                              Real tol) {
@@ -143,7 +160,10 @@ Real sections_distance_to_in(const Sections& s, const Vec3<Real>& p, const Direc
     if (range.from >= nearest || range.from >= around.leave) break;
     // The faces are looked at from where the ray enters the section.
     const Vec3<Real> q = from_section(section, advance(p, v, range.from));
-    const Span<Real> outer = face_span(s, section.outer, q, v, tol);
+    // Where the faces are apart, a ray that starts in the bore leaves that before the outer face.
+    const bool in_bore =
+        (section.bored == 2) & (s.wedge.kind == 0) && well_in_bore(section, q, tol);
+    const Span<Real> outer = in_bore ? whole_ray<Real>() : face_span(s, section.outer, q, v, tol);
     if (!is_ahead(outer)) continue;
     Span<Real> ring = body;
     ring.enter = larger(range.from > 0 ? range.from : -infinity<Real>(), ring.enter);
@@ -152,7 +172,10 @@ Real sections_distance_to_in(const Sections& s, const Vec3<Real>& p, const Direc
     ring.until = smaller(outer.until + range.from, ring.until);
     if (!is_ahead(ring)) continue;
     Span<Real> bore = no_span<Real>();
-    if (section.bored != 0) {
+    // And one that comes in through the outer face is not in the bore there.
+    const bool through_outer = (section.bored == 2) & (s.wedge.kind != 2) & (outer.enter >= 0) &&
+                               ring.enter == outer.enter + range.from;
+    if (section.bored != 0 && !through_outer) {
       bore = shifted(face_span(s, section.inner, q, v, tol), range.from);
     }
     const Real t = first_entry(ring, bore, gap);
@@ -174,9 +197,8 @@ Real sections_distance_to_out(const Sections& s, const Vec3<Real>& p, const Dire
     if (reach < range.from) break;
     const Vec3<Real> q = from_section(section, advance(p, v, range.from));
     // A ring that the path is not in here, or is leaving, takes it no further.
-    const Span<Real> outer = face_span(s, section.outer, q, v, tol);
-    if (!is_ahead(outer) || !starts_in(outer)) continue;
-    Real leave = outer.leave;
+    Real leave = face_leave(s, section.outer, q, v, tol);
+    if (leave < 0) continue;
     if (section.bored != 0) {
       leave = leave_into_hole(face_span(s, section.inner, q, v, tol), leave);
     }

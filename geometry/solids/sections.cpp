@@ -80,6 +80,14 @@ void add_ledges(double z, const std::vector<Ring>& below, const std::vector<Ring
   }
 }
 
+/// How a ring is bored (kernels::Section). A wall is one that is thick beside the tolerance of any
+/// world.
+int bore_of(const Ring& ring, double rmax, double height) {
+  if (!(ring.rmin_low > 0 || ring.rmin_high > 0)) return 0;
+  const double wall = std::min(ring.rmax_low - ring.rmin_low, ring.rmax_high - ring.rmin_high);
+  return wall > std::max(1e-3, 1e-6 * (rmax + height)) ? 2 : 1;
+}
+
 /// Cuts what the edges enclose at every height.
 Sections cut(const std::vector<Edge>& edges, std::vector<double> heights, double rmax,
              const std::string& name) {
@@ -95,7 +103,7 @@ Sections cut(const std::vector<Edge>& edges, std::vector<double> heights, double
     for (const Ring& ring : above) {
       made.sections.push_back({low, high, conical_face(ring.rmax_low, ring.rmax_high, high - low),
                                conical_face(ring.rmin_low, ring.rmin_high, high - low),
-                               ring.rmin_low > 0 || ring.rmin_high > 0 ? 1 : 0});
+                               bore_of(ring, rmax, high - low)});
     }
     below = std::move(above);
   }

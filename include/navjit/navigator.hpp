@@ -181,9 +181,9 @@ class Navigator {
   /// As step_of(), where the stack is along the direction and at the state already.
   Step step_on(kernels::NavigationStack& stack, const Vec3& point, const Vec3& direction,
                double limit);
-  /// The step, recorded for the specialiser; with shadow mode on, all steps are made here.
-  Step recorded_step(kernels::NavigationStack& stack, const Vec3& point, const Vec3& direction,
-                     double limit);
+  /// The step's length, recorded for the specialiser; with shadow mode on, all steps are made here.
+  double recorded_step(kernels::NavigationStack& stack, const Vec3& point, const Vec3& direction,
+                       double limit);
   double shadow(const kernels::DispatchEntry& entry, kernels::NavigationStack& stack,
                 const Vec3& point, const Vec3& direction, double limit);
   double bail_out(kernels::NavigationStack& stack, const Vec3& point, const Vec3& direction,
@@ -234,14 +234,19 @@ inline Step Navigator::step_on(kernels::NavigationStack& stack, const Vec3& poin
   Own& own = *own_;
   const VolumeId volume = stack.levels[stack.depth].volume;
   own.profile.count(volume);
-  if (own.profile.due()) [[unlikely]]
-    return recorded_step(stack, point, direction, limit);
-  own.read_side->enter();
-  const kernels::DispatchEntry* entry = kernels::dispatch_entry_of(context_, volume);
-  double length = entry->step(&stack, context_, entry->data, point.x, point.y, point.z, limit);
-  if (length < 0) [[unlikely]]
-    length = bail_out(stack, point, direction, limit);
-  own.read_side->leave();
+  double length;
+  if (own.profile.due()) [[unlikely]] {
+    length = recorded_step(stack, point, direction, limit);
+  } else {
+    own.read_side->enter();
+    const kernels::DispatchEntry* entry = kernels::dispatch_entry_of(context_, volume);
+    length = entry->step(&stack, context_, entry->data, point.x, point.y, point.z, limit);
+    if (length < 0) [[unlikely]]
+      length = bail_out(stack, point, direction, limit);
+    own.read_side->leave();
+  }
+  // From one place, number by number: where a Step came out of memory, a caller that copies it as a
+  // whole would load what was just stored in parts, and wait for each of them.
   return {length, stack.boundary != 0, state_of(stack)};
 }
 

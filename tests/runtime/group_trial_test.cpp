@@ -92,5 +92,39 @@ TEST(GroupTrial, TheRarestAreThoseBesideTheHottest) {
   EXPECT_EQ(rarest({}, 0.75), std::vector<VolumeId>{});
 }
 
+TEST(GroupTrial, WhatIsUnprovedStaysOnlyWhereItIsFaster) {
+  const auto after = [](Group kind, double with) {
+    GroupTrial tried = group();
+    tried.group = kind;
+    return stretches(tried, 100, 1000, with, 100, 2 * Trials::most_s);
+  };
+  EXPECT_EQ(after(Group::unproved, 90), Verdict::stays);
+  EXPECT_EQ(after(Group::unproved, 101.5), Verdict::goes);
+  EXPECT_EQ(after(Group::all, 101.5), Verdict::stays) << "what switching costs";
+  GroupTrial few = group();
+  few.group = Group::unproved;
+  EXPECT_EQ(stretches(few, 1, 1, 100, 300, 2 * Trials::most_s), Verdict::goes)
+      << "nothing is known of it";
+}
+
+TEST(GroupTrial, AScenesLossMayBeChance) {
+  const auto lost_by = [](double ticks, double count, double pairs) {
+    Trial t;
+    t.verdict = Verdict::goes;
+    t.with.count = t.without.count = count;
+    for (int i = 0; i < pairs; ++i) {
+      t.lost.add({10, 10 * (ticks + (i % 2 == 0 ? 50 : -50))}, {10, 0});
+    }
+    return t;
+  };
+  EXPECT_TRUE(hardly_lost(lost_by(30, 1000, 16))) << "2.4 standard errors";
+  EXPECT_FALSE(hardly_lost(lost_by(90, 1000, 16)));
+  EXPECT_TRUE(hardly_lost(lost_by(90, 20, 16))) << "few steps";
+  EXPECT_TRUE(hardly_lost(lost_by(90, 1000, 4))) << "few stretches";
+  Trial won = lost_by(30, 1000, 16);
+  won.verdict = Verdict::stays;
+  EXPECT_FALSE(hardly_lost(won));
+}
+
 }  // namespace
 }  // namespace navjit

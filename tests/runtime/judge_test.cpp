@@ -1,6 +1,7 @@
 // A run takes out what is slower in it, whatever a replay of recorded states said.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <mutex>
@@ -30,6 +31,9 @@ std::shared_ptr<const Faults> slow_code(const std::string& quick) {
 constexpr const char* lost_alone = "slower in the run than what was there";
 constexpr const char* lost_together =
     "with the other compiled scenes slower in the run than without";
+
+/// Times as long, whatever sanitizers make of the generic navigator.
+constexpr double far = 64;
 
 std::size_t taken_out(const Runtime& runtime, const std::string& note = lost_alone) {
   std::size_t scenes = 0;
@@ -115,18 +119,23 @@ TEST(Judge, WhatEachSceneIsForgivenAllOfThemAreNot) {
   EXPECT_GE(taken_out(runtime, lost_together), 3U);
 }
 
-TEST(Judge, AllThatIsNotGenericIsTriedAgainstTheGenericNavigator) {
-  const auto world = std::make_shared<const World>(tests::mixed_world());
-  const std::vector<Ray> rays = rays_through(*world, 47, 200);
+/// Nothing is compiled, and all that is bound to data is tried in the run; it is taken to last
+/// `lasts` times as long.
+FaultyOptions bound_alone(Faults faults, double lasts) {
   FaultyOptions options{tests::eager_options(JitMode::on)};
   options.specialiser.keep_only_faster = true;
   options.specialiser.constants = options.specialiser.structures = false;
   options.specialiser.solids = false;
-  auto faults = std::make_shared<Faults>();
-  faults->skip_replay = faults->pass_trials = true;
-  faults->specialised_lasts = 3;
-  options.faults = faults;
-  FaultyRuntime runtime(world, options);
+  faults.skip_replay = true;
+  faults.specialised_lasts = lasts;
+  options.faults = std::make_shared<Faults>(std::move(faults));
+  return options;
+}
+
+TEST(Judge, AllThatIsNotGenericIsTriedAgainstTheGenericNavigator) {
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  const std::vector<Ray> rays = rays_through(*world, 47, 200);
+  FaultyRuntime runtime(world, bound_alone({.pass_trials = true}, far));
   Navigator navigator = runtime.navigator();
   const std::string lost =
       "with the other scenes that are not generic slower in the run than without";
@@ -138,6 +147,43 @@ TEST(Judge, AllThatIsNotGenericIsTriedAgainstTheGenericNavigator) {
   for (const SceneReport& scene : runtime.report().scenes) {
     EXPECT_TRUE(scene.note != lost || scene.binding == Binding::generic) << scene.volume;
   }
+}
+
+/// Of a run, until this holds, or so many seconds are over.
+struct TriedTogether {
+  bool tried = false;     ///< what had lost its own trials was tried together
+  std::size_t bound = 0;  ///< scenes that are bound to data then
+
+  bool came_back() const { return tried && bound >= 3; }
+};
+/// All that is bound to data loses its own trials, and is taken to last `lasts` times as long.
+TriedTogether tried_together(double lasts, int seconds) {
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  const std::vector<Ray> rays = rays_through(*world, 47, 200);
+  FaultyOptions options = bound_alone({.lose_trials = true}, lasts);
+  std::atomic<bool> tried = false;
+  options.log = [&](LogLevel, std::string_view line) {
+    if (line.find("unproved=true verdict=stays") != std::string_view::npos) tried = true;
+  };
+  FaultyRuntime runtime(world, options);
+  Navigator navigator = runtime.navigator();
+  TriedTogether now;
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
+  while (!now.came_back() && std::chrono::steady_clock::now() < give_up) {
+    for (const Ray& ray : rays) transport(navigator, ray, world->tolerance);
+    now = {tried, 0};
+    for (const SceneReport& scene : runtime.report().scenes) {
+      now.bound += scene.binding == Binding::data ? 1 : 0;
+    }
+  }
+  return now;
+}
+
+TEST(Judge, WhatLostByChanceIsTriedAgainTogether) {
+  EXPECT_TRUE(tried_together(1.0 / far, 60).came_back());
+  const TriedTogether slower = tried_together(far, 5);
+  EXPECT_FALSE(slower.tried) << "that was no chance";
+  EXPECT_LT(slower.bound, 3U);
 }
 
 /// What the log says of a trial: the number after `key`.

@@ -179,6 +179,29 @@ TEST(Trials, BeginAgainOnceTheyHaveCostNextToNothing) {
   EXPECT_EQ(trials.all().at(1).verdict, Verdict::goes) << "the run has moved on";
 }
 
+TEST(Trials, WhatWinsWithOthersComesBack) {
+  Trials trials;
+  Steps steps;
+  trials.begin(3, trial(), 0);
+  trials.take_in(3);
+  EXPECT_EQ(trials.all().at(3).verdict, Verdict::open) << "it has not lost";
+  const auto decided = steps.make(trials, {3}, 40, 20, 300, 100);
+  ASSERT_EQ(decided.size(), 1U);
+  ASSERT_EQ(decided[0].trial->verdict, Verdict::goes);
+  decided[0].trial->out = true;
+  trials.take_in(3);
+  EXPECT_EQ(trials.all().at(3).verdict, Verdict::stays);
+  EXPECT_FALSE(trials.all().at(3).out);
+  EXPECT_FALSE(trials.open());
+}
+
+TEST(Trials, WhatIsTakenOutWhileItIsTriedIsNoLongerOpen) {
+  Trials trials;
+  trials.begin(3, trial(), 0);
+  EXPECT_TRUE(trials.take_out(3, &other, nullptr));
+  EXPECT_FALSE(trials.open());
+}
+
 TEST(Trials, OnesThatEndAreNoLongerOpen) {
   Trials trials;
   trials.begin(1, trial(), 0);

@@ -1,4 +1,5 @@
-// A point's section, found by halves, is the one that looking at all of them finds.
+// A point's section, found by halves, is the one that looking at all of them finds; and of rings
+// with thick walls one face tells what both do.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,6 +51,59 @@ TEST(Sections, HoldAPointThatOneOfThemHolds) {
   }
   EXPECT_GT(in, scaled(600) * 10);
   EXPECT_GT(on_planes, scaled(600) * 20);
+}
+
+/// Counts, of solids whose walls are thick, rays for which one face suffices: those that start well
+/// in a bore, and those that come in from outside.
+struct OneFace {
+  int in_bores = 0, from_outside = 0;
+};
+
+template <class Shape>
+void expect_the_same_with_both_faces(const Solid& solid, double size, Random& random,
+                                     OneFace& counts) {
+  const Shape& s = *static_cast<const Shape*>(solid.any().shape);
+  std::vector<kernels::Section<double>> sections(s.sections, s.sections + s.count);
+  bool thick = false;
+  for (auto& section : sections) {
+    thick |= section.bored == 2;
+    if (section.bored == 2) section.bored = 1;
+  }
+  if (!thick) return;
+  Shape both = s;
+  both.sections = sections.data();
+  constexpr double tol = 1e-9;
+  for (int k = 0; k < 40; ++k) {
+    const double reach = random.chance(0.5) ? 0.3 * size : size;
+    const Vec3 p{random.uniform(-reach, reach), random.uniform(-reach, reach),
+                 random.chance(0.2) ? s.z_low : random.uniform(-size, size)};
+    const Direction v = random.any_direction();
+    const double t = kernels::distance_to_in(both, p, v, tol);
+    ASSERT_EQ(kernels::distance_to_in(s, p, v, tol), t);
+    if (!(t < size * 100)) continue;
+    const bool in_bore = std::any_of(s.sections, s.sections + s.count, [&](const auto& section) {
+      return section.bored == 2 && p.z > section.z_low && p.z < section.z_high &&
+             kernels::well_in_bore(section, kernels::from_section(section, p), tol);
+    });
+    ++(in_bore ? counts.in_bores : counts.from_outside);
+  }
+}
+
+TEST(Sections, OfThickWallsAreMetByOneOfTheirFaces) {
+  Random random(29);
+  OneFace cones, sides;
+  for (int n = 0; n < scaled(3000); ++n) {
+    const SolidCase polycone = random_polycone(random), polyhedra = random_polyhedra(random);
+    expect_the_same_with_both_faces<kernels::Polycone<double>>(polycone.solid, polycone.size / 3,
+                                                               random, cones);
+    if (polyhedra.solid.kind != SolidKind::polyhedra) continue;  // convex ones are planes
+    expect_the_same_with_both_faces<kernels::Polyhedra<double>>(polyhedra.solid, polyhedra.size / 4,
+                                                                random, sides);
+  }
+  for (const OneFace& counts : {cones, sides}) {
+    EXPECT_GT(counts.in_bores, scaled(3000) / 6);
+    EXPECT_GT(counts.from_outside, scaled(3000) / 6);
+  }
 }
 
 }  // namespace
