@@ -5,10 +5,11 @@
 
 namespace navjit {
 
-/// A stretch is over, and no scene is on trial alone: begins a trial of all compiled scenes if they
-/// are others than at the last one, goes on with it, or with that of the rarest of them, and takes
-/// out what loses. Then nothing more is compiled until the run is judged again. Or it tries all
-/// that is not generic, or what lost its own trials, but hardly; if that wins it is taken in.
+/// A stretch is over, and no scene is on trial alone: goes on with the trial of a group, or begins
+/// one. First comes what lost its own trials, but hardly: it is taken in if it wins. Then all
+/// compiled scenes, if they are others than at the last such trial, and after them the rarest; then
+/// all that is not generic. What loses is taken out, and nothing more is compiled until the run is
+/// judged again.
 void judge_group(Specialisation& spec);
 
 /// What is tried is shown everywhere while the specialiser does other things. The present pair of

@@ -12,7 +12,7 @@ template <class Real>
 struct Section {
   Real z_low, z_high;              ///< mm
   ConicalFace<Real> outer, inner;  ///< z from z_low
-  int bored;                       ///< 0: no inner face; 2: the faces are nowhere near each other
+  int bored;  ///< 0: there is no inner face; 1: there is; 2: and nowhere near the outer one
 };
 
 /// A part of a plane across z where the solid ends: the end caps, and the steps between sections.
@@ -116,7 +116,8 @@ bool sections_contains(const Sections& s, const Vec3<Real>& p, const Direction<R
   return false;
 }
 
-/// The point is in the bore of a whole ring, and far from its face, for all azimuths.
+/// Is the point in the bore of a ring of a full turn, and off its face? Of a bore with flat sides
+/// only the circle within them is looked at.
 template <class Real>
 bool well_in_bore(const Section<Real>& section, const Vec3<Real>& q, Real tol) {
   const ConicalFace<Real>& f = section.inner;

@@ -80,8 +80,8 @@ void add_ledges(double z, const std::vector<Ring>& below, const std::vector<Ring
   }
 }
 
-/// How a ring is bored (kernels::Section). A wall is one that is thick beside the tolerance of any
-/// world.
+/// How a ring is bored, as kernels::Section has it: 2 where its wall is thick beside the tolerance
+/// of any world.
 int bore_of(const Ring& ring, double rmax, double height) {
   if (!(ring.rmin_low > 0 || ring.rmin_high > 0)) return 0;
   const double wall = std::min(ring.rmax_low - ring.rmin_low, ring.rmax_high - ring.rmin_high);

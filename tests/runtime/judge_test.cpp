@@ -149,21 +149,22 @@ TEST(Judge, AllThatIsNotGenericIsTriedAgainstTheGenericNavigator) {
   }
 }
 
-/// Of a run, until this holds, or so many seconds are over.
+/// What became of scenes that had lost their own trials.
 struct TriedTogether {
-  bool tried = false;     ///< what had lost its own trials was tried together
-  std::size_t bound = 0;  ///< scenes that are bound to data then
+  bool won = false;       ///< they were tried together, and the run was faster with them
+  std::size_t bound = 0;  ///< scenes that are bound to data in the end
 
-  bool came_back() const { return tried && bound >= 3; }
+  bool came_back() const { return won && bound >= 3; }
 };
-/// All that is bound to data loses its own trials, and is taken to last `lasts` times as long.
+/// A run in which all that is bound to data loses its own trials, and is taken to last `lasts`
+/// times as long: until scenes came back, or so many seconds are over.
 TriedTogether tried_together(double lasts, int seconds) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
   const std::vector<Ray> rays = rays_through(*world, 47, 200);
   FaultyOptions options = bound_alone({.lose_trials = true}, lasts);
-  std::atomic<bool> tried = false;
+  std::atomic<bool> won = false;
   options.log = [&](LogLevel, std::string_view line) {
-    if (line.find("unproved=true verdict=stays") != std::string_view::npos) tried = true;
+    if (line.find("unproved=true verdict=stays") != std::string_view::npos) won = true;
   };
   FaultyRuntime runtime(world, options);
   Navigator navigator = runtime.navigator();
@@ -171,7 +172,7 @@ TriedTogether tried_together(double lasts, int seconds) {
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
   while (!now.came_back() && std::chrono::steady_clock::now() < give_up) {
     for (const Ray& ray : rays) transport(navigator, ray, world->tolerance);
-    now = {tried, 0};
+    now = {won, 0};
     for (const SceneReport& scene : runtime.report().scenes) {
       now.bound += scene.binding == Binding::data ? 1 : 0;
     }
@@ -182,7 +183,7 @@ TriedTogether tried_together(double lasts, int seconds) {
 TEST(Judge, WhatLostByChanceIsTriedAgainTogether) {
   EXPECT_TRUE(tried_together(1.0 / far, 60).came_back());
   const TriedTogether slower = tried_together(far, 5);
-  EXPECT_FALSE(slower.tried) << "that was no chance";
+  EXPECT_FALSE(slower.won) << "that was no chance";
   EXPECT_LT(slower.bound, 3U);
 }
 
