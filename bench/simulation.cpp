@@ -1,6 +1,9 @@
 // Particles that scatter in matter and have secondaries, with the safety asked before each step:
 // navjit's generic and specialised navigators and, for a single detector and where it was found,
 // VecGeom's, make the same flights in one process, in turn.
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -154,8 +157,12 @@ int main(int argc, char** argv) try {
                  "before each step: whole, enough for the step (VecGeom: whole), or none")
       ->transform(CLI::CheckedTransformer(safeties));
   app.add_flag("!--without-peers", options.peers, "navjit alone");
+  bool verbose = false;
+  app.add_flag("--verbose", verbose, "log what is specialised, and what is judged how");
   app.add_flag("--perf-map", options.perf_map, "name generated functions for perf");
   CLI11_PARSE(app, argc, argv);
+  spdlog::set_default_logger(spdlog::stderr_color_mt("navjit"));
+  spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
   if (options.only_photons) options.asked = bench::Asked::none;  // nothing scatters
   options.photons.most_steps = options.shower.most_steps;
   if (detectors.size() > 1) options.peers = false;  // VecGeom holds one detector in a process

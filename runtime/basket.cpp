@@ -7,7 +7,6 @@
 #include "geometry/navigation/generic.hpp"
 #include "runtime/shared.hpp"
 #include "runtime/stack_pool.hpp"
-#include "runtime/unit_direction.hpp"
 
 namespace navjit {
 namespace {
@@ -51,7 +50,7 @@ bool all_good(const Tracks& t) {
   const double *u = t.u.data(), *v = t.v.data(), *w = t.w.data();
   int bad = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    bad |= !is_unit_vector(u[i], v[i], w[i]) | !(0 * (x[i] + y[i] + z[i]) == 0);
+    bad |= !detail::is_unit_vector(u[i], v[i], w[i]) | !(0 * (x[i] + y[i] + z[i]) == 0);
   }
   for (const double limit : t.limit) bad |= !(limit >= 0);
   return bad == 0;
@@ -62,7 +61,8 @@ void refuse_first_bad(const Tracks& t) {
   for (std::size_t i = 0; i < t.state.size(); ++i) {
     if (!t.state[i].inside()) continue;
     if (!is_finite(t, i)) refuse(i, "the point is not finite");
-    if (!is_unit_vector(t.u[i], t.v[i], t.w[i])) refuse(i, "the direction is not a unit vector");
+    if (!detail::is_unit_vector(t.u[i], t.v[i], t.w[i]))
+      refuse(i, "the direction is not a unit vector");
     if (!t.limit.empty() && !(t.limit[i] >= 0)) {
       refuse(i, "the step limit is negative, or no number");
     }

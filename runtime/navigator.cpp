@@ -9,7 +9,6 @@
 #include "geometry/solids/normal.hpp"
 #include "runtime/shared.hpp"
 #include "runtime/ticks.hpp"
-#include "runtime/unit_direction.hpp"
 
 namespace navjit {
 namespace {
@@ -102,7 +101,7 @@ State Navigator::locate_in(NavigationStack& stack, const Vec3& point, const Vec3
     require_finite(point, "the point");
     require_finite(direction, "the direction");
   }
-  if (shadow_ || !is_unit_vector(direction.x, direction.y, direction.z)) {
+  if (shadow_ || !detail::is_unit_vector(direction.x, direction.y, direction.z)) {
     generic::locate(shared_->geometry, stack, point, direction);
     return state_of(stack);
   }
@@ -235,12 +234,7 @@ void Navigator::require_numbers(const Vec3& point, double limit) {
   if (!(limit >= 0)) throw UsageError("the step limit is negative, or no number");
 }
 
-bool Navigator::is_unit(const Vec3& direction) {
-  return is_unit_vector(direction.x, direction.y, direction.z);
-}
-
-void Navigator::require_unit(const Vec3& direction) {
-  if (is_unit(direction)) return;
+void Navigator::refuse_direction(const Vec3& direction) {
   require_finite(direction, "the direction");
   throw UsageError("the direction is not a unit vector: its length is " +
                    std::to_string(std::hypot(direction.x, direction.y, direction.z)));

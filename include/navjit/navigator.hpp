@@ -8,6 +8,7 @@
 #include "navjit/detail/api.hpp"
 #include "navjit/detail/profile.hpp"
 #include "navjit/detail/read_side.hpp"
+#include "navjit/detail/unit_direction.hpp"
 #include "navjit/errors.hpp"
 #include "navjit/state.hpp"
 #include "navjit/transformation.hpp"
@@ -85,8 +86,7 @@ class Navigator {
   /// nothing of the detector is looked at. Else the answer is that of step(). Throws as step().
   Step step(const State& state, const Vec3& point, const Vec3& direction, double limit,
             const SafetySphere& sphere) {
-    const double known = sphere.safety(state, point);
-    if (known > 0 && limit >= 0 && limit <= known) return {limit, false, state};
+    if (sphere.holds(state, point, limit)) return {limit, false, state};
     return step(state, point, direction, limit);
   }
 
@@ -155,10 +155,13 @@ class Navigator {
   /// Throws UsageError unless the point is finite and the limit is no less than 0.
   static void require_numbers(const Vec3& point, double limit);
   /// Throws UsageError unless the direction is of unit length.
-  static void require_unit(const Vec3& direction);
+  static void require_unit(const Vec3& direction) {
+    if (!detail::is_unit_vector(direction.x, direction.y, direction.z)) [[unlikely]]
+      refuse_direction(direction);
+  }
+  [[noreturn]] static void refuse_direction(const Vec3& direction);
   /// Steps of the stack will be along another direction. Throws as require_unit().
   static void begin_ray(kernels::NavigationStack& stack, const Vec3& direction);
-  static bool is_unit(const Vec3& direction);
   /// The point is in the innermost level: into its daughters.
   void relocate_within(kernels::NavigationStack& stack, const Vec3& point);
   /// Throws UsageError if the world has no such state.
@@ -206,15 +209,11 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
   if (!((sum == 0) & (limit >= 0))) [[unlikely]]
     require_numbers(point, limit);
   Own& own = *own_;
-  // Most steps are longer than the whole ball: no root is taken for them.
-  if (limit <= own.sphere.radius) {
-    const double known = own.sphere.safety(from, point);
-    if ((known > 0) & (limit <= known) & !shadow_) {
-      require_unit(direction);
-      ++own.counts.within_safety;
-      own.profile.count(own.sphere.state.volume());  // one that was checked
-      return {limit, false, {own.sphere.state.touchable(), own.sphere.state.volume()}};
-    }
+  if (own.sphere.holds(from, point, limit) & !shadow_) {
+    require_unit(direction);
+    ++own.counts.within_safety;
+    own.profile.count(own.sphere.state.volume());  // one that was checked
+    return {limit, false, {own.sphere.state.touchable(), own.sphere.state.volume()}};
   }
   return step_of(own.stack, from, point, direction, limit);
 }

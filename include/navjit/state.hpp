@@ -60,6 +60,18 @@ struct SafetySphere {
     const double left = radius - norm(point - centre);
     return left > 0 ? left : 0;
   }
+
+  /// Whether a step of `length` mm from the point stays in the ball, whatever its direction: as
+  /// comparing with safety() says, but for rounding, and without a root to wait for. False for
+  /// other states, and for points outside the ball. A step as long as the radius is in it.
+  bool holds(const State& at, const Vec3& point, double length) const {
+    const Vec3 from_centre = point - centre;
+    const double left = radius - length;
+    return (at == state) & (radius > 0) & (length >= 0) & (left >= 0) &
+           (from_centre.x * from_centre.x + from_centre.y * from_centre.y +
+                from_centre.z * from_centre.z <=
+            left * left);
+  }
 };
 
 }  // namespace navjit

@@ -48,7 +48,11 @@ TEST_P(NavigatorApi, StepsWithinASphereAreTheStepsWithout) {
       EXPECT_TRUE(kernels::same_bits(step.length, right.length));
       EXPECT_EQ(step.boundary, right.boundary);
       EXPECT_EQ(step.next, right.next);
-      ++(limit < sphere.safety(at, point) ? within : beyond);
+      const double left = sphere.safety(at, point);
+      ++(limit < left ? within : beyond);
+      if (std::abs(limit - left) > 1e-9 * sphere.radius) {
+        EXPECT_EQ(sphere.holds(at, point, limit), limit < left);
+      }
       EXPECT_LE(sphere.safety(at, point), navigator_.safety(at, point) + 1e-9 + sphere.radius);
       point += step.length * direction;
       at = step.next;
@@ -157,8 +161,11 @@ TEST_P(NavigatorApi, ASphereIsGoodForItsOwnStateAlone) {
   EXPECT_EQ(sphere.safety(State{}, point), 0);
   EXPECT_EQ(sphere.safety(state, point + Vec3{0, 0, 2 * sphere.radius}), 0);
   EXPECT_EQ(SafetySphere{}.safety(State{}, {0, 0, 0}), 0);
+  EXPECT_FALSE(sphere.holds(State{}, point, 0));
+  EXPECT_FALSE(SafetySphere{}.holds(State{}, {0, 0, 0}, 0));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double limit : {nan, -1.0}) {
+    EXPECT_FALSE(sphere.holds(state, point, limit));
     EXPECT_THROW(navigator_.step(state, point, {0, 0, 1}, limit, sphere), UsageError);
   }
   EXPECT_THROW(navigator_.step(state, {nan, 0, 0}, {0, 0, 1}, 0, sphere), UsageError);

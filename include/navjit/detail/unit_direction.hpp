@@ -1,9 +1,7 @@
-// Which directions are taken for unit vectors. Private to runtime/.
+// Which directions are taken for unit vectors.
 #pragma once
 
-#include "navjit/vector.hpp"
-
-namespace navjit {
+namespace navjit::detail {
 
 /// How far from 1 the length of a direction may be: that of one in single precision is.
 constexpr double unit_slack = 1e-5;
@@ -14,4 +12,4 @@ constexpr bool is_unit_vector(double u, double v, double w) {
   return (off <= 2 * unit_slack) & (off >= -2 * unit_slack);
 }
 
-}  // namespace navjit
+}  // namespace navjit::detail
