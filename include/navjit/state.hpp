@@ -68,9 +68,7 @@ struct SafetySphere {
     const Vec3 from_centre = point - centre;
     const double left = radius - length;
     return (at == state) & (radius > 0) & (length >= 0) & (left >= 0) &
-           (from_centre.x * from_centre.x + from_centre.y * from_centre.y +
-                from_centre.z * from_centre.z <=
-            left * left);
+           (dot(from_centre, from_centre) <= left * left);
   }
 };
 
