@@ -5,6 +5,7 @@
 
 #include "analysis/plan.hpp"
 #include "codegen/data/inner.hpp"
+#include "codegen/data/rotations.hpp"
 #include "codegen/search_numbers.hpp"
 #include "codegen/typed_solid.hpp"
 #include "geometry/solids/extent.hpp"
@@ -80,23 +81,13 @@ struct DaughtersInTable {
   unsigned count;
 };
 
-const double* rotation_of(const Daughter& d, std::map<std::array<double, 9>, const double*>& known,
-                          Arena& arena) {
-  if (!d.transformation.rotated) return nullptr;
-  std::array<double, 9> r;
-  std::copy_n(d.transformation.rotation, 9, r.begin());
-  const auto [at, fresh] = known.try_emplace(r, nullptr);
-  if (fresh) at->second = arena.copy(std::span<const double>(r));
-  return at->second;
-}
-
 template <class Record>
 void make_daughters(const Source& source, const SceneParts& parts, DaughtersInTable& table) {
   const auto daughters = source.scene.daughters;
   auto* records = source.arena.array<Record>(daughters.size());
   const auto inner = inner_of_daughters(source.geometry, source.scene);
   kernels::Vec3<double>(*boxes)[2] = nullptr;
-  std::map<std::array<double, 9>, const double*> rotations;
+  Rotations rotations(source.arena);
   std::map<const void*, const void*> shapes;
   for (std::size_t c = 0; c < parts.classes.size(); ++c) {
     const PartClass& part = parts.classes[c];
@@ -105,7 +96,7 @@ void make_daughters(const Source& source, const SceneParts& parts, DaughtersInTa
       const double* t = d.transformation.translation;
       Record& record = records[k];
       static_cast<kernels::PlacedDaughter&>(record) = {
-          t[0],    t[1],     t[2],     rotation_of(d, rotations, source.arena),
+          t[0],    t[1],     t[2],     rotations.of(d),
           nullptr, d.offset, d.volume, static_cast<unsigned short>(c),
           inner[k]};
       if (part.from == PartClass::From::shape_in_table) {

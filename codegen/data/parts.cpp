@@ -6,6 +6,7 @@
 
 #include "analysis/plan.hpp"
 #include "codegen/data/inner.hpp"
+#include "codegen/data/rotations.hpp"
 #include "geometry/bvh/clustering.hpp"
 #include "geometry/bvh/rounding.hpp"
 #include "geometry/solids/extent.hpp"
@@ -175,24 +176,29 @@ void make_solids(const Source& source, SolidDaughters<Solid>& daughters) {
   auto* at = source.arena.array<SolidDaughter<Solid>>(from.size());
   const auto inner = inner_of_daughters(source.geometry, source.scene);
   navjit::Vec3(*boxes)[2] = nullptr;
+  Rotations rotations(source.arena);
+  // Solids of equal numbers are one in the packed scenes.
+  const PackedDaughter* const packed = source.geometry.packed(source.plan.volume).daughters;
   std::map<const void*, Solid> solids;
-  for (const Daughter& d : from) {
-    if (!solids.contains(d.solid.shape)) solids[d.solid.shape] = as<Solid>(source, d.solid);
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const void* const shape = packed[k].solid.shape;
+    if (!solids.contains(shape)) solids[shape] = as<Solid>(source, from[k].solid);
   }
   for (std::size_t k = 0; k < from.size(); ++k) {
     const Daughter& d = from[k];
     const Transformation& t = d.transformation;
+    const Solid& solid = solids.at(packed[k].solid.shape);
     const bool boxed = is_costly(d.solid.kind);
     at[k] = {t.translation[0],
              t.translation[1],
              t.translation[2],
-             t.rotated ? t.rotation : nullptr,
-             solids.at(d.solid.shape),
+             rotations.of(d),
+             solid,
              d.offset,
              d.volume,
              inner[k],
              boxed,
-             can_be_left_for_good(solids.at(d.solid.shape))};
+             can_be_left_for_good(solid)};
     if (!boxed) continue;
     if (boxes == nullptr) boxes = source.arena.array<navjit::Vec3[2]>(from.size());
     const Extent box = box_with_margin(source.geometry, d);

@@ -197,6 +197,9 @@ struct ClassedDaughters : DaughterTable<Daughter> {
                         all_rotated = (Classes::rotated && ...);
   unsigned count;
 
+  /// It will be asked.
+  [[gnu::always_inline]] void fetch(unsigned k) const { __builtin_prefetch(this->at + k); }
+
   bool holds(unsigned k, const Vec3<double>& p, const Direction<double>& v, double tol) const {
     const Daughter& d = this->at[k];
     return ask_class<Classes...>(

@@ -30,6 +30,9 @@ struct BoxDaughters {
   const BoxDaughter* at;
   unsigned count;
 
+  /// It will be asked. (Where it was not always inlined GCC 12 left it out.)
+  [[gnu::always_inline]] void fetch(unsigned k) const { __builtin_prefetch(at + k); }
+
   [[gnu::always_inline]] bool holds(unsigned k, const Vec3<double>& p, const Direction<double>& v,
                                     double tol) const {
     const BoxDaughter& d = at[k];
@@ -84,6 +87,9 @@ struct SolidDaughters {
   const SolidDaughter<Solid>* at;
   const Vec3<double> (*boxes)[2];  ///< corners of the solids' boxes, with a margin
   unsigned count;
+
+  /// It will be asked.
+  [[gnu::always_inline]] void fetch(unsigned k) const { __builtin_prefetch(at + k); }
 
   static Vec3<double> turned(const double* r, double x, double y, double z) {
     return {r[0] * x + r[1] * y + r[2] * z, r[3] * x + r[4] * y + r[5] * z,
@@ -167,6 +173,9 @@ struct MostlyAhead {
   BoxesAhead* boxes_ahead;    ///< for searches that remember them
   unsigned long long mother;  ///< the touchable, for these
 
+  [[gnu::always_inline]] void fetch(unsigned k) const {
+    if constexpr (requires { all.fetch(k); }) all.fetch(k);
+  }
   [[gnu::always_inline]] bool holds(unsigned k, const Vec3<double>& p, const Direction<double>& v,
                                     double tol) const {
     return all.holds(k, p, v, tol);

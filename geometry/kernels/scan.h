@@ -89,6 +89,11 @@ template <class Key, class Nearest, class DaughterOf, class InKeys>
     }
     next = Key::least(least);
   }
+  // The ray comes to it when it comes back from what it meets first: by then its record is there.
+  // Whether there is one cannot be foreseen; the first daughter serves as well.
+  if constexpr (requires { nearest.daughters.fetch(0U); }) {
+    nearest.daughters.fetch(daughter_of(next != Key::none ? Key::number(next) : 0U));
+  }
 }
 
 /// The daughter that the ray has left for good, as far as is known to who asks.

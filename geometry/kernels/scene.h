@@ -196,10 +196,17 @@ struct EnterScenes {
 };
 
 template <class S>
+[[gnu::always_inline]] inline bool has_neighbour_lists(const S& s) {
+  return S::has_lists == Has::yes || (S::has_lists == Has::maybe && s.lists != nullptr);
+}
+
+template <class S>
 [[gnu::always_inline]] inline void enter_daughter(const void* data, const S& s,
                                                   NavigationStack* stack, const Context* context,
                                                   unsigned k, double x, double y, double z,
                                                   bool by_step = false) {
+  // For when the track leaves it again: lists of thousands of daughters are far away.
+  if (has_neighbour_lists(s)) __builtin_prefetch(s.lists + k);
   s.daughters.template push<typename S::frame_type>(stack, k);
   S::enter::go(data, stack, context, s.daughters.at[k], x, y, z, by_step);
 }
@@ -338,8 +345,7 @@ template <class S>
   const Vec3<double> p = s.frame.point(level, x, y, z);
   const Direction<double>& v = s.frame.heading(stack, level);
   const double tol = s.tolerance;
-  const bool listed =
-      S::has_lists == Has::yes || (S::has_lists == Has::maybe && s.lists != nullptr);
+  const bool listed = has_neighbour_lists(s);
   const bool there = listed && is_there(s.lists[blocked], p);
   if (!(there && s.lists[blocked].mother_contains) && !contains(s.mother, p, v, tol)) {
     S::leave::go(data, stack, context, x, y, z, level.daughter);
