@@ -21,6 +21,8 @@ namespace {
 
 /// Of what is spent in a solid, what code for it wins.
 constexpr double gain_of_code = 0.5;
+/// The same, where the library has code for it.
+constexpr double gain_over_library = 0.2;
 /// Expected time for a module at the most, unless one solid takes longer: modules cost little
 /// beside their solids, and the first need not wait for the last.
 constexpr double most_solids_ms = 250;
@@ -97,8 +99,9 @@ std::vector<Wanted> due_solids(Specialisation& spec) {
   bool any_due = false;
   for (ComposedSolid& solid : *spec.composed_solids) {
     if (solid.tried) continue;
+    const double gain = solid.in_library ? gain_over_library : gain_of_code;
     double won = 0;
-    for (const auto& [volume, share] : solid.scenes) won += gain_of_code * share * spent[volume];
+    for (const auto& [volume, share] : solid.scenes) won += gain * share * spent[volume];
     const double paid = won / (weight * solid.compile_ms * 1e6);
     if (won == 0 || paid < soon) continue;
     any_due = any_due || paid >= 1;

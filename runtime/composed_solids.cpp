@@ -4,6 +4,7 @@
 #include <string>
 
 #include "analysis/solid_key.hpp"
+#include "codegen/data/library_solids.hpp"
 #include "codegen/solids.hpp"
 #include "runtime/schedule.hpp"
 
@@ -29,6 +30,7 @@ struct Found {
         fresh.solid = solid;
         fresh.extent = extent;
         fresh.compile_ms = expected_compile_ms(solid);
+        fresh.in_library = codegen::is_in_library(solid);
         fresh.tried = fresh.compile_ms > most_scene_ms;
       }
       solids[at->second].shapes.push_back(solid.shape);

@@ -19,8 +19,9 @@ struct ComposedSolid {
     double share;  ///< of what a step in the scene takes: a guess
   };
   std::vector<In> scenes{};
-  double compile_ms = 0;  ///< expected
-  bool tried = false;     ///< compiled, or not to be
+  double compile_ms = 0;    ///< expected
+  bool in_library = false;  ///< The library has code for it already.
+  bool tried = false;       ///< compiled, or not to be
 };
 
 /// Those that code may be made for, of all volumes that are in the detector.

@@ -6,6 +6,7 @@
 
 #include "analysis/plan.hpp"
 #include "codegen/data/inner.hpp"
+#include "codegen/data/library_solids.hpp"
 #include "codegen/data/rotations.hpp"
 #include "geometry/bvh/clustering.hpp"
 #include "geometry/bvh/rounding.hpp"
@@ -44,6 +45,8 @@ QuickSolid quick_solid(const Source& source, const kernels::AnySolid<double>& so
     const auto code = source.code->find(solid.shape);
     if (code != source.code->end()) return quick(solid, code->second);
   }
+  const SolidCode* code = library_code(solid, source.geometry.tolerance(), source.arena);
+  if (code != nullptr) return quick(solid, code);
   return quick(nearby(source, solid));
 }
 

@@ -1,0 +1,145 @@
+// The library's code for solids made of several, against the kernels of any solid, bit for bit.
+#include "codegen/data/library_solids.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "analysis/plan.hpp"
+#include "codegen/data/parts.hpp"
+#include "codegen/shapes.hpp"
+#include "runtime/verify_solid.hpp"
+#include "tests/support/random_solids.hpp"
+#include "tests/support/worlds.hpp"
+
+namespace navjit::codegen {
+namespace {
+
+constexpr double tolerance = 1e-9;
+
+/// Mostly boxes and tubes, as what is made of several mostly is.
+Solid some_operand(std::mt19937_64& random) {
+  const auto size = [&] { return uniform(random, 0.5, 4); };
+  switch (random() % 12) {
+    case 0:
+      return make_trd("s", size(), size(), size(), size(), size());
+    case 1: {
+      const double x = size(), y = size(), wide = size(), far = uniform(random, 0.5, 2);
+      return make_trap("s", size(), 0.1, 0.2, y, x, wide, 0.1, far * y, far * x, far * wide, 0.1);
+    }
+    case 2:
+      return make_sphere("s", 0.2, 0.3 + size(), 0, 7, 0, 4);
+    case 3: {
+      const ZPlane planes[] = {{-size(), 0, size()}, {0, 0, size()}, {size(), 0, size()}};
+      return make_polyhedra("s", planes, 6, 0, 7);
+    }
+    case 4:
+    case 5:
+    case 6:
+      return make_tube("s", 0, size(), size(), 0, 7);
+    default:
+      return make_box("s", size(), size(), size());
+  }
+}
+
+/// Where it is, moved, or moved and turned.
+Solid somewhere(std::mt19937_64& random, const Solid& solid) {
+  return random() % 3 == 0 ? solid : make_placed("at", solid, random_frame(random));
+}
+
+Solid some_boolean(std::mt19937_64& random, const Solid& a, const Solid& b) {
+  switch (random() % 4) {
+    case 0:
+      return make_union("s", a, b);
+    case 1:
+      return make_intersection("s", a, b);
+    default:
+      return make_subtraction("s", a, b);
+  }
+}
+
+/// Of two or three solids; nothing if there is nothing left of them.
+std::optional<Solid> some_solid(std::mt19937_64& random) {
+  try {
+    const Solid two =
+        some_boolean(random, some_operand(random), somewhere(random, some_operand(random)));
+    switch (random() % 3) {
+      case 0:
+        return two;
+      case 1:
+        return some_boolean(random, two, somewhere(random, some_operand(random)));
+      default:
+        return some_boolean(random, some_operand(random), somewhere(random, two));
+    }
+  } catch (const GeometryError&) {
+    return std::nullopt;
+  }
+}
+
+TEST(LibrarySolids, HaveTheBitsOfAnySolidsKernels) {
+  const std::vector<std::string> structures = library_structures();
+  std::map<std::string, int> met;
+  std::mt19937_64 random(1);
+  Arena arena;
+  int with = 0, without = 0;
+  for (int n = 0; n < 40000; ++n) {
+    const std::optional<Solid> solid = some_solid(random);
+    if (!solid) continue;
+    const std::string type = Shapes(true).type(solid->any());
+    const bool listed = std::find(structures.begin(), structures.end(), type) != structures.end();
+    ASSERT_EQ(is_in_library(solid->any()), listed) << type;
+    (listed ? with : without) += 1;
+    if (!listed || met[type]++ >= 40) continue;
+    const kernels::SolidCode* code = library_code(solid->any(), tolerance, arena);
+    ASSERT_NE(code, nullptr) << type;
+    EXPECT_EQ(code->solid.shape, solid->shape.get());
+    ASSERT_NE(code->safety_to_in, nullptr);
+    ASSERT_EQ(verify_solid(solid->any(), *code, solid->extent, tolerance, 200, n + 1), "") << type;
+  }
+  for (const std::string& type : structures) EXPECT_GT(met[type], 0) << type << " was not tried";
+  EXPECT_GT(with, 0);
+  EXPECT_GT(without, 0);
+}
+
+TEST(LibrarySolids, AreDifferentStructures) {
+  const std::vector<std::string> structures = library_structures();
+  EXPECT_EQ(std::set(structures.begin(), structures.end()).size(), structures.size());
+}
+
+TEST(LibrarySolids, AreNotPlainOnes) {
+  Arena arena;
+  const Solid box = make_box("box", 1, 2, 3);
+  EXPECT_EQ(library_code(box.any(), tolerance, arena), nullptr);
+  EXPECT_EQ(library_code(make_placed("moved", box, {}).any(), tolerance, arena), nullptr);
+}
+
+/// Of mothers and of daughters.
+TEST(LibrarySolids, AreWhatScenesThatAreBoundToDataAsk) {
+  const Solid frame = make_subtraction("frame", make_box("b", 2, 2, 2), make_box("h", 1, 1, 3));
+  World world;
+  world.top = tests::add_volume(
+      world, "world", make_subtraction("w", make_box("b", 90, 90, 90), make_box("h", 9, 9, 99)));
+  const VolumeId volume = tests::add_volume(world, "frame", frame);
+  tests::place(world, world.top, volume, {40, 0, 0});
+  tests::place(world, world.top, volume, {-40, 0, 0}, {0, 0, 0.5});
+  finish(world);
+  const Geometry geometry(std::make_shared<const World>(std::move(world)));
+  const VolumeId top = geometry.world().top;
+  const ScenePlan plan = plan_scene(geometry, analyse_world(geometry), top);
+  Arena arena;
+  const Source source{geometry, plan, geometry.scene(top), arena};
+  AnyDaughters daughters;
+  make(source, daughters);
+  kernels::QuickSolid mother;
+  make(source, mother);
+  EXPECT_TRUE(mother.has_code);
+  ASSERT_EQ(daughters.count, 2U);
+  EXPECT_TRUE(daughters.at[0].solid.has_code);
+  EXPECT_EQ(daughters.at[0].solid.shape, daughters.at[1].solid.shape) << "one solid has one code";
+}
+
+}  // namespace
+}  // namespace navjit::codegen
