@@ -22,11 +22,15 @@ using Trd = kernels::Trd<double>;
 using Trap = kernels::Trap<double>;
 using Sphere = kernels::Sphere<double>;
 using Polyhedra = kernels::Polyhedra<double>;
+using Polycone = kernels::Polycone<double>;
 template <class Solid>
 using Boxed = kernels::Boxed<double, Solid>;
 template <class Solid>
 using Moved = kernels::Placed<double, Solid>;
+template <class Solid>
+using Apart = kernels::SolidApart<Solid>;
 using MovedTube = Boxed<Moved<Tube>>;
+using TwoBoxes = Union<Moved<Box>, Moved<Box>>;
 
 template <class... Solids>
 struct List {};
@@ -40,6 +44,7 @@ using Structures = List<
     Subtraction<Box, Boxed<Moved<Box>>>,       //
     Subtraction<Box, Boxed<Tube>>,             //
     Subtraction<Box, MovedTube>,               //
+    Subtraction<Box, Boxed<Moved<Polycone>>>,  //
     Subtraction<Tube, Box>,                    //
     Subtraction<Tube, Moved<Box>>,             //
     Subtraction<Tube, Boxed<Moved<Box>>>,      //
@@ -48,6 +53,8 @@ using Structures = List<
     Subtraction<Trd, Boxed<Trd>>,              //
     Subtraction<Trap, Boxed<Trap>>,            //
     Subtraction<Polyhedra, Boxed<Polyhedra>>,  //
+    Subtraction<Polycone, Boxed<Polycone>>,    //
+    Subtraction<Sphere, Boxed<Tube>>,          //
     Subtraction<Sphere, MovedTube>,            //
     Union<Box, Box>,                           //
     Union<Box, Moved<Box>>,                    //
@@ -55,20 +62,26 @@ using Structures = List<
     Union<Box, MovedTube>,                     //
     Union<Boxed<Tube>, Moved<Box>>,            //
     Union<Boxed<Tube>, MovedTube>,             //
+    Union<Boxed<Trd>, Boxed<Moved<Trd>>>,      //
     Intersection<Box, Boxed<Moved<Box>>>,      //
     Intersection<Boxed<Tube>, Moved<Box>>,     //
     // Three.
-    Subtraction<Box, Boxed<Union<Moved<Box>, Moved<Box>>>>,   //
+    Subtraction<Box, Boxed<Union<Box, Box>>>,                 //
+    Subtraction<Box, Boxed<TwoBoxes>>,                        //
     Subtraction<Box, Boxed<Union<Moved<Box>, MovedTube>>>,    //
     Subtraction<Box, Boxed<Union<Boxed<Tube>, Moved<Box>>>>,  //
     Subtraction<Box, Boxed<Union<MovedTube, MovedTube>>>,     //
     Subtraction<Box, Boxed<Subtraction<Box, MovedTube>>>,     //
     Subtraction<Tube, Boxed<Union<MovedTube, MovedTube>>>,    //
     Subtraction<Union<Box, Moved<Box>>, Moved<Box>>,          //
+    Subtraction<Union<Box, Moved<Box>>, MovedTube>,           //
     Subtraction<Union<Box, MovedTube>, MovedTube>,            //
-    Union<Box, Boxed<Union<Moved<Box>, Moved<Box>>>>,         //
+    Union<Box, Boxed<TwoBoxes>>,                              //
     Union<Moved<Box>, Boxed<Union<Box, Moved<Box>>>>,         //
-    Union<Boxed<Subtraction<Box, Boxed<Moved<Box>>>>, Moved<Box>>>;
+    Union<Boxed<Subtraction<Box, Boxed<Moved<Box>>>>, Moved<Box>>,
+    // Windows.
+    Subtraction<Box, Boxed<Apart<Union<Moved<Box>, Boxed<TwoBoxes>>>>>,
+    Subtraction<Box, Boxed<Apart<Union<Boxed<TwoBoxes>, Boxed<TwoBoxes>>>>>>;
 
 /// A type of these as Shapes::type() has it.
 template <class Solid>
@@ -84,6 +97,7 @@ NAVJIT_NAME(Trd)
 NAVJIT_NAME(Trap)
 NAVJIT_NAME(Sphere)
 NAVJIT_NAME(Polyhedra)
+NAVJIT_NAME(Polycone)
 #undef NAVJIT_NAME
 #define NAVJIT_NAME(Boolean)                                                  \
   template <class A, class B>                                                 \
@@ -101,12 +115,16 @@ struct NameOf<Boxed<Solid>> {
   static std::string get() { return "Boxed<double, " + NameOf<Solid>::get() + ">"; }
 };
 template <class Solid>
+struct NameOf<Apart<Solid>> {
+  static std::string get() { return "SolidApart<" + NameOf<Solid>::get() + ">"; }
+};
+template <class Solid>
 struct NameOf<Moved<Solid>> {
   static std::string get() { return "Placed<double, " + NameOf<Solid>::get() + ">"; }
 };
 
 /// More solids than any of the structures has.
-constexpr std::size_t most_solids = 3;
+constexpr std::size_t most_solids = 5;
 
 /// A solid's code and numbers side by side: who calls one reads the other.
 template <class Solid>

@@ -23,7 +23,7 @@ constexpr double tolerance = 1e-9;
 /// Mostly boxes and tubes, as what is made of several mostly is.
 Solid some_operand(std::mt19937_64& random) {
   const auto size = [&] { return uniform(random, 0.5, 4); };
-  switch (random() % 12) {
+  switch (random() % 14) {
     case 0:
       return make_trd("s", size(), size(), size(), size(), size());
     case 1: {
@@ -36,9 +36,14 @@ Solid some_operand(std::mt19937_64& random) {
       const ZPlane planes[] = {{-size(), 0, size()}, {0, 0, size()}, {size(), 0, size()}};
       return make_polyhedra("s", planes, 6, 0, 7);
     }
-    case 4:
+    case 4: {
+      const ZPlane planes[] = {{-size(), 0.1, size()}, {0, 0.2, size()}, {size(), 0, size()}};
+      return make_polycone("s", planes, 0, 7);
+    }
     case 5:
     case 6:
+    case 7:
+    case 8:
       return make_tube("s", 0, size(), size(), 0, 7);
     default:
       return make_box("s", size(), size(), size());
@@ -61,9 +66,20 @@ Solid some_boolean(std::mt19937_64& random, const Solid& a, const Solid& b) {
   }
 }
 
-/// Of two or three solids; nothing if there is nothing left of them.
+/// A wall with windows.
+Solid some_wall(std::mt19937_64& random) {
+  Solid wall = make_box("wall", 5, 5, 1);
+  for (std::uint64_t windows = 1 + random() % 5; windows > 0; --windows) {
+    const Solid window = make_box("w", uniform(random, 0.3, 1), uniform(random, 0.3, 1), 2);
+    wall = make_subtraction("s", wall, somewhere(random, window));
+  }
+  return wall;
+}
+
+/// Of two or three solids, or a wall; nothing if there is nothing left of them.
 std::optional<Solid> some_solid(std::mt19937_64& random) {
   try {
+    if (random() % 8 == 0) return some_wall(random);
     const Solid two =
         some_boolean(random, some_operand(random), somewhere(random, some_operand(random)));
     switch (random() % 3) {
@@ -85,14 +101,14 @@ TEST(LibrarySolids, HaveTheBitsOfAnySolidsKernels) {
   std::mt19937_64 random(1);
   Arena arena;
   int with = 0, without = 0;
-  for (int n = 0; n < 40000; ++n) {
+  for (int n = 0; n < 150000; ++n) {
     const std::optional<Solid> solid = some_solid(random);
     if (!solid) continue;
     const std::string type = Shapes(true).type(solid->any());
     const bool listed = std::find(structures.begin(), structures.end(), type) != structures.end();
     ASSERT_EQ(is_in_library(solid->any()), listed) << type;
     (listed ? with : without) += 1;
-    if (!listed || met[type]++ >= 40) continue;
+    if (!listed || met[type]++ >= 20) continue;
     const kernels::SolidCode* code = library_code(solid->any(), tolerance, arena);
     ASSERT_NE(code, nullptr) << type;
     EXPECT_EQ(code->solid.shape, solid->shape.get());
