@@ -66,6 +66,11 @@ std::vector<double> spent_in_scenes(const Specialisation& spec) {
   return spent;
 }
 
+/// Of what is spent in this solid.
+double gain_of_code_for(const ComposedSolid& solid) {
+  return solid.in_library ? gain_over_library : gain_of_code;
+}
+
 struct Wanted {
   ComposedSolid* solid;
   double urgency;  ///< how many times it has paid, or what stands for that
@@ -99,9 +104,9 @@ std::vector<Wanted> due_solids(Specialisation& spec) {
   bool any_due = false;
   for (ComposedSolid& solid : *spec.composed_solids) {
     if (solid.tried) continue;
-    const double gain = solid.in_library ? gain_over_library : gain_of_code;
-    double won = 0;
-    for (const auto& [volume, share] : solid.scenes) won += gain * share * spent[volume];
+    double spent_in_it = 0;
+    for (const auto& [volume, share] : solid.scenes) spent_in_it += share * spent[volume];
+    const double won = gain_of_code_for(solid) * spent_in_it;
     const double paid = won / (weight * solid.compile_ms * 1e6);
     if (won == 0 || paid < soon) continue;
     any_due = any_due || paid >= 1;
@@ -256,7 +261,8 @@ void compile_solids_of_all(Specialisation& spec, const std::set<VolumeId>& but, 
         if (but.contains(volume)) continue;
         often += share * static_cast<double>(spec.facts.touchables[volume]);
       }
-      if (!solid.tried && often > 0) wanted.push_back({&solid, often / solid.compile_ms});
+      if (solid.tried || often == 0) continue;
+      wanted.push_back({&solid, gain_of_code_for(solid) * often / solid.compile_ms});
     }
     if (wanted.empty() || !make(spec, most_urgent(spec, wanted, most_solids_ms))) return;
   }
