@@ -9,6 +9,7 @@
 
 #include "tests/support/folder.hpp"
 #include "tests/support/memory_limit.hpp"
+#include "tests/support/plates.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/sanitizers.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 constexpr auto npos = std::string::npos;
 const std::string detector = NAVJIT_DETECTORS_DIR "/absorber.gdml";
 
-/// FOLDER stands for one that has a profile.
+/// FOLDER stands for one that has a profile and a detector that is quick to compile.
 const std::vector<std::string> commands{
     "--version",
     "inspect " + detector + " --scene World --emit",
@@ -26,8 +27,9 @@ const std::vector<std::string> commands{
     "run " + detector + " --rays 500 --jit wait",
     "trace " + detector + " --rays 500 --threads 20 --jit off --out FOLDER/t",
     "check " + detector + " --resolution 10",
-    "accuracy " + detector +
-        " --rays 5 --repetitions 1 --boundaries 0 --vecgeom off --threads 20 --report FOLDER/a",
+    "accuracy FOLDER/plates.gdml --rays 5 --repetitions 1 --boundaries 0 --vecgeom off --threads "
+    "20 "
+    "--report FOLDER/a",
     "picture " + detector + " --size 300x200 --threads 20 -o FOLDER/i.png",
     "cache verify --cache FOLDER",
     "profile merge FOLDER/profile.json FOLDER/profile.json -o FOLDER/m",
@@ -42,6 +44,7 @@ class Limits : public testing::TestWithParam<std::string> {
     const Output output = run_navjit("run " + detector + " --rays 2000 --jit off --save-profile " +
                                      folder_.file("profile.json"));
     ASSERT_EQ(output.status, 0) << output.text;
+    write_plates(folder_.file("plates.gdml"));
   }
 
   TemporaryFolder folder_;
@@ -103,8 +106,10 @@ TEST(Limits, TooManyThreadsAreNamed) {
 }
 
 TEST(Limits, AFullDiskLosesNothingThatWasThere) {
-  const TemporaryFolder folder;
+  const TemporaryFolder folder, elsewhere;
   const std::string& disk = folder.path();
+  const std::string plates = elsewhere.file("plates.gdml");
+  write_plates(plates);
   const std::string log = ::testing::TempDir() + "/full_disk_log";
   const int status = in_child([&] {
     if (unshare(CLONE_NEWNS) != 0 && unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) return 77;
@@ -116,7 +121,7 @@ TEST(Limits, AFullDiskLosesNothingThatWasThere) {
          {"run " + detector + " --rays 500 --jit off --report " + disk + "/before",
           "run " + detector + " --rays 500 --jit off --save-profile " + disk + "/before",
           "trace " + detector + " --rays 500 --jit off --out " + disk + "/before",
-          "accuracy " + detector +
+          "accuracy " + plates +
               " --rays 5 --repetitions 1 --boundaries 0 --vecgeom off --report " + disk + "/before",
           "specialise " + detector + " --scene Core --emit cpp -o " + disk + "/before"}) {
       const Output output = run_navjit(command);

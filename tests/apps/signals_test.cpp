@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "tests/support/folder.hpp"
+#include "tests/support/plates.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/sanitizers.hpp"
 
@@ -157,11 +158,12 @@ TEST_P(Signals, AccuracyWritesTheRaysThatAreJudged) {
 TEST_P(Signals, AccuracyEndsItsPeerAndWritesWhatItHas) {
   write_file(log_.file("peer"), "#!/bin/sh\nexec sleep 600\n");
   fs::permissions(log_.file("peer"), fs::perms::owner_all);
+  write_plates(log_.file("plates.gdml"));
   setenv("TMPDIR", folder_.path().c_str(), 1);
-  Process accuracy({NAVJIT_COMMAND, "accuracy", NAVJIT_DETECTORS_DIR "/absorber.gdml", "--rays",
-                    "5", "--repetitions", "1", "--boundaries", "0", "--vecgeom", log_.file("peer"),
-                    "--report", log_.file("report.json")},
-                   log_.file("log"));
+  Process accuracy(
+      {NAVJIT_COMMAND, "accuracy", log_.file("plates.gdml"), "--rays", "5", "--repetitions", "1",
+       "--boundaries", "0", "--vecgeom", log_.file("peer"), "--report", log_.file("report.json")},
+      log_.file("log"));
   unsetenv("TMPDIR");
   ASSERT_TRUE(eventually([&] { return has_child(accuracy.pid()); })) << accuracy.text();
   accuracy.send(number_);

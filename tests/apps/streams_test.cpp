@@ -8,6 +8,7 @@
 
 #include "tests/support/command.hpp"
 #include "tests/support/folder.hpp"
+#include "tests/support/plates.hpp"
 #include "tests/support/process.hpp"
 
 namespace navjit::tests {
@@ -15,7 +16,8 @@ namespace {
 
 const std::string detector = NAVJIT_DETECTORS_DIR "/absorber.gdml";
 
-/// Arguments of navjit that print something and succeed; FOLDER stands for one.
+/// Arguments of navjit that print something and succeed; FOLDER stands for one that has a profile
+/// and a detector that is quick to compile.
 const std::vector<std::string> printing{
     "--help",
     "--version",
@@ -25,7 +27,7 @@ const std::vector<std::string> printing{
     "run " + detector + " --rays 10 --jit off",
     "trace " + detector + " --rays 10 --jit off",
     "check " + detector + " --resolution 10",
-    "accuracy " + detector + " --rays 5 --repetitions 1 --boundaries 0 --vecgeom off",
+    "accuracy FOLDER/plates.gdml --rays 5 --repetitions 1 --boundaries 0 --vecgeom off",
     "cache path --cache FOLDER",
     "cache list --cache FOLDER",
     "cache verify --cache FOLDER",
@@ -45,6 +47,7 @@ class Streams : public testing::TestWithParam<std::string> {
     const Output output = run_navjit("run " + detector + " --rays 2000 --jit off --save-profile " +
                                      folder_.file("profile.json"));
     ASSERT_EQ(output.status, 0) << output.text;
+    write_plates(folder_.file("plates.gdml"));
     for (std::size_t at; (at = arguments_.find("FOLDER")) != std::string::npos;) {
       arguments_.replace(at, 6, folder_.path());
     }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/command.hpp"
+#include "tests/support/plates.hpp"
 
 namespace navjit::tests {
 namespace {
@@ -78,9 +79,10 @@ TEST_F(AccuracyCommand, DrawsWhatObservingLessBrings) {
 }
 
 TEST_F(AccuracyCommand, DrawsAPictureWhereGnuplotIs) {
+  write_plates(file("plates.gdml"));
   for (const char* name : {"picture.svg", "picture.png"}) {
     const Output output = run_navjit(
-        "accuracy " + detector +
+        "accuracy " + file("plates.gdml") +
         " --rays 20 --repetitions 1 --boundaries 0 --vecgeom off --picture " + file(name));
     if (output.text.find("gnuplot, which is not installed") != npos) {
       EXPECT_EQ(output.status, 1);
@@ -111,9 +113,10 @@ TEST_F(AccuracyCommand, SaysWhatIsWrongBeforeItMeasures) {
 TEST_F(AccuracyCommand, GoesOnWithoutAPeerThatFails) {
   write_file(file("peer"), "#!/bin/sh\nkill -SEGV $$\n");
   fs::permissions(file("peer"), fs::perms::owner_all);
+  write_plates(file("plates.gdml"));
   const Output output =
-      run_navjit("accuracy " + detector + " --rays 20 --repetitions 1 --boundaries 0 --vecgeom " +
-                 file("peer"));
+      run_navjit("accuracy " + file("plates.gdml") +
+                 " --rays 20 --repetitions 1 --boundaries 0 --vecgeom " + file("peer"));
   EXPECT_EQ(output.status, 0) << output.text;
   EXPECT_NE(output.text.find("| VecGeom | crashes (signal 11) |"), npos) << output.text;
 }

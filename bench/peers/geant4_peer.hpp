@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "flight.hpp"
+#include "geometry/rays/ray.hpp"
+
+namespace navjit::peers {
+
+/// Geant4's own navigator, for measurements beside it and for comparison.
+///
+/// Geant4 keeps its geometry in singletons, and ends the process where a file is beyond it: a
+/// process reads one detector, and has to be one that may die.
+class Geant4Peer {
+ public:
+  struct Totals {
+    std::uint64_t steps = 0;  ///< zero steps among them
+    double length = 0;        ///< mm
+    std::uint64_t stuck = 0;  ///< rays given up
+  };
+  /// One step of a ray.
+  struct Segment {
+    std::string volume;  ///< the logical volume's name, as in the file
+    double length;       ///< mm
+  };
+
+  /// Reads a GDML file and has Geant4 optimise its geometry. Throws std::runtime_error where Geant4
+  /// reads no world.
+  explicit Geant4Peer(const std::string& gdml_file);
+  Geant4Peer(const Geant4Peer&) = delete;
+  Geant4Peer& operator=(const Geant4Peer&) = delete;
+  ~Geant4Peer();
+
+  /// The steps of a ray until it leaves the world; none if it starts outside. Ends early where 100
+  /// steps in a row are none.
+  std::vector<Segment> trace(const Ray& ray) const;
+
+  /// The same for all rays with nothing recorded: the one to time. Includes locating the starts.
+  Totals transport(std::span<const Ray> rays) const;
+
+  /// Makes flights, with the safety before each step that does not start on a boundary, which adds
+  /// to `safeties`, mm. Secondaries start from the touchable that they were born in.
+  Totals fly(std::span<const Flight> flights, double& safeties) const;
+
+ private:
+  struct Own;
+  std::unique_ptr<Own> own_;
+};
+
+}  // namespace navjit::peers
