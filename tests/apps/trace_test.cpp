@@ -33,9 +33,14 @@ TEST_P(TraceOfDetector, DoesNotDependOnTheJitOrOnThreads) {
   EXPECT_EQ(right.substr(0, right.find('\n')), "ray,step,volume,length");
   EXPECT_GT(std::count(right.begin(), right.end(), '\n'), 1500);
   EXPECT_EQ(right.find("stuck"), std::string::npos);
-  for (const char* options : {"--jit off --threads 4", "--jit on", "--jit on --threads 4",
-                              "--jit wait", "--jit wait --threads 4", "--jit shadow"}) {
+  for (const char* options :
+       {"--jit off --threads 4", "--jit on", "--jit on --threads 4", "--jit shadow"}) {
     EXPECT_TRUE(right == trace(std::string("--rays 1500 ") + options)) << options;
+  }
+  // The second has its code from the first.
+  const std::string cache = " --cache " + (folder / "cache").string();
+  for (const char* options : {"--jit wait", "--jit wait --threads 4"}) {
+    EXPECT_TRUE(right == trace(std::string("--rays 1500 ") + options + cache)) << options;
   }
   for (const char* boxes :
        {"linear", "wide-tree", "two-level", "two-level:k-means", "two-level:furthest",
