@@ -11,6 +11,9 @@
 namespace navjit {
 namespace {
 
+/// No solid is compiled that is expected to take longer: all else would wait for it.
+constexpr double most_solid_ms = 1000;
+
 /// Of a step in a mother, what its own solid takes, and what all daughters' do. Guesses.
 constexpr double share_of_mother = 0.3, share_of_daughters = 0.6;
 
@@ -31,7 +34,7 @@ struct Found {
         fresh.extent = extent;
         fresh.compile_ms = expected_compile_ms(solid);
         fresh.in_library = codegen::is_in_library(solid);
-        fresh.tried = fresh.compile_ms > most_scene_ms;
+        fresh.tried = fresh.compile_ms > most_solid_ms;
       }
       solids[at->second].shapes.push_back(solid.shape);
     }
