@@ -24,8 +24,9 @@ constexpr double module_base_ms = 30;
 /// as long again: until code is there nothing is won.
 double most_module_ms(double seconds, const SpecialiserOptions& options);
 
-/// No scene is compiled that is expected to take longer by itself: all others would wait for it, and
-/// no module is to take more than a second. One in ten takes 1.3 times what is expected, or more.
+/// No scene is compiled that is expected to take longer by itself: all others would wait for it,
+/// and no module is to take more than a second. One in ten takes 1.3 times what is expected, or
+/// more.
 constexpr double most_scene_ms = 750;
 
 /// Expected gain of a step or relocation, ns.
