@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "bench/ray_options.hpp"
+#include "bench/warm_up.hpp"
 #include "common/clock.hpp"
 #include "common/statistics.hpp"
 #include "geometry/gdml/read_world.hpp"
@@ -120,22 +121,12 @@ void measure(const std::string& file, const bench::RayOptions& options, int repe
     return kind == 0 ? straight(engine.navigator, *world, rays)
                      : scattering(engine.navigator, rays, path, 60);
   };
-  // Until nothing is left to be specialised, as in a long run.
   for (auto& engine : engines) {
     if (engine == engines[0]) continue;
-    const double until = common::thread_ns() + 3e9;
-    while (common::thread_ns() < until) {
+    bench::warm_up(*engine->runtime, 5, [&] {
       run(*engine, 0);
       run(*engine, 1);
-    }
-    engine->runtime->wait_until_idle();
-    // What came last is on trial.
-    const double decided = common::thread_ns() + 2e9;
-    while (common::thread_ns() < decided) {
-      run(*engine, 0);
-      run(*engine, 1);
-    }
-    engine->runtime->final_report(0);  // decides what is still on trial
+    });
   }
   for (int r = 0; r < repetitions; ++r) {
     for (std::size_t turn = 0; turn < engines.size(); ++turn) {

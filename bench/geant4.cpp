@@ -7,9 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -19,6 +17,7 @@
 #include "bench/peers/geant4_peer.hpp"
 #include "bench/ray_options.hpp"
 #include "bench/shower.hpp"
+#include "bench/warm_up.hpp"
 #include "common/clock.hpp"
 #include "common/statistics.hpp"
 #include "geometry/gdml/read_world.hpp"
@@ -86,10 +85,10 @@ void show(const Ray& ray, std::span<const bench::Passed> geant4,
   }
 }
 
-struct Specialised {
+struct Engine {
   Runtime runtime;
   Navigator navigator;
-  Specialised(const std::shared_ptr<const World>& world, JitMode mode)
+  Engine(const std::shared_ptr<const World>& world, JitMode mode)
       : runtime(world,
                 [=] {
                   RuntimeOptions options;
@@ -102,9 +101,9 @@ struct Specialised {
 Row measure(const std::string& file, const Options& options) {
   Row row{};
   const auto world = std::make_shared<const World>(read_world(file));
-  std::vector<Ray> rays = bench::rays_of_any(options.rays, *world);
+  const std::vector<Ray> rays = bench::rays_of_any(options.rays, *world);
   const peers::Geant4Peer peer(file);
-  Specialised generic(world, JitMode::off), made(world, JitMode::on);
+  Engine generic(world, JitMode::off), made(world, JitMode::on);
   row.rays = rays.size();
   std::vector<Ray> alike;
   for (const Ray& ray : rays) {
@@ -127,8 +126,7 @@ Row measure(const std::string& file, const Options& options) {
   std::uint64_t made_steps[2]{};
   const auto run = [&](int engine, int kind) {
     if (engine == 0) {
-      made_steps[kind] =
-          kind == 0 ? peer.transport(alike).steps : peer.fly(flights, safeties).steps;
+      made_steps[kind] = kind == 0 ? peer.transport(alike) : peer.fly(flights, safeties);
       return;
     }
     Navigator& navigator = engine == 1 ? generic.navigator : made.navigator;
@@ -138,15 +136,10 @@ Row measure(const std::string& file, const Options& options) {
       bench::follow(navigator, flights, bench::Asked::whole);
     }
   };
-  for (int turn = 0; turn < 2; ++turn) {
-    const double until = common::thread_ns() + options.warm_up / 2 * 1e9;
-    while (common::thread_ns() < until) {
-      run(2, 0);
-      run(2, 1);
-    }
-    made.runtime.wait_until_idle();
-  }
-  made.runtime.final_report(0);  // decides what is still on trial
+  bench::warm_up(made.runtime, options.warm_up, [&] {
+    run(2, 0);
+    run(2, 1);
+  });
   std::vector<double> ns[3][2];
   for (int r = 0; r < options.repetitions; ++r) {
     for (int kind : {0, 1}) {
@@ -198,8 +191,10 @@ Row measure_apart(const std::string& file, const Options& options) {
   waitpid(child, &status, 0);
   if (!whole) {
     row = {};
-    std::snprintf(row.failure, sizeof row.failure, "Geant4 or navjit ended by signal %d",
-                  WIFSIGNALED(status) ? WTERMSIG(status) : 0);
+    const bool by_signal = WIFSIGNALED(status);
+    std::snprintf(row.failure, sizeof row.failure, "its process ended with %s %d (see --show)",
+                  by_signal ? "signal" : "status",
+                  by_signal ? WTERMSIG(status) : WEXITSTATUS(status));
   }
   return row;
 }

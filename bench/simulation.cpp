@@ -16,6 +16,7 @@
 #include "bench/photons.hpp"
 #include "bench/ray_options.hpp"
 #include "bench/shower.hpp"
+#include "bench/warm_up.hpp"
 #include "common/clock.hpp"
 #include "common/statistics.hpp"
 #include "geometry/gdml/read_world.hpp"
@@ -57,18 +58,6 @@ struct Specialised {
         navigator(runtime.navigator()) {}
 };
 
-/// Until nothing is left to be specialised and what came last was judged, as in a long run.
-void warm_up(Specialised& made, const std::vector<peers::Flight>& flights, bench::Asked asked) {
-  for (const double seconds : {3.0, 2.0}) {
-    const double until = common::thread_ns() + 1e9 * seconds;
-    while (common::thread_ns() < until) bench::follow(made.navigator, flights, asked);
-    made.runtime.wait_until_idle();
-  }
-  // What is still on trial is decided: a benchmark of milliseconds may fall into a stretch of a
-  // trial that shows the other side, which a run has for a hundredth of its time.
-  made.runtime.final_report(0);
-}
-
 #ifdef NAVJIT_VECGEOM
 void add_vecgeom(const std::string& detector, const std::vector<peers::Flight>& flights,
                  bool safety, std::vector<Engine>& engines) {
@@ -106,7 +95,7 @@ double measure(const std::string& file, const Options& options) {
                          return bench::follow(s->navigator, flights, asked);
                        }});
   }
-  warm_up(made, flights, options.asked);
+  bench::warm_up(made.runtime, 5, [&] { bench::follow(made.navigator, flights, options.asked); });
 #ifdef NAVJIT_VECGEOM
   if (options.peers) add_vecgeom(file, flights, options.asked != bench::Asked::none, engines);
 #endif

@@ -6,6 +6,7 @@
 #include <G4Navigator.hh>
 #include <G4TouchableHistory.hh>
 #include <G4VPhysicalVolume.hh>
+#include <algorithm>
 #include <stdexcept>
 
 namespace navjit::peers {
@@ -22,9 +23,9 @@ struct Geant4Peer::Own {
   G4GDMLParser parser{};
   mutable G4Navigator navigator{};
 
-  /// Calls sink(volume, length) for each step. False if the ray is stuck.
+  /// Calls sink(volume, length) for each step.
   template <class Sink>
-  bool follow(const Ray& ray, const Sink& sink) const {
+  void follow(const Ray& ray, const Sink& sink) const {
     G4ThreeVector point = to_geant4(ray.position);
     const G4ThreeVector direction = to_geant4(ray.direction);
     const G4VPhysicalVolume* in =
@@ -34,13 +35,12 @@ struct Geant4Peer::Own {
       G4double safety = 0;
       const G4double step = navigator.ComputeStep(point, direction, kInfinity, safety);
       standing = step > no_length ? 0 : standing + 1;
-      if (standing == zero_steps_allowed || step >= kInfinity) return false;
+      if (standing == zero_steps_allowed || step >= kInfinity) return;
       sink(*in, step);
       point += step * direction;
       navigator.SetGeometricallyLimitedStep();
       in = navigator.LocateGlobalPointAndSetup(point, &direction, true, false);
     }
-    return true;
   }
 };
 
@@ -64,26 +64,22 @@ std::vector<Geant4Peer::Segment> Geant4Peer::trace(const Ray& ray) const {
   return segments;
 }
 
-Geant4Peer::Totals Geant4Peer::transport(std::span<const Ray> rays) const {
-  Totals totals;
+std::uint64_t Geant4Peer::transport(std::span<const Ray> rays) const {
+  std::uint64_t steps = 0;
   for (const Ray& ray : rays) {
-    const bool left = own_->follow(ray, [&](const G4VPhysicalVolume&, double length) {
-      ++totals.steps;
-      totals.length += length;
-    });
-    totals.stuck += left ? 0 : 1;
+    own_->follow(ray, [&](const G4VPhysicalVolume&, double) { ++steps; });
   }
-  return totals;
+  return steps;
 }
 
-Geant4Peer::Totals Geant4Peer::fly(std::span<const Flight> flights, double& safeties) const {
+std::uint64_t Geant4Peer::fly(std::span<const Flight> flights, double& safeties) const {
   struct Place {
     std::unique_ptr<G4TouchableHistory> touchable;  ///< null: outside
     G4ThreeVector point;
     bool on_boundary;
   };
   G4Navigator& navigator = own_->navigator;
-  Totals totals;
+  std::uint64_t steps = 0;
   std::vector<Place> waiting;
   for (const Flight& flight : flights) {
     G4ThreeVector point = to_geant4(flight.start);
@@ -101,7 +97,6 @@ Geant4Peer::Totals Geant4Peer::fly(std::span<const Flight> flights, double& safe
           on_boundary = step <= planned.limit;
           step = std::min(step, planned.limit);
           point += step * direction;
-          totals.length += step;
           if (!on_boundary) {
             navigator.LocateGlobalPointWithinVolume(point);
             break;
@@ -110,7 +105,7 @@ Geant4Peer::Totals Geant4Peer::fly(std::span<const Flight> flights, double& safe
           in = navigator.LocateGlobalPointAndSetup(point, &direction, true, false);
           if (step > no_length) break;
         }
-        ++totals.steps;
+        ++steps;
       }
       if (planned.secondary) {
         waiting.push_back({in == nullptr ? nullptr
@@ -129,7 +124,7 @@ Geant4Peer::Totals Geant4Peer::fly(std::span<const Flight> flights, double& safe
       }
     }
   }
-  return totals;
+  return steps;
 }
 
 }  // namespace navjit::peers

@@ -17,11 +17,6 @@ namespace navjit::peers {
 /// process reads one detector, and has to be one that may die.
 class Geant4Peer {
  public:
-  struct Totals {
-    std::uint64_t steps = 0;  ///< zero steps among them
-    double length = 0;        ///< mm
-    std::uint64_t stuck = 0;  ///< rays given up
-  };
   /// One step of a ray.
   struct Segment {
     std::string volume;  ///< the logical volume's name, as in the file
@@ -40,11 +35,13 @@ class Geant4Peer {
   std::vector<Segment> trace(const Ray& ray) const;
 
   /// The same for all rays with nothing recorded: the one to time. Includes locating the starts.
-  Totals transport(std::span<const Ray> rays) const;
+  /// Returns the number of steps, zero steps among them.
+  std::uint64_t transport(std::span<const Ray> rays) const;
 
   /// Makes flights, with the safety before each step that does not start on a boundary, which adds
   /// to `safeties`, mm. Secondaries start from the touchable that they were born in.
-  Totals fly(std::span<const Flight> flights, double& safeties) const;
+  /// Returns the number of steps, each with the zero steps before it.
+  std::uint64_t fly(std::span<const Flight> flights, double& safeties) const;
 
  private:
   struct Own;
