@@ -26,6 +26,10 @@ constexpr std::size_t most_lanes = 8;
 /// beyond this nothing was measured.
 constexpr std::size_t most_boxes = 32768;
 
+/// Planes between more daughters than these four million are not looked for: to put the boxes of so
+/// many in order takes seconds.
+constexpr std::size_t most_in_planes = std::size_t{1} << 22;
+
 /// Among more daughters no rings are looked for: that takes the square of their number.
 constexpr std::size_t most_about_an_axis = 4096;
 
@@ -167,7 +171,8 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
   for (const Extent& box : boxes) largest = std::max(largest, largest_coordinate(box));
   // Daughters may stick out of their mother.
   const double round_margin = 2 * geometry.tolerance() + 1e-9 * largest;
-  const bool boxes_possible = boxes.size() <= most_boxes && largest <= largest_float_scene;
+  const bool in_floats = largest <= largest_float_scene;
+  const bool boxes_possible = boxes.size() <= most_boxes && in_floats;
   const auto make_boxes = [&] {
     if (!plan.boxes.empty()) return;
     const double inflate = margin + float_margin(largest);
@@ -253,15 +258,20 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     return;
   }
   // Beside what code has: data alone walks slabs within slabs.
-  if (boxes_possible && (!forced || *forced == Candidates::layers)) {
+  if (in_floats && boxes.size() <= most_in_planes && (!forced || *forced == Candidates::layers)) {
     if (auto layers = find_layers(boxes, geometry.tolerance(), margin)) {
       plan.layers = std::move(*layers);
-      if (forced) {
+      if (forced || boxes.size() > most_boxes) {
         plan.candidates = Candidates::layers;
         plan.mean_candidates = plan.layers.mean_group;
         return;
       }
     }
+  }
+  if (!forced && boxes.size() > most_boxes && scene.boxes) {
+    plan.candidates = Candidates::tree;
+    plan.mean_candidates = static_cast<double>(boxes.size());
+    return;
   }
   // What is in a hole of a daughter, or beside what its box holds of it, is not its own.
   const auto apart = [&](std::uint32_t k, const Extent& box) {

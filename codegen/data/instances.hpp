@@ -40,6 +40,13 @@ template <class S>
 
 kernels::SafetyFunction generic_safety();
 
+/// Whether a search has the safety, too, whatever the plan's is: another search may be bound in the
+/// place of the one that the plan was made with.
+template <class Search>
+constexpr bool has_safety = false;
+template <class Index>
+constexpr bool has_safety<kernels::SearchLayers<Index>> = true;
+
 template <class Frame, class Mother, class Daughters, class Search>
 const kernels::DispatchEntry* bind(const Source& source) {
   using S = kernels::Scene<Frame, Mother, Daughters, Search>;
@@ -56,10 +63,10 @@ const kernels::DispatchEntry* bind(const Source& source) {
   make(source, scene.daughters);
   make(source, scene.search);
   make_shared_tables(source, scene);
-  // Another search may be bound in the place of the one that the plan's safety is for.
   const bool left_to_generic =
-      source.plan.safety == SafetyFrom::generic ||
-      (source.plan.safety == SafetyFrom::wires && source.plan.candidates != Candidates::wires);
+      !has_safety<Search> &&
+      (source.plan.safety == SafetyFrom::generic ||
+       (source.plan.safety == SafetyFrom::wires && source.plan.candidates != Candidates::wires));
   const auto safety = left_to_generic ? generic_safety() : &safety_of<S>;
   record.entry = {&step_of<S>, &relocate_of<S>, safety, &scene};
   return &record.entry;

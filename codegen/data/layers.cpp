@@ -1,4 +1,5 @@
 // Slabs within slabs, made from a plan.
+#include <algorithm>
 #include <map>
 
 #include "codegen/data/parts.hpp"
@@ -99,6 +100,13 @@ void make(const Source& source, kernels::SearchLayers<Index>& search) {
   search.tree = {};
   search.tree.rows = rows;
   make_groups(source, search.tree);
+  search.boxes = source.scene.boxes ? make_float_boxes(source) : nullptr;
+  search.largest = 0;
+  for (const Daughter& d : source.scene.daughters) {
+    const Solid& solid = source.geometry.world().volumes[d.volume].solid;
+    search.largest =
+        std::max(search.largest, largest_coordinate(placed_extent(solid, d.transformation)));
+  }
 }
 
 }  // namespace navjit::codegen

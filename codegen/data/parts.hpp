@@ -86,6 +86,8 @@ kernels::BoxBlock block_of(const std::function<const Extent*(std::size_t lane)>&
 void fill_fours(std::span<const Daughter> daughters, std::span<kernels::FourBoxes> fours);
 /// The daughters' neighbour lists.
 const kernels::NeighbourList* make_neighbour_lists(const Source& source);
+/// Boxes of all daughters, by daughter, as the generic navigator has them.
+const kernels::FloatBox* make_float_boxes(const Source& source);
 /// Boxes of all daughters, for safety.
 kernels::NearBoxes make_near_boxes(std::span<const Extent> boxes, Arena& arena);
 

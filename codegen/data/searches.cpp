@@ -298,14 +298,20 @@ void make(const Source& source, SearchWires<Index>& search) {
   search.others = arena.copy(w.others);
   search.other_count = static_cast<unsigned>(w.others.size());
   if (source.plan.safety != SafetyFrom::wires) return;
-  const std::vector<Extent>& boxes = source.plan.tree_boxes;
-  auto* made = arena.array<FloatBox>(boxes.size());
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    const Extent& e = boxes[k];
+  search.boxes = make_float_boxes(source);
+}
+
+const FloatBox* make_float_boxes(const Source& source) {
+  const std::span<const Daughter> daughters = source.scene.daughters;
+  auto* made = source.arena.array<FloatBox>(daughters.size());
+  for (std::size_t k = 0; k < daughters.size(); ++k) {
+    const Daughter& d = daughters[k];
+    const Solid& solid = source.geometry.world().volumes[d.volume].solid;
+    const Extent e = inflated(placed_extent(solid, d.transformation), source.geometry.tolerance());
     made[k] = {{bvh::float_below(e.min.x), bvh::float_below(e.min.y), bvh::float_below(e.min.z)},
                {bvh::float_above(e.max.x), bvh::float_above(e.max.y), bvh::float_above(e.max.z)}};
   }
-  search.boxes = made;
+  return made;
 }
 
 NearBoxes make_near_boxes(std::span<const Extent> boxes, Arena& arena) {

@@ -97,9 +97,55 @@ void visit_layers_at(const LayerTree<Index>& tree, const LayerRow<Index>& row,
   }
 }
 
+/// A point whose safety is asked, and by how much its distances may be rounded, mm.
+struct LayerPoint {
+  Vec3<double> p;
+  double slack;
+};
+
+/// `safety` or the least ask(daughter, safety) where that is less, without asking daughters of
+/// slabs that are farther away: of a row the nearest slab first, above or below the point.
+/// `apart2`: the square of the distance from the slab that the row is in, along the axes of the
+/// rows around it.
+template <class Index, class Ask>
+double safety_among_layers(const LayerTree<Index>& tree, const LayerRow<Index>& row,
+                           const LayerPoint& point, double apart2, double safety, const Ask& ask) {
+  const SlabRow<Index>& s = row.slabs;
+  const double at = along_axis(point.p, row.axis);
+  int above = static_cast<int>(s.ascending[cell_along(at, s.origin, s.per_mm, s.cells)]);
+  while (above < s.count && s.high[above] < at) ++above;
+  for (int below = above - 1;;) {
+    const double up = above < s.count ? s.low[above] - at : infinity<double>();
+    const double down = below >= 0 ? at - s.high[below] : infinity<double>();
+    const double apart = larger(smaller(up, down) - point.slack, 0.0);
+    const double square = apart2 + apart * apart;
+    if (!(square < safety * safety)) return safety;
+    const unsigned what = s.daughter[up <= down ? above++ : below--];
+    const unsigned number = what & ~in_slab::kind;
+    switch (what & in_slab::kind) {
+      case in_slab::daughter:
+        safety = ask(number, safety);
+        break;
+      case in_slab::slabs:
+        safety = safety_among_layers(tree, tree.rows[number], point, square, safety, ask);
+        break;
+      default:
+        for (unsigned m = tree.groups[number].first; m < tree.groups[number].last; ++m) {
+          const float reach = strictly_above((safety + point.slack) * (safety + point.slack));
+          const Ints near = BoxDistances(point.p).squares(tree.blocks[m]) <= all_lanes(reach);
+          for (unsigned lanes = lanes_of(near); lanes != 0; lanes &= lanes - 1) {
+            safety = ask(static_cast<unsigned>(tree.in_block[m][__builtin_ctz(lanes)]), safety);
+          }
+        }
+    }
+  }
+}
+
 template <class Index>
 struct SearchLayers {
   LayerTree<Index> tree;
+  const FloatBox* boxes;  ///< by daughter, as the generic navigator has them; null: it has none
+  double largest;         ///< coordinate of any box, mm
 
   template <class Daughters>
   [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
@@ -119,6 +165,25 @@ struct SearchLayers {
     walk_layers(tree, tree.rows[0], LayerRay(p, v), float_ray(p, v), 0, infinity<double>(), visit,
                 reach);
     return nearest.hit;
+  }
+  /// `safety` or the least of the daughters', as the generic navigator has it: no less than the
+  /// distance to the daughter's box, where it has boxes.
+  template <class Daughters>
+  [[gnu::always_inline]] double safety_among(const Daughters& d, const Vec3<double>& p,
+                                             double safety) const {
+    if (boxes == nullptr) {
+      for (unsigned k = 0; k < d.count; ++k) safety = smaller(larger(d.away(k, p), 0.0), safety);
+      return safety;
+    }
+    const BoxDistance from(p);
+    const auto ask = [&](unsigned k, double least) {
+      const double bound = from(boxes[k]);
+      return bound < least ? smaller(larger(d.away(k, p), bound), least) : least;
+    };
+    const double far = larger(largest, larger(absolute(p.x), larger(absolute(p.y), absolute(p.z))));
+    // A bound is less than the distance by roundings of coordinates, and of itself.
+    const LayerPoint point{p, (far + safety) * 0x1p-20};
+    return safety_among_layers(tree, tree.rows[0], point, 0, safety, ask);
   }
 };
 

@@ -12,6 +12,10 @@ namespace {
 
 /// With more neighbours the boxes' hierarchy is the better search: a guess.
 constexpr std::size_t most_neighbours = 32;
+/// In a lattice of thousands of daughters, each with 26 neighbours, what a step reads of the lists
+/// is in no cache: then a search of the scene is faster. A lattice of 1728 (1.4 MB) was slower
+/// without its lists, and one of 4096 (3.5 MB) 1.3 times as fast.
+constexpr std::size_t most_bytes = 1'500'000;
 /// From this number on neighbours have blocks: a guess.
 constexpr std::size_t blocks_from = 3;
 
@@ -98,6 +102,11 @@ double search_margin(const Extent& extent, double tolerance) {
   return 2 * tolerance + 1e-9 * largest_coordinate(extent);
 }
 
+std::size_t NeighbourLists::bytes() const {
+  return of.size() * sizeof(of[0]) + neighbours.size() * sizeof(neighbours[0]) +
+         blocks.size() * sizeof(blocks[0]);
+}
+
 NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxes,
                                const bvh::BoxTree* tree, double tolerance) {
   NeighbourLists result;
@@ -134,6 +143,7 @@ NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxe
          static_cast<float>(margin)});
     if (listed) result.neighbours.insert(result.neighbours.end(), found.begin(), found.end());
     if (in_blocks) append_blocks(found, boxes, margin, result.blocks);
+    if (result.bytes() > most_bytes) return {};
   }
   return result;
 }

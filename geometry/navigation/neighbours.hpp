@@ -46,6 +46,8 @@ struct NeighbourLists {
   std::vector<std::uint32_t> neighbours;  ///< of one daughter: last in file order first
   std::vector<kernels::BoxBlock> blocks;  ///< of the neighbours, in that order
 
+  /// Memory held.
+  std::size_t bytes() const;
   /// Those of a daughter; null if they are unknown or the point is not in its box.
   const Of* at(unsigned daughter, const Vec3& p) const {
     return daughter < of.size() && of[daughter].is_there(p) ? &of[daughter] : nullptr;
@@ -55,7 +57,8 @@ struct NeighbourLists {
   }
 };
 
-/// `boxes`: around the daughters in their mother's frame; `tree`: the same boxes, or null.
+/// `boxes`: around the daughters in their mother's frame; `tree`: the same boxes, or null. Empty
+/// where they would be more than a processor keeps at hand.
 NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxes,
                                const bvh::BoxTree* tree, double tolerance);
 

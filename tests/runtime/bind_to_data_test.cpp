@@ -150,11 +150,63 @@ TEST(BoundToData, FlatCalorimeterAlikeByLayers) {
   finish(world);
   const auto shared = std::make_shared<const World>(std::move(world));
   const Geometry geometry(shared);
-  const ScenePlan plan = plan_scene(geometry, analyse_world(geometry), 0);
+  ScenePlan plan = plan_scene(geometry, analyse_world(geometry), 0);
   ASSERT_TRUE(plan.layers.found());
+  // There are too many daughters to look at all for the safety, but layers tell it.
+  EXPECT_EQ(plan.safety, SafetyFrom::generic);
+  codegen::Arena arena;
+  plan.candidates = Candidates::layers;
+  EXPECT_NE(codegen::bind_to_data(geometry, plan, arena)->safety, generic::dispatch_entry.safety);
+  plan.candidates = Candidates::tree;
+  EXPECT_EQ(codegen::bind_to_data(geometry, plan, arena)->safety, generic::dispatch_entry.safety);
   expect_same_answers(shared, 22, 600);
   const Forced forced("*=layers");
   expect_same_answers(shared, 23, 600);
+}
+
+/// Voxels of two kinds that fill a box, one in so many missing.
+World phantom(int voxels, unsigned one_missing_in, double shift, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const double half = 2.0 * voxels;
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", half + 30, half + 20, half + 10));
+  const VolumeId voxel[] = {tests::add_volume(world, "tissue", make_box("tissue", 2, 2, 2)),
+                            tests::add_volume(world, "bone", make_box("bone", 2, 2, 2))};
+  for (int i = 0; i < voxels; ++i) {
+    for (int j = 0; j < voxels; ++j) {
+      for (int k = 0; k < voxels; ++k) {
+        if (one_missing_in > 0 && random() % one_missing_in == 0) continue;
+        tests::place(world, world.top, voxel[random() % 5 == 0 ? 1 : 0],
+                     {4 * (i + 0.5) - half + tests::uniform(random, 0, shift),
+                      4 * (j + 0.5) - half + tests::uniform(random, 0, shift),
+                      4 * (k + 0.5) - half + tests::uniform(random, 0, shift)});
+      }
+    }
+  }
+  finish(world);
+  return world;
+}
+
+/// More voxels than boxes are made for.
+TEST(BoundToData, PhantomsOfManyVoxelsAlikeByLayers) {
+  for (const unsigned one_missing_in : {0U, 7U}) {
+    SCOPED_TRACE(one_missing_in);
+    const auto world = std::make_shared<const World>(phantom(35, one_missing_in, 0, 31));
+    const Geometry geometry(world);
+    const ScenePlan plan = plan_scene(geometry, analyse_world(geometry), 0);
+    EXPECT_EQ(codegen::structure_of(geometry, plan), "unrotated box, layers of boxes");
+    EXPECT_TRUE(geometry.scene(0).neighbour_lists.of.empty()) << "what they hold is in no cache";
+    expect_same_answers(world, 32, 60);
+  }
+}
+
+TEST(BoundToData, WhatIsNotInLayersIsFoundByTheTree) {
+  const auto world = std::make_shared<const World>(phantom(35, 7, 1.9, 33));
+  const Geometry geometry(world);
+  const ScenePlan plan = plan_scene(geometry, analyse_world(geometry), 0);
+  EXPECT_FALSE(plan.layers.found());
+  EXPECT_EQ(codegen::structure_of(geometry, plan), "unrotated box, tree of boxes");
+  expect_same_answers(world, 34, 60);
 }
 
 /// A chamber of wires, placed twice, once turned, and another one with the same wires.

@@ -173,5 +173,63 @@ TEST(Layers, LeaveNothingOutThatIsMet) {
   expect_nothing_left_out(grouped, 6);
 }
 
+/// A safety among all daughters, each no nearer than its box, and how many the search asks for it.
+struct Safeties {
+  double expected, given;
+  std::size_t asked;
+};
+
+Safeties safeties(const Arrangement& a, const kernels::SearchLayers<codegen::Index>& search,
+                  const Vec3& p, double start) {
+  const kernels::BoxDistance from(p);
+  const auto away = [&](unsigned k) {
+    const Daughter& d = a.daughters()[k];
+    return safety_to_in(d.solid, to_local(d.transformation, p));
+  };
+  Safeties result{start, start, 0};
+  for (unsigned k = 0; k < a.daughters().size(); ++k) {
+    result.expected = std::min(result.expected, std::max(from(search.boxes[k]), away(k)));
+  }
+  const auto ask = [&](unsigned k, double least) {
+    ++result.asked;
+    return std::min(least, std::max(from(search.boxes[k]), away(k)));
+  };
+  const kernels::LayerPoint point{p, (std::max(search.largest, 80.0) + start) * 0x1p-20};
+  result.given =
+      kernels::safety_among_layers(search.tree, search.tree.rows[0], point, 0, start, ask);
+  return result;
+}
+
+void expect_the_same_safeties(const Arrangement& a, std::uint64_t seed, std::size_t most_asked) {
+  const Geometry& geometry = *a.geometry;
+  ASSERT_NE(geometry.scene(0).boxes, nullptr);
+  const ScenePlan plan = plan_scene(geometry, forced_to_layers(geometry), 0);
+  codegen::Arena arena;
+  kernels::SearchLayers<codegen::Index> search{};
+  codegen::make({geometry, plan, geometry.scene(0), arena}, search);
+  ASSERT_NE(search.boxes, nullptr);
+  std::mt19937_64 random(seed);
+  std::size_t asked = 0;
+  constexpr std::size_t points = 3000;
+  for (std::size_t i = 0; i < points; ++i) {
+    // Some beyond the mother.
+    const Vec3 p{uniform(random, -80, 80), uniform(random, -80, 80), uniform(random, -80, 80)};
+    const double start = i % 2 == 0 ? 60 : uniform(random, 0, 5);
+    const Safeties s = safeties(a, search, p, start);
+    ASSERT_EQ(s.given, s.expected) << "point " << i;
+    asked += s.asked;
+  }
+  EXPECT_LT(asked, points * most_asked) << "it is a search";
+}
+
+TEST(Layers, TellTheSafetyByFewOfTheDaughters) {
+  for (const bool turned : {false, true}) {
+    SCOPED_TRACE(turned);
+    expect_the_same_safeties(calorimeter(21, turned ? 0.4 : 0, turned), 22, 12);
+  }
+  expect_the_same_safeties(straws(23), 24, 8);
+  expect_the_same_safeties(with_a_group(), 25, 6);
+}
+
 }  // namespace
 }  // namespace navjit

@@ -211,5 +211,18 @@ TEST(NeighbourLists, FewNeighboursHaveNoBlock) {
   EXPECT_TRUE(s.blocks.empty());
 }
 
+TEST(NeighbourLists, AreNotMadeWhereNoCacheHoldsThem) {
+  const Solid mother = make_box("mother", 30, 30, 30);
+  const std::vector<Extent> few = lattice(10), many = lattice(20);
+  const bvh::BoxTree tree_of_few(few, tolerance, bvh::default_method(few.size()));
+  const bvh::BoxTree tree_of_many(many, tolerance, bvh::default_method(many.size()));
+  const NeighbourLists listed = find_neighbours(mother, few, &tree_of_few, tolerance);
+  EXPECT_EQ(listed.of.size(), few.size());
+  EXPECT_GT(listed.bytes(), few.size() * 26 * sizeof(std::uint32_t) / 2);
+  const NeighbourLists none = find_neighbours(mother, many, &tree_of_many, tolerance);
+  EXPECT_EQ(none.bytes(), 0U);
+  EXPECT_EQ(none.at(0, {0.5, 0.5, 0.5}), nullptr);
+}
+
 }  // namespace
 }  // namespace navjit
