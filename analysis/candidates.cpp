@@ -206,7 +206,19 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     plan.mean_candidates = 1;
     return true;
   };
-  if (make_wires()) return;
+  const auto make_layers = [&] {
+    auto layers = find_layers(boxes, geometry.tolerance(), margin);
+    if (layers) plan.layers = std::move(*layers);
+    return plan.layers.found();
+  };
+  // Where there are too many to look at all for the safety, layers may tell it.
+  const auto make_layers_for_safety = [&] {
+    if (!forced && in_floats && boxes.size() > most_boxes_near) make_layers();
+  };
+  if (make_wires()) {
+    if (!plan.wires.safety_known) make_layers_for_safety();
+    return;
+  }
   if (boxes.size() <= most_about_an_axis && !is_regular(plan.pattern)) {
     std::string round = describe_round_pattern(world, world.volumes[plan.volume].solid,
                                                scene.daughters, round_margin);
@@ -247,6 +259,7 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
         use_scan();
         return;
       }
+      make_layers_for_safety();
       plan.candidates = Candidates::slabs;
       plan.mean_candidates = 1;
       return;
@@ -259,13 +272,10 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
   }
   // Beside what code has: data alone walks slabs within slabs.
   if (in_floats && boxes.size() <= most_in_planes && (!forced || *forced == Candidates::layers)) {
-    if (auto layers = find_layers(boxes, geometry.tolerance(), margin)) {
-      plan.layers = std::move(*layers);
-      if (forced || boxes.size() > most_boxes) {
-        plan.candidates = Candidates::layers;
-        plan.mean_candidates = plan.layers.mean_group;
-        return;
-      }
+    if (make_layers() && (forced || boxes.size() > most_boxes)) {
+      plan.candidates = Candidates::layers;
+      plan.mean_candidates = plan.layers.mean_group;
+      return;
     }
   }
   if (!forced && boxes.size() > most_boxes && scene.boxes) {

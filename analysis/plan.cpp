@@ -251,7 +251,8 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
           << (plan.candidates == Candidates::boxes ? ", boxes tested eight at once" : "");
   }
   out << "\n";
-  if (plan.layers.found() && plan.candidates != Candidates::layers) {
+  if (plan.layers.found() && plan.candidates != Candidates::layers &&
+      plan.candidates != Candidates::slabs && plan.candidates != Candidates::wires) {
     out << "  bound to data " << describe_layers(plan.layers) << "\n";
   }
   for (const DaughterClass& c : plan.classes) {
@@ -264,6 +265,7 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
       << (plan.safety == SafetyFrom::all     ? "every daughter's"
           : plan.safety == SafetyFrom::boxes ? "by boxes, eight at once"
           : plan.safety == SafetyFrom::wires ? "the wires that are near"
+          : plan.layers.found()              ? "the layers that are near"
                                              : "generic")
       << "\n";
   if (plan.neighbour_lists) {

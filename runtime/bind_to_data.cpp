@@ -77,6 +77,41 @@ const kernels::DispatchEntry* bind(Specialisation& spec, const ScenePlan& plan) 
   return entry;
 }
 
+/// What another search leaves to the generic navigator's safety layers may tell: with theirs, made
+/// once for all ways to bind a scene.
+class SafetyOfLayers {
+ public:
+  SafetyOfLayers(Specialisation& spec, const ScenePlan& plan) : spec_(spec), plan_(plan) {}
+
+  const kernels::DispatchEntry* added_to(const kernels::DispatchEntry* entry) {
+    if (!plan_.layers.found() || entry->safety != generic::dispatch_entry.safety) return entry;
+    if (by_layers_ == nullptr) {
+      plan_.candidates = Candidates::layers;
+      by_layers_ = bind(spec_, plan_);
+    }
+    kernels::DispatchEntry* const both = spec_.arena->array<kernels::DispatchEntry>(1);
+    *both = *entry;
+    both->safety = by_layers_->safety;
+    both->safety_data = by_layers_->safety_data;
+    const std::lock_guard lock(spec_.mutex);
+    const auto compiled = spec_.compiled_solids.find(entry);
+    if (compiled != spec_.compiled_solids.end()) spec_.compiled_solids[both] = compiled->second;
+    return both;
+  }
+
+ private:
+  Specialisation& spec_;
+  ScenePlan plan_;
+  const kernels::DispatchEntry* by_layers_ = nullptr;
+};
+
+/// Who tells the safety, in a word.
+std::string_view safety_of(const kernels::DispatchEntry& entry) {
+  return entry.safety == generic::dispatch_entry.safety ? "generic"
+         : entry.safety_data != entry.data              ? "layers"
+                                                        : "own";
+}
+
 struct Bound {
   const kernels::DispatchEntry* entry;
   std::string structure;
@@ -89,7 +124,8 @@ std::vector<Bound> bind_in_all_ways(Specialisation& spec, VolumeId volume, bool 
   const Geometry& geometry = spec.shared->geometry;
   std::vector<ScenePlan> plans{plan_without_measurement(spec, volume)};
   const Candidates chosen = plans[0].candidates;
-  if (!forced && plans[0].layers.found()) plans[0].candidates = Candidates::layers;
+  const bool for_safety = chosen == Candidates::slabs || chosen == Candidates::wires;
+  if (!forced && plans[0].layers.found() && !for_safety) plans[0].candidates = Candidates::layers;
   if (!forced) {
     for (const Candidates other : other_searches(geometry.scene(volume), plans[0])) {
       plans.push_back(plans[0]);
@@ -97,8 +133,9 @@ std::vector<Bound> bind_in_all_ways(Specialisation& spec, VolumeId volume, bool 
     }
   }
   std::vector<Bound> all;
+  SafetyOfLayers safety(spec, plans[0]);
   for (const ScenePlan& plan : plans) {
-    const kernels::DispatchEntry* entry = bind(spec, plan);
+    const kernels::DispatchEntry* entry = safety.added_to(bind(spec, plan));
     if (plan.candidates != chosen) spec.searches[entry] = plan.candidates;
     const double ns = time_per_step(geometry, spec.shared->table.context(), *entry, samples);
     const bool is_fastest = spec.shared->faults.fastest == plan.candidates;
@@ -141,10 +178,12 @@ void bind_to_data(Specialisation& spec, VolumeId volume) {
   }
   const bool pays = !ways.empty();
   spec.shared->log->debug(
-      "event=bound at_s={:.3f} scene={} structure={} generic_ns={:.1f} bound_ns={:.1f} verdict={}",
+      "event=bound at_s={:.3f} scene={} structure={} safety={} generic_ns={:.1f} bound_ns={:.1f} "
+      "verdict={}",
       spec.seconds(), quoted(geometry.world().volumes[volume].name),
-      quoted(pays ? ways[0].structure : "any"), generic_ns, pays ? ways[0].ns : 0.0,
-      pays ? "installed" : "slower");
+      quoted(pays ? ways[0].structure : "any"),
+      safety_of(pays ? *ways[0].entry : generic::dispatch_entry), generic_ns,
+      pays ? ways[0].ns : 0.0, pays ? "installed" : "slower");
   if (pays) {
     spec.shared->table.install(volume, ways[0].entry, spec.arena);
     spec.without_code[volume] = ways[0].entry;

@@ -30,18 +30,26 @@ struct Installed {
   std::vector<kernels::DispatchEntry> records;
 };
 
-/// The functions of an entry; null where the code has them not. A safety need not be there.
-kernels::DispatchEntry find_entry(const jit::Code& code, const codegen::Entry& entry,
-                                  const void* data) {
+/// The functions of an entry; null where the code has them not. A safety need not be there: then it
+/// is that of what is bound to data, or the generic navigator's.
+kernels::DispatchEntry find_entry(const Specialisation& spec, const jit::Code& code,
+                                  const codegen::Entry& entry, const void* data) {
   const auto step = code.function<std::remove_pointer_t<kernels::StepFunction>>(entry.step);
   const auto relocate =
       code.function<std::remove_pointer_t<kernels::RelocateFunction>>(entry.relocate);
-  const auto safety = code.function<std::remove_pointer_t<kernels::SafetyFunction>>(entry.safety);
-  return {step ? *step : nullptr, relocate ? *relocate : nullptr,
-          entry.safety.empty() ? generic::dispatch_entry.safety
-          : safety             ? *safety
-                               : nullptr,
-          data};
+  kernels::DispatchEntry found{step ? *step : nullptr, relocate ? *relocate : nullptr, nullptr,
+                               data, data};
+  if (entry.safety.empty()) {
+    const auto bound = spec.without_code.find(entry.volume);
+    const kernels::DispatchEntry& other =
+        bound == spec.without_code.end() ? generic::dispatch_entry : *bound->second;
+    found.safety = other.safety;
+    found.safety_data = other.safety_data;
+  } else {
+    const auto safety = code.function<std::remove_pointer_t<kernels::SafetyFunction>>(entry.safety);
+    found.safety = safety ? *safety : nullptr;
+  }
+  return found;
 }
 
 /// Verifies, times and installs one scene. The report with what came of it, or what was wrong.
@@ -130,7 +138,7 @@ std::optional<SceneReport> install_entry(Specialisation& spec,
   SceneReport begun;
   begun.compile_ms = compile_ms;
   begun.origin = cached ? CodeOrigin::cache : CodeOrigin::compiler;
-  const kernels::DispatchEntry record = find_entry(installed->code, entry, data);
+  const kernels::DispatchEntry record = find_entry(spec, installed->code, entry, data);
   const bool whole =
       record.step != nullptr && record.relocate != nullptr && record.safety != nullptr;
   Expected<SceneReport> report =

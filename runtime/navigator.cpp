@@ -132,7 +132,7 @@ double Navigator::recorded_safety(const Vec3& point, double enough) {
   Sample sample{level.touchable, level.volume, point, {0, 0, 0}, enough};
   const std::uint64_t start = ticks();
   const double safety =
-      entry.safety(&stack, context_, entry.data, point.x, point.y, point.z, enough);
+      entry.safety(&stack, context_, entry.safety_data, point.x, point.y, point.z, enough);
   sample.ticks = ticks() - start;
   own_->read_side->leave();
   sample.used = &entry;

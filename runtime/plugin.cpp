@@ -154,7 +154,8 @@ Expected<std::shared_ptr<const Plugin>> Plugin::load_checked(const std::string& 
     }
     const kernels::SafetyFunction safety =
         safeties[i] != nullptr ? safeties[i] : generic::dispatch_entry.safety;
-    plugin->entries_.push_back({volumes[i], {steps[i], relocates[i], safety, module->data}});
+    plugin->entries_.push_back(
+        {volumes[i], {steps[i], relocates[i], safety, module->data, module->data}});
   }
   return std::shared_ptr<const Plugin>(std::move(plugin));
 }

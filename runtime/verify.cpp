@@ -97,7 +97,7 @@ std::string verify_safety(const Geometry& geometry, const kernels::Context& cont
   const double whole = generic::safety(geometry, stack, s.point);
   for (const double enough : {infinity, whole, 0.5 * whole}) {
     const double right = generic::safety(geometry, stack, s.point, enough);
-    const double wrong = specialised.safety(&stack, &context, specialised.data, s.point.x,
+    const double wrong = specialised.safety(&stack, &context, specialised.safety_data, s.point.x,
                                             s.point.y, s.point.z, enough);
     if (!kernels::same_bits(right, wrong)) return describe(s, "safety", right, wrong);
   }

@@ -68,7 +68,7 @@ const kernels::DispatchEntry* bind(const Source& source) {
       (source.plan.safety == SafetyFrom::generic ||
        (source.plan.safety == SafetyFrom::wires && source.plan.candidates != Candidates::wires));
   const auto safety = left_to_generic ? generic_safety() : &safety_of<S>;
-  record.entry = {&step_of<S>, &relocate_of<S>, safety, &scene};
+  record.entry = {&step_of<S>, &relocate_of<S>, safety, &scene, &scene};
   return &record.entry;
 }
 

@@ -103,13 +103,26 @@ struct LayerPoint {
   double slack;
 };
 
+/// How far a point is at least from what is in some slabs, by axis: squares.
+struct LayersApart {
+  double square[3] = {0, 0, 0};
+
+  double sum() const { return square[0] + square[1] + square[2]; }
+  /// In one more slab. One of the others may be along the same axis: what is farther counts.
+  LayersApart also(int axis, double distance) const {
+    LayersApart both = *this;
+    both.square[axis] = larger(square[axis], distance * distance);
+    return both;
+  }
+};
+
 /// `safety` or the least ask(daughter, safety) where that is less, without asking daughters of
 /// slabs that are farther away: of a row the nearest slab first, above or below the point.
-/// `apart2`: the square of the distance from the slab that the row is in, along the axes of the
-/// rows around it.
+/// `around`: how far it is from the slabs that the row is in.
 template <class Index, class Ask>
 double safety_among_layers(const LayerTree<Index>& tree, const LayerRow<Index>& row,
-                           const LayerPoint& point, double apart2, double safety, const Ask& ask) {
+                           const LayerPoint& point, const LayersApart& around, double safety,
+                           const Ask& ask) {
   const SlabRow<Index>& s = row.slabs;
   const double at = along_axis(point.p, row.axis);
   int above = static_cast<int>(s.ascending[cell_along(at, s.origin, s.per_mm, s.cells)]);
@@ -117,9 +130,8 @@ double safety_among_layers(const LayerTree<Index>& tree, const LayerRow<Index>& 
   for (int below = above - 1;;) {
     const double up = above < s.count ? s.low[above] - at : infinity<double>();
     const double down = below >= 0 ? at - s.high[below] : infinity<double>();
-    const double apart = larger(smaller(up, down) - point.slack, 0.0);
-    const double square = apart2 + apart * apart;
-    if (!(square < safety * safety)) return safety;
+    const LayersApart apart = around.also(row.axis, larger(smaller(up, down) - point.slack, 0.0));
+    if (!(apart.sum() < safety * safety)) return safety;
     const unsigned what = s.daughter[up <= down ? above++ : below--];
     const unsigned number = what & ~in_slab::kind;
     switch (what & in_slab::kind) {
@@ -127,7 +139,7 @@ double safety_among_layers(const LayerTree<Index>& tree, const LayerRow<Index>& 
         safety = ask(number, safety);
         break;
       case in_slab::slabs:
-        safety = safety_among_layers(tree, tree.rows[number], point, square, safety, ask);
+        safety = safety_among_layers(tree, tree.rows[number], point, apart, safety, ask);
         break;
       default:
         for (unsigned m = tree.groups[number].first; m < tree.groups[number].last; ++m) {
@@ -183,7 +195,7 @@ struct SearchLayers {
     const double far = larger(largest, larger(absolute(p.x), larger(absolute(p.y), absolute(p.z))));
     // A bound is less than the distance by roundings of coordinates, and of itself.
     const LayerPoint point{p, (far + safety) * 0x1p-20};
-    return safety_among_layers(tree, tree.rows[0], point, 0, safety, ask);
+    return safety_among_layers(tree, tree.rows[0], point, LayersApart{}, safety, ask);
   }
 };
 

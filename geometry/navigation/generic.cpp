@@ -344,6 +344,6 @@ double safety_record(const NavigationStack* stack, const kernels::Context* conte
 
 }  // namespace
 
-const kernels::DispatchEntry dispatch_entry{step_record, relocate_record, safety_record, nullptr};
+const kernels::DispatchEntry dispatch_entry{step_record, relocate_record, safety_record};
 
 }  // namespace navjit::generic

@@ -261,7 +261,8 @@ inline double Navigator::safety(const State& from, const Vec3& point, double eno
   } else {
     own.read_side->enter();
     const kernels::DispatchEntry* entry = kernels::dispatch_entry_of(context_, from.volume());
-    safety = entry->safety(&own.stack, context_, entry->data, point.x, point.y, point.z, enough);
+    safety =
+        entry->safety(&own.stack, context_, entry->safety_data, point.x, point.y, point.z, enough);
     own.read_side->leave();
   }
   // Number by number, here and in step(): a copy of all at once loads what the caller, or this, has

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <mutex>
 #include <set>
 #include <string>
 
@@ -185,6 +186,47 @@ World phantom(int voxels, unsigned one_missing_in, double shift, std::uint64_t s
   }
   finish(world);
   return world;
+}
+
+/// What was said when the world was bound to data.
+std::string words_of_binding(const std::shared_ptr<const World>& world) {
+  RuntimeOptions options = data_alone(JitMode::wait);
+  std::mutex mutex;
+  std::string lines;
+  options.log = [&](LogLevel, std::string_view line) {
+    const std::lock_guard lock(mutex);
+    lines += std::string(line) + '\n';
+  };
+  { const Runtime runtime(world, options); }
+  const std::size_t bound = lines.find("event=bound");
+  return bound == std::string::npos ? "" : lines.substr(bound, lines.find('\n', bound) - bound);
+}
+
+/// Strips side by side in a sensor: slabs, or where beads are among them wires, find what a ray
+/// meets, and layers what is near.
+TEST(BoundToData, SafetiesAmongManySlabsAreToldByLayers) {
+  for (const bool beads : {false, true}) {
+    SCOPED_TRACE(beads);
+    World world;
+    world.top = tests::add_volume(world, "world", make_box("world", 60, 20, 10));
+    const VolumeId strip = tests::add_volume(world, "strip", make_box("strip", 0.08, 15, 0.2));
+    const VolumeId bead = tests::add_volume(world, "bead", make_orb("bead", 0.06));
+    for (int i = 0; i < 400; ++i) {
+      tests::place(world, world.top, beads && i % 9 == 0 ? bead : strip,
+                   {-50 + 0.25 * i, 0, beads ? 0.01 * (i % 5) : 0});
+    }
+    finish(world);
+    const auto shared = std::make_shared<const World>(std::move(world));
+    const Geometry geometry(shared);
+    const ScenePlan plan = plan_scene(geometry, analyse_world(geometry), 0);
+    EXPECT_EQ(plan.candidates, beads ? Candidates::wires : Candidates::slabs);
+    EXPECT_TRUE(plan.layers.found());
+    expect_same_answers(shared, 25, 600);
+    // Whichever way of finding daughters was the fastest.
+    const std::string line = words_of_binding(shared);
+    EXPECT_NE(line.find("scene=\"world\""), std::string::npos) << line;
+    EXPECT_NE(line.find(" safety=layers "), std::string::npos) << line;
+  }
 }
 
 /// More voxels than boxes are made for.

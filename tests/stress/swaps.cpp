@@ -103,7 +103,7 @@ class Swapper {
                ? generic::dispatch_entry.safety
                : check(linked->code.function<std::remove_pointer_t<kernels::SafetyFunction>>(
                      entry.safety)),
-           module_.data});
+           module_.data, module_.data});
     }
     // One scene, or now and then all of the module.
     const bool all = random() % 8 == 0;

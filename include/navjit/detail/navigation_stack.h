@@ -6,7 +6,7 @@
 #define NAVJIT_DETAIL_NAVIGATION_STACK_H
 namespace navjit::kernels {
 
-constexpr unsigned abi_version = 12;
+constexpr unsigned abi_version = 13;
 constexpr int stack_levels = 64;
 
 /// One level: a placed volume and its frame in the world, local = rotation * (global -
@@ -76,7 +76,8 @@ struct NavigationStack {
 struct Context;
 
 // The direction of steps, and of relocation behind them, is the stack's ray (set_ray): in memory it
-// takes no registers, all of which a call would have to save. `data` is DispatchEntry::data.
+// takes no registers, all of which a call would have to save. `data` is DispatchEntry::data, for
+// safeties DispatchEntry::safety_data.
 
 /// A step from the global point (x, y, z) at most `limit` long. Gives its length and leaves the
 /// stack at the next touchable. A negative result: this navigator does not take the state; the
@@ -111,6 +112,8 @@ struct DispatchEntry {
   SafetyFunction safety;
   /// The numbers of the scene that are not in the code; null: there are none.
   const void* data = nullptr;
+  /// The same for the safety, which another navigator of the volume may tell than makes the steps.
+  const void* safety_data = nullptr;
 };
 
 /// What navigators need besides the stack; generated code reaches everything through it.

@@ -70,6 +70,22 @@ Arrangement with_a_group() {
   return a;
 }
 
+/// Blocks of rows, which are divided along the axis again that the blocks follow one another on.
+Arrangement blocks_of_rows() {
+  std::mt19937_64 random(8);
+  Arrangement a(make_box("mother", half, half, half));
+  for (int block = 0; block < 6; ++block) {
+    for (int row = 0; row < 3; ++row) {
+      // No plane passes between the rows of all blocks, and none between the bricks of all rows.
+      const double x = -50 + 20.0 * block + 4 * (row % 2), y = -22 + 11.0 * row + 3.7 * (block % 3);
+      a.add(make_box("brick", 4, 4, 8), {x - 4.2, y, 0});
+      a.add(make_box("brick", 4, 4, 8), {x + 4.2, y, 0});
+    }
+  }
+  a.finished(random);
+  return a;
+}
+
 WorldFacts forced_to_layers(const Geometry& geometry) {
   WorldFacts facts = analyse_world(geometry);
   facts.forced_candidates[0] = Candidates::layers;
@@ -196,7 +212,7 @@ Safeties safeties(const Arrangement& a, const kernels::SearchLayers<codegen::Ind
   };
   const kernels::LayerPoint point{p, (std::max(search.largest, 80.0) + start) * 0x1p-20};
   result.given =
-      kernels::safety_among_layers(search.tree, search.tree.rows[0], point, 0, start, ask);
+      kernels::safety_among_layers(search.tree, search.tree.rows[0], point, {}, start, ask);
   return result;
 }
 
@@ -229,6 +245,10 @@ TEST(Layers, TellTheSafetyByFewOfTheDaughters) {
   }
   expect_the_same_safeties(straws(23), 24, 8);
   expect_the_same_safeties(with_a_group(), 25, 6);
+  const Arrangement blocks = blocks_of_rows();
+  const ScenePlan plan = plan_scene(*blocks.geometry, forced_to_layers(*blocks.geometry), 0);
+  ASSERT_EQ(describe_layers(plan.layers), "6 layers along x of 3 along y of 2 along x");
+  expect_the_same_safeties(blocks, 26, 8);
 }
 
 }  // namespace
