@@ -198,7 +198,9 @@ struct ScenePlan {
   Nest nest;
   Rings rings;
   Wires wires;
-  Layers layers;  ///< where daughters are bound to data; code has the candidates
+  /// For daughters that are bound to data, while code has the candidates; beside slabs and wires
+  /// for the safety alone.
+  Layers layers;
   SafetyFrom safety = SafetyFrom::generic;
   std::vector<Extent> tree_boxes;  ///< for safety: by daughter, as the generic navigator inflates
   /// Steps from within a daughter, and those along faces where oblique_only, are left to the
