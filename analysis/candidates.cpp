@@ -207,13 +207,14 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     return true;
   };
   const auto make_layers = [&] {
+    if (!in_floats || boxes.size() > most_in_planes) return false;
     auto layers = find_layers(boxes, geometry.tolerance(), margin);
     if (layers) plan.layers = std::move(*layers);
     return plan.layers.found();
   };
   // Where there are too many to look at all for the safety, layers may tell it.
   const auto make_layers_for_safety = [&] {
-    if (!forced && in_floats && boxes.size() > most_boxes_near) make_layers();
+    if (!forced && boxes.size() > most_boxes_near) make_layers();
   };
   if (make_wires()) {
     if (!plan.wires.safety_known) make_layers_for_safety();
@@ -271,12 +272,11 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     return;
   }
   // Beside what code has: data alone walks slabs within slabs.
-  if (in_floats && boxes.size() <= most_in_planes && (!forced || *forced == Candidates::layers)) {
-    if (make_layers() && (forced || boxes.size() > most_boxes)) {
-      plan.candidates = Candidates::layers;
-      plan.mean_candidates = plan.layers.mean_group;
-      return;
-    }
+  if ((!forced || *forced == Candidates::layers) && make_layers() &&
+      (forced || boxes.size() > most_boxes)) {
+    plan.candidates = Candidates::layers;
+    plan.mean_candidates = plan.layers.mean_group;
+    return;
   }
   if (!forced && boxes.size() > most_boxes && scene.boxes) {
     plan.candidates = Candidates::tree;
@@ -319,10 +319,10 @@ void choose_safety(const Geometry& geometry, ScenePlan& plan) {
       if (plan.candidates == Candidates::wires) {
         if (!plan.wires.safety_known) return;
         plan.safety = SafetyFrom::wires;
-      } else {
-        if (scene.daughters.size() > most_boxes_near) return;
-        plan.safety = SafetyFrom::boxes;
+        return;
       }
+      if (scene.daughters.size() > most_boxes_near) return;
+      plan.safety = SafetyFrom::boxes;
       for (const Daughter& d : scene.daughters) {
         const Extent box =
             placed_extent(geometry.world().volumes[d.volume].solid, d.transformation);
