@@ -20,10 +20,12 @@ QuadraticForm<Real> form_at(const TwistedFace<Real>& s, const Vec3<Real>& p,
                             const Direction<Real>& v) {
   const Real across = s.a * p.x + s.b * p.y, rate = s.a * v.x + s.b * v.y + s.c * v.z;
   const Real gx = s.a * p.z + s.e, gy = s.b * p.z + s.f, gz = across + 2 * s.c * p.z + s.d;
-  return {rate * v.z, (gx * v.x + gy * v.y + gz * v.z) / 2,
+  return {rate * v.z,
+          (gx * v.x + gy * v.y + gz * v.z) / 2,
           (across + s.c * p.z + s.d) * p.z + s.e * p.x + s.f * p.y + s.g,
-          square_root(gx * gx + gy * gy + gz * gz),
-          absolute(s.c) + square_root(s.a * s.a + s.b * s.b + s.c * s.c)};
+          gx * gx + gy * gy + gz * gz,
+          absolute(s.c),
+          s.a * s.a + s.b * s.b + s.c * s.c};
 }
 
 template <class Real>

@@ -67,7 +67,8 @@ Real nappe_exit(const ConicalForm<Real>& q) {
 }
 
 /// Directional containment, for points not beyond the tolerance outside. A tangent leaves, and so
-/// does what would be out again within the tolerance: a step too short to move the point.
+/// does what comes no deeper than the tolerance: nearly along the face it would leave and enter for
+/// ever, by steps that do not move the coordinates which decide.
 template <class Real>
 bool heads_into_nappe(const ConicalForm<Real>& q, Real tol) {
   const Real inner = q.radius - tol;
@@ -75,6 +76,11 @@ bool heads_into_nappe(const ConicalForm<Real>& q, Real tol) {
   if (is_along_nappe(q)) return true;
   // At the tip every direction is a face's: only those within the cone head in.
   if (q.radius <= tol && q.r2 <= tol * tol) return stays_in_nappe(q);
+  // `a` times the radius where it is deepest; its square is that of r2 there and discriminant / a.
+  const Real deepest = q.radius * q.a - q.rate * q.b;
+  if (q.a > 0 && deepest > 0) {
+    return q.b <= 0 && conical_discriminant(q) > tol * (2 * deepest - tol * q.a);
+  }
   if (q.b < 0 && q.b < -tol * q.a) return true;
   return (q.b < 0 || (q.b == 0 && q.radius > 0)) && nappe_exit(q) > tol;
 }

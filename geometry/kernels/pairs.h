@@ -100,14 +100,24 @@ constexpr Real leave_into_holes(const SpanPair<Real>& hole, Real leave) {
   return leave_into_hole(hole.second, leave_into_hole(hole.first, leave));
 }
 
-/// The span between two faces across z.
+/// The span between two faces across z: that of clip_face for either, without a branch on where
+/// the ray heads.
 template <class Real>
 Span<Real> slab_span(Real z_low, Real z_high, const Vec3<Real>& p, const Direction<Real>& v,
                      Real tol) {
-  Span<Real> span = whole_ray<Real>();
-  clip_face(span, p.z - z_high, v.z, tol);
-  clip_face(span, z_low - p.z, -v.z, tol);
-  return span;
+  const Real over = p.z - z_high, under = z_low - p.z;
+  if (is_along(v.z)) return larger(over, under) > tol ? no_span<Real>() : whole_ray<Real>();
+  const bool down = v.z < 0;
+  const Real before = down ? over : under, depth = down ? -under : -over, rate = absolute(v.z);
+  return {before > tol ? before / rate : -infinity<Real>(), depth / rate, (depth - tol) / rate};
+}
+/// The exit through these faces, as leave_face of either.
+template <class Real>
+Real leave_ends(Real z_low, Real z_high, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  const Real over = p.z - z_high, under = z_low - p.z;
+  if (is_along(v.z)) return larger(over, under) > tol ? Real(0) : infinity<Real>();
+  const Real depth = v.z < 0 ? -under : -over;
+  return depth <= tol ? Real(0) : depth / absolute(v.z);
 }
 
 /// How far along the ray to go before looking at a solid within |x| <= hx, |y| <= hy and

@@ -9,12 +9,13 @@ struct Quadric {
   Real origin;
 };
 
-/// The quadric along a ray: a t^2 + 2 b t + c. `bend` bounds its second derivative in any unit
-/// direction and `gradient` is the length of its gradient at the start.
+/// The quadric along a ray: a t^2 + 2 b t + c. `gradient2` is the square of the length of its
+/// gradient at the start, and bend + sqrt(bend2) bounds its second derivative in any unit
+/// direction.
 template <class Real>
 struct QuadraticForm {
   Real a, b, c;
-  Real gradient, bend;
+  Real gradient2, bend, bend2;
 };
 
 template <class Real>
@@ -26,9 +27,12 @@ template <class Real>
 QuadraticForm<Real> form_at(const Quadric<Real>& f, const Vec3<Real>& p, const Direction<Real>& v) {
   const Real z = p.z - f.origin;
   const Real gx = f.a * p.x, gy = f.b * p.y, gz = f.c * z + f.d / 2;
-  return {f.a * (v.x * v.x) + f.b * (v.y * v.y) + f.c * (v.z * v.z), gx * v.x + gy * v.y + gz * v.z,
-          value_of(f, p), 2 * square_root(gx * gx + gy * gy + gz * gz),
-          2 * larger(larger(absolute(f.a), absolute(f.b)), absolute(f.c))};
+  return {f.a * (v.x * v.x) + f.b * (v.y * v.y) + f.c * (v.z * v.z),
+          gx * v.x + gy * v.y + gz * v.z,
+          value_of(f, p),
+          4 * (gx * gx + gy * gy + gz * gz),
+          2 * larger(larger(absolute(f.a), absolute(f.b)), absolute(f.c)),
+          Real(0)};
 }
 
 /// Signed distance to the surface, a lower bound on either side: how far one has to go for the
@@ -37,7 +41,17 @@ template <class Real>
 Real form_distance(const QuadraticForm<Real>& q) {
   const Real size = absolute(q.c);
   if (!(size > 0)) return Real(0);
-  return 2 * q.c / (q.gradient + square_root(q.gradient * q.gradient + 2 * (q.bend * size)));
+  const Real gradient = square_root(q.gradient2), bend = q.bend + square_root(q.bend2);
+  return 2 * q.c / (gradient + square_root(gradient * gradient + 2 * (bend * size)));
+}
+
+/// Is form_distance beyond the tolerance, on either side? Told without a root: it is if the value
+/// is above what the steepest gradient and the strongest bend make of the tolerance; twice as much
+/// is asked for, for the rounding of either, so that sometimes it is so and this does not say it.
+template <class Real>
+bool is_off_surface(const QuadraticForm<Real>& q, Real tol) {
+  const Real tol2 = tol * tol;
+  return q.c * q.c > 4 * tol2 * (q.gradient2 + tol2 * (q.bend * q.bend + q.bend2));
 }
 
 /// Whether a ray that heads out is in again within the tolerance, by a step too short to move the
@@ -48,18 +62,23 @@ bool comes_back(const QuadraticForm<Real>& q, Real tol) {
          square_root(larger(q.b * q.b - q.a * q.c, Real(0))) + q.b <= -tol * q.a;
 }
 
-/// Directional containment. A tangent goes where the surface bends; what would be out again within
-/// the tolerance, by a step too short to move the point, leaves at once, and what would be in again
-/// does not leave.
+/// Directional containment. A tangent goes where the surface bends; what comes no deeper than the
+/// tolerance leaves at once, and what would be in again within the tolerance does not leave: by
+/// steps that do not move the coordinates which decide it would leave and enter for ever.
 template <class Real>
-bool in_form(const QuadraticForm<Real>& q, Real tol) {
+[[gnu::noinline]] bool in_form_nearby(const QuadraticForm<Real> q, Real tol) {
   const Real s = form_distance(q);
   if (s > tol) return false;
   if (s < -tol) return true;
   if (comes_back(q, tol)) return true;
   if (q.b > 0 || (q.b == 0 && q.a >= 0 && !(q.c < 0))) return false;
-  if (!(q.a > 0) || q.b < -tol * q.a) return true;
-  return square_root(larger(q.b * q.b - q.a * q.c, Real(0))) - q.b > tol * q.a;
+  if (!(q.a > 0)) return true;
+  // Where it is deepest the value is that much, by `a`, below 0.
+  return q.b * q.b - q.a * q.c > tol * q.a * (square_root(q.gradient2) + tol * q.bend);
+}
+template <class Real>
+bool in_form(const QuadraticForm<Real>& q, Real tol) {
+  return is_off_surface(q, tol) ? q.c < 0 : in_form_nearby(q, tol);
 }
 
 /// A crossing at `t` after one step of Newton's, which undoes the rounding of the closed form.
@@ -69,49 +88,80 @@ Real polished(const Face& f, const Vec3<Real>& p, const Direction<Real>& v, Real
   const QuadraticForm<Real> q = form_at(f, advance(p, v, t), v);
   const Real step = q.c / (2 * q.b), to = t - step;
   // Where the ray grazes, the closed form is as good.
-  return q.b != 0 && to > 0 && absolute(step) * 1024 * 1024 < to ? to : t;
+  return (q.b != 0) & (to > 0) & (absolute(step) * 1024 * 1024 < to) ? to : t;
+}
+/// No path and the same polished differ by more than this part of it.
+template <class Real>
+constexpr Real most_polish() {
+  return Real(1) / 65536;
 }
 
-/// The parts of the ray behind the face.
+template <class Real>
+Real form_root(const QuadraticForm<Real>& q) {
+  return square_root(larger(q.b * q.b - q.a * q.c, Real(0)));
+}
+/// Whether a ray that is behind the face comes out ahead of it.
+template <class Real>
+bool comes_out(const QuadraticForm<Real>& q, Real tol) {
+  // A surface that bends away is left, if at all, by heading out.
+  return q.a > 0 || (q.b > 0 && q.b * q.b > q.a * q.c && !comes_back(q, tol));
+}
+/// Where such a ray does; `root` is that of the form.
 template <class Face, class Real>
-SpanPair<Real> form_spans(const Face& f, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  const QuadraticForm<Real> q = form_at(f, p, v);
-  const Real root = square_root(larger(q.b * q.b - q.a * q.c, Real(0)));
-  const Real forever = infinity<Real>();
-  const auto to = [&](Real enter, Real leave) {
-    const Real entry = enter < 0 ? enter : polished(f, p, v, enter);
-    const Real exit = polished(f, p, v, leave);
-    return Span<Real>{entry, exit, exit};
+Real form_exit(const Face& f, const QuadraticForm<Real>& q, Real root, const Vec3<Real>& p,
+               const Direction<Real>& v) {
+  const Real h = q.b + root;
+  // Without a branch on where the ray heads.
+  const bool bends_around = q.a > 0, inwards = bends_around & (q.b < 0);
+  const Real depth = bends_around ? larger(-q.c, Real(0)) : -q.c;
+  const Real above = inwards ? root - q.b : depth, below = inwards ? q.a : h;
+  const Real leave = bends_around & !(below > 0) ? Real(0) : above / below;
+  return polished(f, p, v, leave);
+}
+/// Whether a ray from before a face that bends around what is behind it comes in.
+template <class Real>
+bool comes_in(const QuadraticForm<Real>& q, Real tol) {
+  // On the surface: a graze that is not entered.
+  return q.b < 0 && q.b * q.b > q.a * q.c && (is_off_surface(q, tol) || !(form_distance(q) <= tol));
+}
+
+/// The parts of the ray behind the face, of which `q` is the form.
+template <class Face, class Real>
+SpanPair<Real> form_spans(const Face& f, const QuadraticForm<Real>& q, const Vec3<Real>& p,
+                          const Direction<Real>& v, Real tol) {
+  const Real root = form_root(q), forever = infinity<Real>();
+  const auto to = [&](Real enter, Real exit) {
+    return Span<Real>{polished(f, p, v, enter), exit, exit};
   };
   if (in_form(q, tol)) {
-    if (q.a > 0) {
-      if (q.b < 0) return one_span(to(-forever, (root - q.b) / q.a));
-      const Real h = q.b + root;
-      return one_span(to(-forever, h > 0 ? larger(-q.c, Real(0)) / h : Real(0)));
-    }
-    // A surface that bends away is left, if at all, by heading out, and then met again.
-    if (!(q.b > 0) || !(q.b * q.b > q.a * q.c) || comes_back(q, tol)) {
-      return one_span(whole_ray<Real>());
-    }
-    const Real h = q.b + root;
-    if (!(q.a < 0)) return one_span(to(-forever, -q.c / h));
-    return {to(-forever, -q.c / h), to(h / -q.a, forever)};
+    if (!comes_out(q, tol)) return one_span(whole_ray<Real>());
+    const Real exit = form_exit(f, q, root, p, v);
+    const Span<Real> first{-forever, exit, exit};
+    // What bends away is met again.
+    return q.a < 0 ? SpanPair<Real>{first, to((q.b + root) / -q.a, forever)} : one_span(first);
   }
   if (q.a > 0) {
-    // On the surface: a graze that is not entered.
-    if (!(q.b < 0) || !(q.b * q.b > q.a * q.c) || form_distance(q) <= tol) return no_spans<Real>();
+    if (!comes_in(q, tol)) return no_spans<Real>();
     const Real h = root - q.b;
-    return one_span(to(q.c / h, h / q.a));
+    return one_span(to(q.c / h, polished(f, p, v, h / q.a)));
   }
   if (q.b < 0) return one_span(to(q.c / (root - q.b), forever));
   return q.a < 0 ? one_span(to((q.b + root) / -q.a, forever)) : no_spans<Real>();
+}
+template <class Face, class Real>
+SpanPair<Real> form_spans(const Face& f, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+  return form_spans(f, form_at(f, p, v), p, v, tol);
 }
 
 /// The exit through the face, folded into `leave`, for points behind it.
 template <class Face, class Real>
 Real leave_form(const Face& f, const Vec3<Real>& p, const Direction<Real>& v, Real tol,
                 Real leave) {
-  return leave_body(form_spans(f, p, v, tol), leave);
+  const QuadraticForm<Real> q = form_at(f, p, v);
+  if (!in_form(q, tol)) return Real(0);
+  if (!comes_out(q, tol)) return leave;
+  const Real exit = form_exit(f, q, form_root(q), p, v);
+  return exit > 0 ? smaller(exit, leave) : Real(0);
 }
 
 template <class Face, class Real>
@@ -144,25 +194,50 @@ bool contains(const QuadricSolid<Real>& s, const Vec3<Real>& p, const Direction<
   return s.bored == 0 || !in_form(form_at(s.inner, p, v), tol);
 }
 
+/// The path to where a ray from before a face that bends around the solid comes into that and
+/// between the planes, the face being looked at from `q`, `shift` along the ray; 0 if that is at
+/// once, infinity if it is nowhere.
+template <class Real>
+Real entry_through_bend(const QuadricSolid<Real>& s, const Span<Real>& slab,
+                        const QuadraticForm<Real>& form, const Vec3<Real>& q,
+                        const Direction<Real>& v, Real shift, Real tol) {
+  if (!comes_in(form, tol)) return infinity<Real>();
+  const Real h = form_root(form) - form.b, far = h / form.a;
+  const Real near = polished(s.outer, q, v, form.c / h) + shift;
+  const Real t = larger(near, larger(slab.enter, Real(0)));
+  if (!(t < slab.until)) return infinity<Real>();
+  // Where the ray comes out is polished only where that might decide.
+  const Real before_exit = (shift + far * (1 - most_polish<Real>())) * (1 - Real(0x1p-50));
+  return t < before_exit || t < polished(s.outer, q, v, far) + shift ? t : infinity<Real>();
+}
+
 template <class Real>
 Real distance_to_in(const QuadricSolid<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
                     Real tol) {
   const Real shift = approach(s.hx, s.hy, s.z_low, s.z_high, p, v);
   if (!(shift < infinity<Real>())) return infinity<Real>();
   const Vec3<Real> q = shift > 0 ? advance(p, v, shift) : p;
-  const SpanPair<Real> body[] = {one_span(slab_span(s.z_low, s.z_high, p, v, tol)),
-                                 moved_by(form_spans(s.outer, q, v, tol), shift)};
-  const SpanPair<Real> hole[] = {s.bored != 0 ? moved_by(form_spans(s.inner, q, v, tol), shift)
-                                              : no_spans<Real>()};
-  const Real t = first_entry(body, hole);
-  return t < 0 ? distance_from_within(s, p, tol) : t;
+  const Span<Real> slab = slab_span(s.z_low, s.z_high, p, v, tol);
+  const QuadraticForm<Real> outer = form_at(s.outer, q, v);
+  Real t;
+  if (s.bored == 0 && outer.a > 0 && !in_form(outer, tol)) {
+    t = entry_through_bend(s, slab, outer, q, v, shift, tol);
+    if (t > 0) return t;
+  } else {
+    const SpanPair<Real> body[] = {one_span(slab),
+                                   moved_by(form_spans(s.outer, outer, q, v, tol), shift)};
+    const SpanPair<Real> hole[] = {s.bored != 0 ? moved_by(form_spans(s.inner, q, v, tol), shift)
+                                                : no_spans<Real>()};
+    t = first_entry(body, hole);
+    if (!(t < 0)) return t;
+  }
+  return distance_from_within(s, p, tol);
 }
 
 template <class Real>
 Real distance_to_out(const QuadricSolid<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
                      Real tol) {
-  Real leave = leave_face(p.z - s.z_high, v.z, tol, infinity<Real>());
-  leave = smaller(leave_face(s.z_low - p.z, -v.z, tol, leave), leave);
+  Real leave = leave_ends(s.z_low, s.z_high, p, v, tol);
   leave = leave_form(s.outer, p, v, tol, leave);
   return s.bored != 0 ? leave_into_holes(form_spans(s.inner, p, v, tol), leave) : leave;
 }

@@ -15,9 +15,12 @@ QuadraticForm<Real> form_at(const Saddle<Real>& f, const Vec3<Real>& p, const Di
   const Real turn = f.kappa * p.z, rate = f.kappa * v.z;
   const Real side = f.ny * p.x - f.nx * p.y, side_rate = f.ny * v.x - f.nx * v.y;
   const Real gx = f.nx - turn * f.ny, gy = f.ny + turn * f.nx, gz = -f.kappa * side;
-  return {-rate * side_rate, (gx * v.x + gy * v.y + gz * v.z) / 2,
-          f.nx * p.x + f.ny * p.y - turn * side, square_root(gx * gx + gy * gy + gz * gz),
-          absolute(f.kappa)};
+  return {-rate * side_rate,
+          (gx * v.x + gy * v.y + gz * v.z) / 2,
+          f.nx * p.x + f.ny * p.y - turn * side,
+          gx * gx + gy * gy + gz * gz,
+          absolute(f.kappa),
+          Real(0)};
 }
 
 template <class Real>
