@@ -10,6 +10,7 @@
 #include "runtime/bind_to_data.hpp"
 #include "runtime/gather.hpp"
 #include "runtime/judge.hpp"
+#include "runtime/processor_time.hpp"
 
 namespace navjit {
 namespace {
@@ -64,19 +65,24 @@ Made compile(Specialisation& spec, const std::string& source) {
   } catch (const std::exception& error) {
     return Failure{std::string("no thread to compile on: ") + error.what(), /*exhausted=*/true};
   }
-  const std::chrono::duration<double, std::milli> pause(spec.shared->options.specialiser.poll_ms);
+  double pause = 1;  // in units of poll_ms
   while (true) {
     {
       std::unique_lock lock(spec.mutex);
       // Whoever stops the run wakes this.
-      spec.wake.wait_for(lock, pause, [&] {
+      const std::chrono::duration<double, std::milli> ms(pause *
+                                                         spec.shared->options.specialiser.poll_ms);
+      spec.wake.wait_for(lock, ms, [&] {
         return spec.stopping() ||
                made.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
       });
     }
     if (spec.stopping()) return stopped();
     if (made.wait_for(std::chrono::seconds(0)) == std::future_status::ready) break;
-    if (spec.looking) look_meanwhile(spec);
+    if (!spec.looking) continue;
+    const double began_s = thread_seconds();
+    look_meanwhile(spec);
+    pause = pause_after(spec.pace, thread_seconds() - began_s, spec.navigated_s(), false);
   }
   if (spec.looking) show_candidates(spec);
   return made.get();

@@ -34,7 +34,7 @@ double Specialisation::own_seconds() const {
 
 double Specialisation::compile_weight() const {
   const double weight = shared->options.specialiser.compile_weight;
-  const double busy = (1e-9 * navigating_ns - process_s_before) / std::max(seconds(), 1e-3);
+  const double busy = navigated_s() / std::max(seconds(), 1e-3);
   return weight_of_compiling(weight, busy, std::thread::hardware_concurrency());
 }
 

@@ -19,6 +19,7 @@
 #include "runtime/composed_solids.hpp"
 #include "runtime/group_trial.hpp"
 #include "runtime/module_list.hpp"
+#include "runtime/pace.hpp"
 #include "runtime/schedule.hpp"
 #include "runtime/shared.hpp"
 #include "runtime/states.hpp"
@@ -58,6 +59,9 @@ struct Specialisation {
   /// Processor time of the specialiser so far, s: its thread, which has to ask, and the compiler,
   /// which has threads of its own.
   double own_seconds() const;
+
+  /// Processor time of navigation, s, at the last look: of all that is not the specialiser's.
+  double navigated_s() const { return 1e-9 * navigating_ns - process_s_before; }
 
   /// SpecialiserOptions::compile_weight, less where processors are left.
   double compile_weight() const;
@@ -119,6 +123,7 @@ struct Specialisation {
   };
   std::map<VolumeId, Seen> seen;  ///< of installed scenes, at the last look
   double reconsidered_at = 0;
+  Pace pace;  ///< of looks at the profile
   double started_at;
   double process_s_before;  ///< processor time of the process when this was made
 

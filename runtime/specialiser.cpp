@@ -83,11 +83,10 @@ void Specialiser::run() {
 void Specialiser::look_until_stopped() {
   if (spec_.maker) install_remembered(spec_);
   spec_.looking = true;
-  constexpr double longest_pause = 4;
-  double pause = 1;  // in units of poll_ms
   std::unique_lock lock(spec_.mutex);
   while (!spec_.stopping()) {
     lock.unlock();
+    const double began_s = thread_seconds();
     gather(spec_);
     const bool more_to_bind = bind_hot_to_data(spec_);
     const bool compiled = !more_to_bind && compile_next(spec_);
@@ -103,14 +102,16 @@ void Specialiser::look_until_stopped() {
     const bool idle = !more_to_bind && !compiled;
     if (idle) idle_look_ = looks_;
     spec_.wake.notify_all();
-    // The longer nothing happens, the less often it looks.
-    const bool trying = spec_.trials.open() || spec_.group.open();
-    const bool quiet = idle && !trying && waiting_for_idle_ == 0;
-    pause = quiet ? std::min(2 * pause, longest_pause) : 1;
-    if (idle) {
-      spec_.wake.wait_for(lock, std::chrono::duration<double, std::milli>(
-                                    pause * spec_.shared->options.specialiser.poll_ms));
+    if (!idle) {
+      spec_.pace.quiet = 1;
+      continue;
     }
+    const bool trying = spec_.trials.open() || spec_.group.open();
+    const double pause =
+        pause_after(spec_.pace, thread_seconds() - began_s, spec_.navigated_s(), !trying);
+    spec_.wake.wait_for(
+        lock, std::chrono::duration<double, std::milli>((waiting_for_idle_ == 0 ? pause : 1) *
+                                                        spec_.shared->options.specialiser.poll_ms));
   }
 }
 

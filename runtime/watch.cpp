@@ -47,8 +47,8 @@ void deoptimise(Specialisation& spec, VolumeId volume, SceneStatus status, const
 }  // namespace
 
 void watch(Specialisation& spec) {
-  if (spec.seconds() - spec.reconsidered_at < spec.shared->options.specialiser.recheck_ms * 1e-3)
-    return;
+  const double pause_s = spec.pace.thrifty * spec.shared->options.specialiser.recheck_ms * 1e-3;
+  if (spec.seconds() - spec.reconsidered_at < pause_s) return;
   spec.reconsidered_at = spec.seconds();
   show_candidates(spec);
   std::vector<VolumeId> installed;

@@ -66,11 +66,13 @@ class Profile {
   void come_again() { countdown_ = 1; }
   /// By the owner, once a safety: true when it should be recorded.
   bool safety_due() { return --safety_countdown_ == 0; }
-  /// By the owner. A full queue drops the sample.
+  /// By the owner. A full queue drops the sample, and then few are made until there is room again:
+  /// the reader says by how often it looks how many it wants.
   void record(const Sample& sample) {
-    (sample.safety ? safety_countdown_ : countdown_) = period;
     const std::uint32_t head = head_.load(std::memory_order_relaxed);
-    if (head - tail_.load(std::memory_order_acquire) == queue_.size()) return;
+    const bool full = head - tail_.load(std::memory_order_acquire) == queue_.size();
+    (sample.safety ? safety_countdown_ : countdown_) = full ? period_when_full : period;
+    if (full) return;
     queue_[head % queue_.size()] = sample;
     head_.store(head + 1, std::memory_order_release);
   }
@@ -98,6 +100,9 @@ class Profile {
 
   /// Steps between samples; prime, so that it does not beat with the detector's own periods.
   static constexpr std::uint32_t period = 61;
+  /// The same while nobody wants them: some thousand of them are less than a navigator makes
+  /// between two looks. Prime, too.
+  static constexpr std::uint32_t period_when_full = 2039;
 
  private:
   std::size_t size_;
