@@ -76,7 +76,7 @@ bool heads_into_nappe(const ConicalForm<Real>& q, Real tol) {
   if (is_along_nappe(q)) return true;
   // At the tip every direction is a face's: only those within the cone head in.
   if (q.radius <= tol && q.r2 <= tol * tol) return stays_in_nappe(q);
-  // `a` times the radius where it is deepest; its square is that of r2 there and discriminant / a.
+  // `a` times the radius where it is deepest; there r2 is below its square by discriminant / a.
   const Real deepest = q.radius * q.a - q.rate * q.b;
   if (q.a > 0 && deepest > 0) {
     return q.b <= 0 && conical_discriminant(q) > tol * (2 * deepest - tol * q.a);

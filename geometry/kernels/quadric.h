@@ -62,9 +62,9 @@ bool comes_back(const QuadraticForm<Real>& q, Real tol) {
          square_root(larger(q.b * q.b - q.a * q.c, Real(0))) + q.b <= -tol * q.a;
 }
 
-/// Directional containment. A tangent goes where the surface bends; what comes no deeper than the
-/// tolerance leaves at once, and what would be in again within the tolerance does not leave: by
-/// steps that do not move the coordinates which decide it would leave and enter for ever.
+/// Directional containment near the surface. A tangent goes where that bends; what comes no deeper
+/// than the tolerance leaves at once, and what would be in again within it does not leave: nearly
+/// along the surface rays would come and go for ever, by steps that do not move what decides.
 template <class Real>
 [[gnu::noinline]] bool in_form_nearby(const QuadraticForm<Real> q, Real tol) {
   const Real s = form_distance(q);

@@ -30,7 +30,7 @@ enum class InstructionSet : std::uint8_t {
 
 /// When a scene is worth compiling, and how. Reasons in docs/decisions.md.
 struct SpecialiserOptions {
-  double poll_ms = 5;  ///< between looks at the profile, while they are no burden
+  double poll_ms = 5;  ///< between looks at the profile; in long runs they become rarer
   /// What a ms of the compiler's thread counts beside one of navigation. Little: runs go on for
   /// long. A thirtieth counts while fewer threads of the process are busy than it has processors.
   double compile_weight = 0.3;
@@ -57,7 +57,7 @@ struct SpecialiserOptions {
   int nice = 0;            ///< priority of the thread that compiles, as of nice(1); 0 to 19
   int optimisation = 2;    ///< of the compiler
   InstructionSet instruction_set = InstructionSet::native;
-  double recheck_ms = 1000;      ///< between checks on fresh states, likewise
+  double recheck_ms = 1000;      ///< between checks of what is installed, likewise
   bool keep_only_faster = true;  ///< install only what is measured to be no slower
   bool safety = true;            ///< specialise it, too; wasted where nobody asks for it
   bool perf_map = false;         ///< name generated functions for perf

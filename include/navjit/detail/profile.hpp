@@ -100,8 +100,8 @@ class Profile {
 
   /// Steps between samples; prime, so that it does not beat with the detector's own periods.
   static constexpr std::uint32_t period = 61;
-  /// The same while nobody wants them: some thousand of them are less than a navigator makes
-  /// between two looks. Prime, too.
+  /// The same while there is no room for them, since nobody takes those that were made. Prime,
+  /// too.
   static constexpr std::uint32_t period_when_full = 2039;
 
  private:
