@@ -90,7 +90,7 @@ Real polished(const Face& f, const Vec3<Real>& p, const Direction<Real>& v, Real
   // Where the ray grazes, the closed form is as good.
   return (q.b != 0) & (to > 0) & (absolute(step) * 1024 * 1024 < to) ? to : t;
 }
-/// No path and the same polished differ by more than this part of it.
+/// Polishing changes a path by less than this part of it.
 template <class Real>
 constexpr Real most_polish() {
   return Real(1) / 65536;

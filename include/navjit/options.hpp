@@ -57,7 +57,7 @@ struct SpecialiserOptions {
   int nice = 0;            ///< priority of the thread that compiles, as of nice(1); 0 to 19
   int optimisation = 2;    ///< of the compiler
   InstructionSet instruction_set = InstructionSet::native;
-  double recheck_ms = 1000;      ///< between checks of what is installed, likewise
+  double recheck_ms = 1000;      ///< between checks of what is installed; in long runs rarer, too
   bool keep_only_faster = true;  ///< install only what is measured to be no slower
   bool safety = true;            ///< specialise it, too; wasted where nobody asks for it
   bool perf_map = false;         ///< name generated functions for perf
