@@ -163,17 +163,23 @@ void Specialiser::specialise_all() {
   std::stable_sort(volumes.begin(), volumes.end(), [&](VolumeId a, VolumeId b) {
     return spec_.facts.touchables[a] > spec_.facts.touchables[b];
   });
-  double expected = 0;
+  const SpecialiserOptions& options = spec_.shared->options.specialiser;
+  double expected = 0, of_module = module_base_ms;
   for (const VolumeId volume : volumes) {
     const double ms = expected_compile_ms(spec_.shared->geometry,
                                           plan_scene(spec_.shared->geometry, spec_.facts, volume));
     if (ms > most_scene_ms) continue;
+    // A slow machine must not give up a module because it was expected to take long.
+    if (batch.size() == options.batch || (!batch.empty() && of_module + ms > options.module_ms)) {
+      flush();
+      of_module = module_base_ms;
+    }
+    if (spec_.hopeless || spec_.stopping()) return;
     expected += ms;
+    of_module += ms;
     if (std::max(expected, spent_ms()) > wait_ms) break;
     batch.push_back(volume);
     compiled.insert(spec_.facts.equals[volume].begin(), spec_.facts.equals[volume].end());
-    if (batch.size() == spec_.shared->options.specialiser.batch) flush();
-    if (spec_.hopeless || spec_.stopping()) return;
   }
   flush();
   compile_solids_of_others();

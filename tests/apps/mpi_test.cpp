@@ -87,7 +87,7 @@ TEST_F(Mpi, FourProcessesMakeTheRunOfOne) {
 
 TEST_F(Mpi, OneCacheServesAll) {
   const std::string same = "run " NAVJIT_DETECTORS_DIR
-                           "/absorber.gdml --jit wait --rays 400 --cache " +
+                           "/absorber.gdml --opt 0 --jit wait --rays 400 --cache " +
                            file("cache") + " --report " + file("r.json");
   ASSERT_EQ(four(same).status, 0);
   const json first = report("r.json");
