@@ -38,4 +38,5 @@ function(navjit_library name)
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include
                                             ${PROJECT_BINARY_DIR}/include)
   set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  navjit_precompiled(${name} library)
 endfunction()

@@ -14,12 +14,11 @@ void* run(void* work) {
 
 }  // namespace
 
-std::optional<Failure> run_on_large_stack(std::size_t stack_bytes,
-                                          const std::function<void()>& work) {
+std::optional<Failure> run_on_large_stack(std::size_t bytes, const std::function<void()>& work) {
   pthread_attr_t attributes;
   int error = pthread_attr_init(&attributes);
   if (error == 0) {
-    error = pthread_attr_setstacksize(&attributes, stack_bytes);
+    error = pthread_attr_setstacksize(&attributes, bytes);
     pthread_t thread{};
     if (error == 0) {
       error = pthread_create(&thread, &attributes, run, const_cast<std::function<void()>*>(&work));

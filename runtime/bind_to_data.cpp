@@ -180,8 +180,8 @@ void bind_to_data(Specialisation& spec, VolumeId volume) {
   spec.shared->log->debug(
       "event=bound at_s={:.3f} scene={} structure={} safety={} generic_ns={:.1f} bound_ns={:.1f} "
       "verdict={}",
-      spec.seconds(), quoted(geometry.world().volumes[volume].name),
-      quoted(pays ? ways[0].structure : "any"),
+      spec.seconds(), in_quotes(geometry.world().volumes[volume].name),
+      in_quotes(pays ? ways[0].structure : "any"),
       safety_of(pays ? *ways[0].entry : generic::dispatch_entry), generic_ns,
       pays ? ways[0].ns : 0.0, pays ? "installed" : "slower");
   if (pays) {

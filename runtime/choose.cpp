@@ -102,7 +102,7 @@ std::vector<VolumeId> choose(const Specialisation& spec, const DueScenes& due, d
   if (!module.empty()) {
     spec.shared->log->debug(
         "event=chosen at_s={:.3f} scenes={} first={} candidates={}", spec.seconds(), module.size(),
-        quoted(spec.shared->geometry.world().volumes[module[0]].name), due.candidates.size());
+        in_quotes(spec.shared->geometry.world().volumes[module[0]].name), due.candidates.size());
   }
   return module;
 }

@@ -89,8 +89,9 @@ Expected<SceneReport> install_scene(Specialisation& spec, VolumeId volume,
   spec.shared->log->debug(
       "event={} at_s={:.3f} scene={} generic_ns={:.1f} specialised_ns={:.1f} states={} recorded={} "
       "verification_ms={:.2f}",
-      pays ? "installed" : "slower", spec.seconds(), quoted(geometry.world().volumes[volume].name),
-      generic_ns, specialised_ns, samples.size(), recorded, (steady_seconds() - begun) * 1e3);
+      pays ? "installed" : "slower", spec.seconds(),
+      in_quotes(geometry.world().volumes[volume].name), generic_ns, specialised_ns, samples.size(),
+      recorded, (steady_seconds() - begun) * 1e3);
   if (binding == Binding::structure) {
     // Nothing is said of the scene's own code.
     const std::lock_guard lock(spec.mutex);

@@ -62,7 +62,7 @@ void conclude(Specialisation& spec, VolumeId volume, Trial& trial) {
   spec.shared->log->debug(
       "event=judged at_s={:.3f} scene={} verdict={} with_ticks={:.0f} without_ticks={:.0f} "
       "with_steps={:.0f} without_steps={:.0f} lost={:.1f} error={:.1f}",
-      spec.seconds(), quoted(spec.shared->geometry.world().volumes[volume].name),
+      spec.seconds(), in_quotes(spec.shared->geometry.world().volumes[volume].name),
       trial.verdict == Verdict::goes ? "goes" : "stays", trial.with.mean(), trial.without.mean(),
       trial.with.count, trial.without.count, trial.lost.mean(), trial.lost.error());
   install_winner(spec, volume, trial);

@@ -17,7 +17,7 @@ std::string one_line(std::string_view text, std::size_t most) {
   return line;
 }
 
-std::string quoted(std::string_view text, std::size_t most) {
+std::string in_quotes(std::string_view text, std::size_t most) {
   std::string value = "\"";
   for (const char c : one_line(text, most)) {
     if (c == '"' || c == '\\') value += '\\';

@@ -10,6 +10,6 @@ namespace navjit {
 std::string one_line(std::string_view text, std::size_t most = 1000);
 
 /// The same as the value of key=value: in double quotes, with quotes and backslashes escaped.
-std::string quoted(std::string_view text, std::size_t most = 200);
+std::string in_quotes(std::string_view text, std::size_t most = 200);
 
 }  // namespace navjit

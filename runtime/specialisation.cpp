@@ -40,8 +40,8 @@ double Specialisation::compile_weight() const {
 
 void note(Specialisation& spec, VolumeId volume, SceneStatus status, const std::string& why) {
   spec.shared->log->debug("event=status at_s={:.3f} scene={} status={} why={}", spec.seconds(),
-                          quoted(spec.shared->geometry.world().volumes[volume].name),
-                          status_name(status), quoted(why));
+                          in_quotes(spec.shared->geometry.world().volumes[volume].name),
+                          status_name(status), in_quotes(why));
   const std::lock_guard lock(spec.mutex);
   for (const VolumeId equal : spec.facts.equals[volume]) {
     SceneReport& scene = spec.scenes[equal];

@@ -12,7 +12,7 @@ TEST(LogText, LinesBecomeOne) {
   EXPECT_EQ(one_line("a.cpp:1: error\n  x\n  ^\n"), "a.cpp:1: error |   x |   ^");
   EXPECT_EQ(one_line(""), "");
   EXPECT_EQ(one_line("a\tb\x1b[31m"), "a?b?[31m");
-  EXPECT_EQ(quoted("say \"x\\y\""), "\"say \\\"x\\\\y\\\"\"");
+  EXPECT_EQ(in_quotes("say \"x\\y\""), "\"say \\\"x\\\\y\\\"\"");
 }
 
 TEST(LogText, NothingBreaksTheLineOrItsLength) {
@@ -25,7 +25,7 @@ TEST(LogText, NothingBreaksTheLineOrItsLength) {
     EXPECT_TRUE(std::none_of(line.begin(), line.end(), [](char c) {
       return static_cast<unsigned char>(c) < ' ' || c == 0x7f;
     }));
-    const std::string value = quoted(text, 100);
+    const std::string value = in_quotes(text, 100);
     for (std::size_t i = 1; i + 1 < value.size(); ++i) {  // quotes only after a backslash
       if (value[i] == '\\') {
         ++i;
