@@ -169,7 +169,7 @@ void Specialiser::specialise_all() {
     const double ms = expected_compile_ms(spec_.shared->geometry,
                                           plan_scene(spec_.shared->geometry, spec_.facts, volume));
     if (ms > most_scene_ms) continue;
-    // A slow machine must not give up a module because it was expected to take long.
+    // On a slow machine a larger one might take longer than any module may, and be given up.
     if (batch.size() == options.batch || (!batch.empty() && of_module + ms > options.module_ms)) {
       flush();
       of_module = module_base_ms;
