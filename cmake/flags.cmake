@@ -27,6 +27,9 @@ if(NAVJIT_FUZZ)
   add_link_options(-fsanitize=address)
 endif()
 
+# For what takes longer to compile than to run.
+set(little_optimised $<$<CONFIG:Release>:-O1>)
+
 # A library of all sources of this folder, with the project's root as include directory. Sources below
 # the folders that follow the name are left out.
 function(navjit_library name)

@@ -1,6 +1,9 @@
 // What JitMode::wait compiles before a run begins, in which portions, and when it ends.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
+
 #include "tests/support/traces.hpp"
 
 namespace navjit {
