@@ -94,6 +94,7 @@ double FileContext::evaluate(const XmlElement& element, std::string_view express
     note(element, std::string(what) + " is empty and counts as 0, as in Geant4");
     return 0;
   }
+  charge_expression(element, expression);
   try {
     return evaluator.evaluate(expression);
   } catch (const BrokenDefinition& e) {
@@ -122,6 +123,7 @@ int FileContext::integer(const XmlElement& element, std::string_view attribute) 
     fail(element, "attribute '" + std::string(attribute) + "' is missing; give it an integer");
   }
   if (is_empty(*value)) return static_cast<int>(evaluate(element, *value, attribute));
+  charge_expression(element, *value);
   try {
     return evaluator.evaluate_integer(*value);
   } catch (const BrokenDefinition& e) {
@@ -175,6 +177,13 @@ void FileContext::charge(const XmlElement& element) {
                         std::to_string(session.options.limits.max_loop_iterations) +
                         " elements; raise GdmlLimits::max_loop_iterations if this is meant");
   }
+}
+
+void FileContext::charge_expression(const XmlElement& element, std::string_view expression) {
+  constexpr std::size_t usual = 128;  // characters; an element has some such attributes
+  if (loops == 0 || expression.size() < usual) return;
+  session.loop_elements += expression.size() / usual - 1;
+  charge(element);
 }
 
 void FileContext::loop(const XmlElement& element, const std::function<void()>& body) {

@@ -47,8 +47,14 @@ struct NamedSolid {
 
 /// Placements that go together, relative to a frame of their own.
 struct Assembly {
-  std::vector<Placement> placements;
-  int depth = 1;  ///< levels of assemblies
+  /// A placement, or those of an assembly within.
+  struct Part {
+    const Assembly* nested = nullptr;
+  };
+
+  std::vector<Placement> placements{};
+  std::vector<Part> parts{};  ///< of the placements, in order
+  int depth = 1;              ///< levels of assemblies
 };
 
 struct Setup {
@@ -101,6 +107,9 @@ struct FileContext {
   Definitions<Vector> positions, rotations, scales;
   Definitions<double> quantities;
   Definitions<std::uint32_t> materials, elements, isotopes;  ///< indices into the world's
+  /// By their names without the addresses ("0x55d...") that Geant4 appends when it writes; the
+  /// first of several holds.
+  Definitions<std::uint32_t> materials_by_bare_name, elements_by_bare_name;
   Definitions<NamedSolid> solids;
   Definitions<VolumeId> volumes;
   Definitions<Assembly> assemblies;
@@ -154,6 +163,8 @@ struct FileContext {
   void loop(const XmlElement& element, const std::function<void()>& body);
   /// Charges an element against the limit on loops, if we are in one.
   void charge(const XmlElement& element);
+  /// The same for an expression, if it is a long one.
+  void charge_expression(const XmlElement& element, std::string_view expression);
 
   /// The definition of a name, of this file or else of one that was read before; null if there is
   /// none.
@@ -205,6 +216,14 @@ struct FileContext {
   [[noreturn]] void fail_unknown(const XmlElement& element, const std::string& what,
                                  const std::string& wanted);
 };
+
+/// A name without the address that Geant4 appends to it.
+inline std::string bare_name(const std::string& name) { return name.substr(0, name.find("0x")); }
+
+/// Of this name or, as Geant4 looks for them, of the same name without an address; null if there is
+/// none.
+std::uint32_t* find_material_named(FileContext& file, const std::string& name);
+std::uint32_t* find_element_named(FileContext& file, const std::string& name);
 
 /// A function that reads one kind of element.
 using ElementReader = void (*)(FileContext&, const XmlElement&);

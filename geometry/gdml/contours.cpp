@@ -150,7 +150,10 @@ NamedSolid read_tessellated(FileContext& file, const XmlElement& element, const 
         facet[i].z += facet[0].z;
       }
     } else if (type != "ABSOLUTE") {
-      fail(child, "type: '" + printable(type) + "' is unknown; use ABSOLUTE or RELATIVE");
+      file.note(child,
+                "a facet's type is neither ABSOLUTE nor RELATIVE: took it for the first, as "
+                "Geant4 does",
+                ": '" + printable(type) + "'");
     }
     facets.push_back(std::move(facet));
   }

@@ -15,6 +15,10 @@ struct EntityReferences {
   /// Declares an entity and its text; of several declarations of a name the first holds. False
   /// where some entity is now the first of a chain of more than `deepest`.
   bool declare(std::string_view name, std::string_view text, std::size_t deepest);
+  bool is_declared(std::string_view name) const {
+    const auto found = entities_.find(name);
+    return found != entities_.end() && found->second.depth > 0;
+  }
 
  private:
   struct Entity {

@@ -38,6 +38,31 @@ bool is_name(std::string_view text) {
 
 std::string in_quotes(std::string_view text) { return "'" + printable(text) + "'"; }
 
+/// What a decimal number that no double is near stands for. strtod() would need a point as the
+/// program's locale has it.
+double out_of_range(std::string_view text) {
+  // Where the first digit that is not 0 stands: how many powers of ten above or below 1.
+  const std::string_view digits = text.substr(0, text.find_first_of("eE"));
+  const std::size_t point = std::min(digits.find('.'), digits.size());
+  const std::size_t first = digits.find_first_of("123456789");
+  double power = first == std::string_view::npos ? 0.0
+                 : first < point                 ? static_cast<double>(point - first)
+                                                 : -static_cast<double>(first - point);
+  if (digits.size() < text.size()) {
+    const std::string_view exponent = text.substr(digits.size() + 1);
+    // As a double, since it may be beyond all whole numbers.
+    double value = 0;
+    const std::string_view bare = exponent.substr(exponent.starts_with('+') ? 1 : 0);
+    const auto [end, error] =
+        std::from_chars(bare.data(), bare.data() + bare.size(), value, std::chars_format::fixed);
+    power = error == std::errc::result_out_of_range
+                ? (bare.starts_with('-') ? -1 : 1) * std::numeric_limits<double>::infinity()
+                : power + value;
+  }
+  const double size = power > 0 ? std::numeric_limits<double>::infinity() : 0.0;
+  return text.starts_with('-') ? -size : size;
+}
+
 /// Most values in real files are plain numbers. Those beyond the range of doubles become infinite
 /// or zero.
 bool read_number(std::string_view text, double& value) {
@@ -46,9 +71,34 @@ bool read_number(std::string_view text, double& value) {
   if (!is_digit(first) && first != '.') return false;  // from_chars would take "inf"
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (end != text.data() + text.size() || error == std::errc::invalid_argument) return false;
-  if (error == std::errc::result_out_of_range)
-    value = std::strtod(std::string(text).c_str(), nullptr);
+  if (error == std::errc::result_out_of_range) value = out_of_range(text);
   return true;
+}
+
+bool is_sign(char c) { return c == '+' || c == '-'; }
+
+/// Signs in a row are one to CLHEP: `--5` is 5, `10-+-3` is 13. Where an operand precedes them the
+/// first is the operator. Returns where they end; one sign alone is left as it is.
+std::size_t take_signs(const std::string& expression, std::size_t begin, std::string& text) {
+  bool negative = false;
+  std::size_t end = begin, count = 0;
+  const auto last = text.find_last_not_of(blanks);
+  const bool after_operand =
+      last != std::string::npos && (name_characters.find(text[last]) != std::string_view::npos ||
+                                    text[last] == ')' || text[last] == '.');
+  for (std::size_t i = begin; i < expression.size(); ++i) {
+    if (blanks.find(expression[i]) != std::string_view::npos) continue;
+    if (!is_sign(expression[i])) break;
+    if (count++ > 0 || !after_operand) negative = negative != (expression[i] == '-');
+    end = i + 1;
+  }
+  if (count == 1) {
+    text += expression[begin];
+    return begin + 1;
+  }
+  if (after_operand) text += expression[begin];
+  if (negative) text += '-';
+  return end;
 }
 
 /// The expression in the parser's spelling. Throws on characters that it could take for more.
@@ -56,6 +106,17 @@ std::string checked(const std::string& expression) {
   std::string text;
   for (std::size_t i = 0; i < expression.size(); ++i) {
     const char c = expression[i];
+    if (is_sign(c)) {
+      i = take_signs(expression, i, text) - 1;
+      continue;
+    }
+    // A function's name and its parenthesis may be apart.
+    if (c == '(') {
+      const auto name = text.find_last_not_of(blanks);
+      if (name != std::string::npos && name_characters.find(text[name]) != std::string_view::npos) {
+        text.resize(name + 1);
+      }
+    }
     if (name_characters.find(c) == std::string_view::npos &&
         other_characters.find(c) == std::string_view::npos) {
       throw ExpressionError(in_quotes(expression) + " is not a number or expression");

@@ -111,6 +111,16 @@ void define_in(FileContext& file, std::vector<T>& all,
   all.push_back(std::move(value));
 }
 
+/// The same, to be found without its address, too.
+template <class T>
+void define_in(FileContext& file, std::vector<T>& all,
+               Definitions<std::uint32_t> FileContext::*definitions,
+               Definitions<std::uint32_t> FileContext::*by_bare_name, const XmlElement& element,
+               T value) {
+  (file.*by_bare_name).try_emplace(bare_name(value.name), static_cast<std::uint32_t>(all.size()));
+  define_in(file, all, definitions, element, std::move(value));
+}
+
 void read_isotope(FileContext& file, const XmlElement& element) {
   Isotope isotope{.name = file.name(element),
                   .z = optional_number(file, element, "Z"),
@@ -139,7 +149,8 @@ void read_element(FileContext& file, const XmlElement& element) {
     mass += *n * world.isotopes[*isotope].a;
   }
   if (sum > 0) made.a = mass / sum;
-  define_in(file, file.session.world.elements, &FileContext::elements, element, std::move(made));
+  define_in(file, file.session.world.elements, &FileContext::elements,
+            &FileContext::elements_by_bare_name, element, std::move(made));
 }
 
 /// What a material is made of, by mass. Empty if some of it is not known.
@@ -154,8 +165,8 @@ std::vector<ElementShare> read_shares(FileContext& file, const XmlElement& mater
     const auto n = number_of(file, child, "n");
     if (!n) return {};
     const std::string name = file.reference(child);
-    const std::uint32_t* element = file.find(&FileContext::elements, name);
-    const std::uint32_t* other = file.find(&FileContext::materials, name);
+    const std::uint32_t* element = find_element_named(file, name);
+    const std::uint32_t* other = find_material_named(file, name);
     if (element != nullptr) {
       merge(all, {*element, by_mass ? *n : *n * world.elements[*element].a});
     } else if (by_mass && other != nullptr && !world.materials[*other].elements.empty()) {
@@ -198,8 +209,8 @@ void read_material(FileContext& file, const XmlElement& element) {
   } else {
     file.skip("gave no radiation length to a material of unknown density or composition");
   }
-  define_in(file, file.session.world.materials, &FileContext::materials, element,
-            std::move(material));
+  define_in(file, file.session.world.materials, &FileContext::materials,
+            &FileContext::materials_by_bare_name, element, std::move(material));
 }
 
 /// What materials are made of is read before them: some files give it only afterwards.
@@ -209,6 +220,16 @@ constexpr struct {
 } first_readers[] = {{"define", read_define}, {"isotope", read_isotope}, {"element", read_element}};
 
 }  // namespace
+
+std::uint32_t* find_material_named(FileContext& file, const std::string& name) {
+  if (std::uint32_t* found = file.find(&FileContext::materials, name)) return found;
+  return file.find(&FileContext::materials_by_bare_name, bare_name(name));
+}
+
+std::uint32_t* find_element_named(FileContext& file, const std::string& name) {
+  if (std::uint32_t* found = file.find(&FileContext::elements, name)) return found;
+  return file.find(&FileContext::elements_by_bare_name, bare_name(name));
+}
 
 void read_materials(FileContext& file, const XmlElement& section) {
   for (const auto& reader : first_readers) {

@@ -71,7 +71,24 @@ Vector signs(FileContext& file, const XmlElement& element, Vector scale) {
   return scale;
 }
 
+/// `next`: the first that has no number yet, and how many daughters there are before it.
+void number_from(const Assembly& assembly, std::size_t base, std::span<Placement> daughters,
+                 std::size_t& next) {
+  const std::size_t before = base == 0 ? next : base;
+  for (std::size_t i = 0; i < assembly.parts.size(); ++i) {
+    if (const Assembly* nested = assembly.parts[i].nested) {
+      number_from(*nested, 100 * i + base, daughters, next);
+    } else {
+      daughters[next++].copy_number = static_cast<int>(before + 1 + i);
+    }
+  }
+}
+
 }  // namespace
+
+void number_imprint(const Assembly& assembly, std::span<Placement> daughters, std::size_t first) {
+  number_from(assembly, 0, daughters, first);
+}
 
 // Geant4 places by translation * inverse rotation * scale, applied to daughter coordinates.
 Transformation placement_frame(const Frame& frame, const Vector& scale) {
@@ -102,6 +119,9 @@ void read_physvol(FileContext& file, const XmlElement& element, Mother& mother) 
   Placement placement;
   placement.auxiliaries = read_auxiliaries(file, element);
   placement.copy_number = file.integer(element, "copynumber", 0);
+  if (element.find("copynumber") && (mother.assembly != nullptr || target->assembly != nullptr)) {
+    file.skip("gave no copynumber to what assemblies hold but that of Geant4");
+  }
   placement.name = file.optional_name(element);
   if (placement.name.empty()) placement.name = target->name + "_PV";
   placement.transformation = placement_frame(frame, scale);
@@ -115,12 +135,18 @@ void read_physvol(FileContext& file, const XmlElement& element, Mother& mother) 
          "assemblies are nested more than " + std::to_string(max_depth) + " deep; flatten them");
   }
   check_placements(file, element, target->assembly->placements.size());
+  const std::size_t first = mother.placements.size();
+  const auto parts = mother.assembly == nullptr ? 0 : mother.assembly->parts.size();
   for (const Placement& inner : target->assembly->placements) {
     Placement imprint = inner;
     imprint.name = placement.name + '.' + inner.name;
     imprint.transformation = compose(placement.transformation, inner.transformation);
     add_placement(file, element, mother, std::move(imprint));
   }
+  if (mother.assembly == nullptr)
+    return number_imprint(*target->assembly, mother.placements, first);
+  mother.assembly->parts.resize(parts);
+  mother.assembly->parts.push_back({target->assembly});
 }
 
 }  // namespace navjit::gdml

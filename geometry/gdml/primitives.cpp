@@ -251,7 +251,7 @@ double value_of(const Dimensions& d, const Attribute& a) {
     case Attribute::Meaning::number:
       return a.optional ? d.plain(a.name, 0) : d.plain(a.name);
     case Attribute::Meaning::length:
-      return a.optional ? d.length(a.name, 0) : d.length(a.name);
+      return a.optional ? d.length(a.name, a.otherwise) : d.length(a.name);
     case Attribute::Meaning::half_length:
       return d.half(a.name);
     case Attribute::Meaning::angle:

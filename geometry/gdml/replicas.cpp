@@ -177,7 +177,7 @@ void read_division(FileContext& file, const XmlElement& element, Mother& mother)
 
 void read_replica(FileContext& file, const XmlElement& element, Mother& mother) {
   const VolumeId volume = placed_volume(file, element);
-  const int count = positive_count(file, element, file.integer(element, "number"));
+  const int count = positive_count(file, element, file.integer(element, "number", 1));
   const XmlElement& along = child(element, "replicate_along_axis");
   const XmlElement& direction = child(along, "direction");
   const char* const axes[] = {"x", "y", "z", "rho", "phi"};

@@ -25,6 +25,9 @@ void read_daughters(FileContext& file, const XmlElement& section, Mother& mother
     file.charge(element);
     if (element.tag == "materialref" || element.tag == "solidref") continue;
     if (element.tag == "auxiliary" && section.tag == "volume") continue;
+    if (mother.assembly != nullptr && element.tag != "physvol" && element.tag != "auxiliary") {
+      file.note(element, "is read in an assembly, where Geant4 leaves it out");
+    }
     if (element.tag == "loop") {
       file.loop(element, [&] { read_daughters(file, element, mother); });
       continue;
@@ -50,7 +53,7 @@ std::uint32_t unknown_material(FileContext& file, const std::string& name) {
 
 std::uint32_t find_material(FileContext& file, const XmlElement& element) {
   const std::string name = file.reference(element);
-  if (const std::uint32_t* known = file.find(&FileContext::materials, name)) return *known;
+  if (const std::uint32_t* known = find_material_named(file, name)) return *known;
   // Geant4 makes materials of these names from its NIST table.
   if (name.starts_with("G4_")) {
     file.skip("kept the name but no density of materials from Geant4's NIST table");
@@ -78,7 +81,7 @@ void read_volume(FileContext& file, const XmlElement& element) {
   if (!material) file.note(element, "it has no <materialref>: its material is unknown");
   volume.material = material ? *material : unknown_material(file, "");
   file.open_name = name;
-  Mother mother{volume.daughters, 1, solid};
+  Mother mother{.placements = volume.daughters, .solid = solid};
   read_daughters(file, element, mother);
   const VolumeId id = add_volume(file.session, std::move(volume), solid);
   file.define(file.volumes, element, "volume", name, id);
@@ -88,7 +91,7 @@ void read_assembly(FileContext& file, const XmlElement& element) {
   const std::string name = file.name(element);
   Assembly assembly;
   file.open_name = name;
-  Mother mother{assembly.placements};
+  Mother mother{.placements = assembly.placements, .assembly = &assembly};
   read_daughters(file, element, mother);
   assembly.depth = mother.assembly_depth;
   file.define(file.assemblies, element, "assembly", name, std::move(assembly));
@@ -111,6 +114,7 @@ VolumeId box_around(FileContext& file, const XmlElement& element, const std::str
   for (const Placement& placement : assembly.placements) {
     add_placement(file, element, mother, placement);
   }
+  number_imprint(assembly, box.daughters, 0);
   const Vec3 half = half_lengths_around(file.session.world, assembly.placements);
   // Room around, so that no face is on the world's.
   box.solid = make_box(name, 1.01 * half.x + 1, 1.01 * half.y + 1, 1.01 * half.z + 1);
@@ -157,6 +161,7 @@ void add_placement(FileContext& file, const XmlElement& element, Mother& mother,
   file.session.placement_name_bytes += placement.name.size();
   check_placements(file, element, 1);
   ++file.session.placements;
+  if (mother.assembly != nullptr) mother.assembly->parts.push_back({});
   mother.placements.push_back(std::move(placement));
 }
 

@@ -12,6 +12,7 @@ namespace navjit::gdml {
 struct Mother {
   std::vector<Placement>& placements;
   int assembly_depth = 1;             ///< levels of assemblies, counting this one
+  Assembly* assembly = nullptr;       ///< that is read; null in a volume
   const NamedSolid* solid = nullptr;  ///< null in an assembly
 };
 
@@ -27,6 +28,11 @@ void check_placements(FileContext& file, const XmlElement& element, std::size_t 
 /// Adds a daughter; fails beyond the limit on placements.
 void add_placement(FileContext& file, const XmlElement& element, Mother& mother,
                    Placement placement);
+
+/// Gives the placements from `first` on, which are the assembly's, the copy numbers that Geant4
+/// gives them (G4AssemblyVolume::MakeImprint): from the number of daughters before them on,
+/// whatever the file says; what assemblies in it hold from a hundred times their place on.
+void number_imprint(const Assembly& assembly, std::span<Placement> daughters, std::size_t first);
 
 /// A volume like `id`, under its name and with its daughters, but of another solid, which is given
 /// by so many numbers. Fails beyond the limits.

@@ -3,6 +3,7 @@
 #include <expat.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstring>
 #include <vector>
 
@@ -48,6 +49,23 @@ bool may_have_tags(std::string_view tag) {
   return std::find(std::begin(tags), std::end(tags), tag) != std::end(tags);
 }
 
+/// "%20" is a blank, and so on: system identifiers are URIs.
+std::string percent_decoded(std::string_view text) {
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned value = 0;
+    const char* const digits = text.data() + i + 1;
+    if (text[i] == '%' && text.size() - i > 2 &&
+        std::from_chars(digits, digits + 2, value, 16).ptr == digits + 2 && value != 0) {
+      decoded += static_cast<char>(value);
+      i += 2;
+    } else {
+      decoded += text[i];
+    }
+  }
+  return decoded;
+}
+
 /// Builds the tree from expat's callbacks. These are called from C, so none lets an exception
 /// through: the first problem is kept and the parsers are stopped.
 class Builder {
@@ -80,6 +98,8 @@ class Builder {
   template <class F>
   void guarded(F&& f);
   void start(const XML_Char* tag, const XML_Char** attributes);
+  void check_entities();
+  void fail_undeclared(std::string_view name);
   void external_entity(const XML_Char* context, const char* base, const char* system_id);
   void parse_text(XML_Parser parser, const std::string& file, const std::string& text);
   Expected<std::string> read_file(const fs::path& path);
@@ -93,7 +113,8 @@ class Builder {
   std::vector<Source> sources_;
   std::vector<Open> open_;
   std::string text_;
-  std::size_t entities_ = 0;
+  std::size_t entities_ = 0, parameter_entities_ = 0;
+  std::string unread_;  ///< declarations that could not be read, and why; empty: all were
   EntityReferences references_;
   std::string problem_;
   bool out_of_memory_ = false;
@@ -137,7 +158,29 @@ void Builder::on_start(void* self, const XML_Char* tag, const XML_Char** attribu
   builder->guarded([&] { builder->start(tag, attributes); });
 }
 
+/// Where declarations are missing, expat takes entities in attributes that it does not know for
+/// nothing, and tells nobody: the tag's own text has them.
+void Builder::check_entities() {
+  int offset = 0, size = 0;
+  XML_Parser parser = sources_.back().parser;
+  const char* text = XML_GetInputContext(parser, &offset, &size);
+  const int length = XML_GetCurrentByteCount(parser);
+  if (text == nullptr || offset < 0 || length < 0 || length > size - offset) return;
+  std::string_view rest(text + offset, static_cast<std::size_t>(length));
+  for (std::size_t begin; (begin = rest.find('&')) != std::string_view::npos;) {
+    rest.remove_prefix(begin + 1);
+    const std::string_view name = rest.substr(0, rest.find(';'));
+    constexpr std::string_view own[] = {"amp", "lt", "gt", "quot", "apos"};
+    if (name.starts_with('#') || references_.is_declared(name)) continue;
+    if (std::find(std::begin(own), std::end(own), name) == std::end(own)) {
+      return fail_undeclared(name);
+    }
+  }
+}
+
 void Builder::start(const XML_Char* tag, const XML_Char** attributes) {
+  if (!unread_.empty()) check_entities();
+  if (!problem_.empty()) return;
   if (budget_.elements == 0) {
     return stop(here() + "too many XML elements; raise GdmlLimits::max_elements if this is meant");
   }
@@ -204,6 +247,9 @@ void Builder::on_entity(void* self, const XML_Char* name, int is_parameter, cons
     if (++builder->entities_ > builder->limits_.max_entities) {
       builder->stop(builder->here() + "more than " + std::to_string(builder->limits_.max_entities) +
                     " entities are declared; raise GdmlLimits::max_entities if this is meant");
+    } else if (is_parameter != 0 && ++builder->parameter_entities_ > max_entity_chain) {
+      builder->stop(builder->here() + "more than " + std::to_string(max_entity_chain) +
+                    " parameter entities are declared; write out what they mean");
     } else if (is_parameter == 0 && value != nullptr &&
                !builder->references_.declare(name, {value, static_cast<std::size_t>(length)},
                                              max_entity_chain)) {
@@ -213,13 +259,16 @@ void Builder::on_entity(void* self, const XML_Char* name, int is_parameter, cons
   });
 }
 
-void Builder::on_skipped_entity(void* self, const XML_Char* name, int) {
+void Builder::fail_undeclared(std::string_view name) {
+  stop(here() + "entity '&" + printable(name) + ";' is not declared" +
+       (unread_.empty() ? "; declare it in the file's DOCTYPE"
+                        : ", or where it could not be read: " + unread_));
+}
+
+void Builder::on_skipped_entity(void* self, const XML_Char* name, int is_parameter) {
   auto* builder = static_cast<Builder*>(self);
-  builder->guarded([&] {
-    builder->stop(builder->here() + "entity '&" + printable(name) +
-                  ";' is not declared; declare it in the file's own DOCTYPE (external DTDs are "
-                  "not read)");
-  });
+  if (is_parameter != 0) return;  // what it would have declared is missed where it is used
+  builder->guarded([&] { builder->fail_undeclared(name); });
 }
 
 int Builder::on_external_entity(XML_Parser argument, const XML_Char* context, const XML_Char* base,
@@ -237,18 +286,30 @@ int Builder::on_external_entity(XML_Parser argument, const XML_Char* context, co
 void Builder::external_entity(const XML_Char* context, const char* base, const char* system_id) {
   std::string name = system_id;
   const std::string what = "external entity '" + printable(name) + "' ";
+  // Declarations, of a DTD or a parameter entity: who uses none of them can do without.
+  const bool declarations = context == nullptr;
   if (name.starts_with("file:")) {
     name.erase(0, 5);
     if (name.starts_with("//")) name.erase(0, 2);
   } else if (name.find("://") != std::string::npos) {
+    if (declarations) {
+      unread_ = what + "is on a network and is not fetched";
+      return;
+    }
     return stop(here() + what + "is on a network and is not fetched; save it beside the file");
   }
   if (sources_.size() > max_entity_nesting) {
     return stop(here() + what + "is nested too deep; does it include itself?");
   }
-  const fs::path path = fs::path(base).parent_path() / name;
+  fs::path path = fs::path(base).parent_path() / name;
+  std::error_code error;
+  if (!fs::exists(path, error)) path = fs::path(base).parent_path() / percent_decoded(name);
   const Expected<std::string> text = read_file(path);
   if (!text) {
+    if (declarations) {
+      unread_ = what + "cannot be read: " + text.failure().message;
+      return;
+    }
     return stop(here() + what + "cannot be read: " + printable_path(path.string()) + ": " +
                 text.failure().message);
   }
@@ -319,6 +380,7 @@ void Builder::parse_document(const fs::path& path, const XmlElement* from) {
   XML_SetSkippedEntityHandler(parser, on_skipped_entity);
   XML_SetExternalEntityRefHandler(parser, on_external_entity);
   XML_SetExternalEntityRefHandlerArg(parser, this);
+  XML_SetParamEntityParsing(parser, XML_PARAM_ENTITY_PARSING_ALWAYS);
   parse_text(parser, document_.files.emplace_back(path.string()), *text);
   if (out_of_memory_) throw std::bad_alloc();
   if (!problem_.empty()) throw GdmlError(problem_);

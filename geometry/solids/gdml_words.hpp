@@ -16,7 +16,8 @@ struct Attribute {
 
   const char* name = nullptr;
   Meaning meaning = Meaning::number;
-  bool optional = false;  ///< zero where it is missing
+  bool optional = false;  ///< `otherwise` where it is missing
+  double otherwise = 0;   ///< in the element's unit
 };
 
 enum Missing { refused, zero };
@@ -25,6 +26,10 @@ constexpr Attribute number(const char* name, Missing missing = refused) {
 }
 constexpr Attribute length(const char* name, Missing missing = refused) {
   return {name, Attribute::Meaning::length, missing == zero};
+}
+/// With the value that GDML's schema gives it where it is missing.
+constexpr Attribute length_or(const char* name, double otherwise) {
+  return {name, Attribute::Meaning::length, true, otherwise};
 }
 /// Of which the argument is the half.
 constexpr Attribute half(const char* name) {

@@ -16,7 +16,7 @@ struct SolidFacts<kernels::QuadricSolid<double>> {
   static constexpr std::array elements{
       gdml::made_by<make_ellipsoid>(
           "ellipsoid", {gdml::length("ax"), gdml::length("by"), gdml::length("cz"),
-                        gdml::length("zcut1", gdml::zero), gdml::length("zcut2", gdml::zero)}),
+                        gdml::length_or("zcut1", -1e6), gdml::length_or("zcut2", 1e6)}),
       // Half lengths for once.
       gdml::made_by<make_eltube>("eltube",
                                  {gdml::length("dx"), gdml::length("dy"), gdml::length("dz")}),

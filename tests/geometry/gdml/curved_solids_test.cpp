@@ -33,6 +33,11 @@ TEST_F(GdmlCurvedSolids, HaveTheirDimensions) {
   expect_extent(torus, 70, 70, 20);
   expect_extent(solid("<ellipsoid name='s' ax='1' by='2' cz='3' lunit='cm'/>"), 10, 20, 30);
   expect_extent(solid("<ellipsoid name='s' ax='1' by='2' cz='3' zcut1='-1' zcut2='2'/>"), 1, 2, 2);
+  // What is missing cuts nothing, as the schema has it.
+  expect_extent(solid("<ellipsoid name='s' ax='1' by='2' cz='3' zcut2='2'/>"), 1, 2, 2);
+  EXPECT_EQ(solid("<ellipsoid name='s' ax='1' by='2' cz='3' zcut2='2'/>").extent.min.z, -3);
+  EXPECT_EQ(solid("<ellipsoid name='s' ax='1' by='2' cz='3' zcut1='-2'/>").extent.min.z, -2);
+  EXPECT_EQ(solid("<ellipsoid name='s' ax='1' by='2' cz='3' zcut1='-2'/>").extent.max.z, 3);
   expect_extent(solid("<eltube name='s' dx='1' dy='2' dz='3' lunit='cm'/>"), 10, 20, 30);
   expect_extent(solid("<elcone name='s' dx='1' dy='2' zmax='3' zcut='1' lunit='cm'/>"), 40, 80, 10);
   expect_extent(solid("<paraboloid name='s' rlo='1' rhi='2' dz='3' lunit='cm'/>"), 20, 20, 30);

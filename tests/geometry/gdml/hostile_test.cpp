@@ -286,5 +286,15 @@ TEST_F(GdmlHostile, ScalesWithoutBounds) {
                  "cannot be navigated");
 }
 
+TEST_F(GdmlHostile, LongExpressionsInLoopsAreCounted) {
+  std::string longest = "2";
+  while (longest.size() < 9000) longest += "^1";
+  const std::string loop = "<loop for='i' from='1' to='499999' step='1'><position name='p' x='" +
+                           longest + "' y='" + longest + "'/></loop>";
+  EXPECT_HAS(
+      error_of(Gdml{.define = "<variable name='i' value='0'/>" + loop, .structure = volume("W")}),
+      "loops process more than");
+}
+
 }  // namespace
 }  // namespace navjit::testing

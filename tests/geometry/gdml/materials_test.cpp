@@ -168,5 +168,29 @@ TEST_F(GdmlMaterials, UnknownPartsAreNoted) {
   EXPECT_HAS(report.skipped[0], "no radiation length");
 }
 
+TEST_F(GdmlMaterials, AreFoundWithoutTheAddressInTheirNames) {
+  GdmlReport report;
+  const std::string lead = "<D value='11.35'/><atom value='207.2'/></material>";
+  const Material mix =
+      material(hydrogen +
+                   "<element name='O0x55d2' Z='8'><atom value='15.999'/></element>"
+                   "<material name='Lead0x7f1' Z='82'>" +
+                   lead +
+                   "<material name='M'><D value='1'/><fraction n='0.5' ref='Lead'/>"
+                   "<fraction n='0.5' ref='O0x1'/></material>",
+               &report);
+  EXPECT_EQ(mix.elements.size(), 2U);
+  const World world =
+      read("<gdml><materials><material name='Lead0x7f1' Z='82'>" + lead +
+           "<material name='Lead' Z='80'>" + lead +
+           "</materials><solids><box name='b' x='2' y='2' z='2'/></solids><structure>"
+           "<volume name='A'><materialref ref='Lead0x99'/><solidref ref='b'/></volume>"
+           "<volume name='W'><materialref ref='Lead'/><solidref ref='b'/></volume>"
+           "</structure><setup name='s' version='1'><world ref='W'/></setup></gdml>");
+  EXPECT_EQ(world.materials[world.volumes[0].material].name, "Lead0x7f1")
+      << "the first of its kind";
+  EXPECT_EQ(world.materials[top(world).material].name, "Lead") << "its own name comes first";
+}
+
 }  // namespace
 }  // namespace navjit::testing

@@ -183,5 +183,37 @@ TEST_F(GdmlStructure, AcceptsScalesThatKeepSolidsAsTheyAre) {
   expect_near(d[1].transformation, d[2].transformation);
 }
 
+TEST_F(GdmlStructure, NumbersWhatAssembliesHoldAsGeant4Does) {
+  GdmlReport report;
+  const std::string a = "<assembly name='A'>" + physvol("D") +
+                        "<physvol copynumber='90'><volumeref ref='D'/></physvol>" + physvol("D") +
+                        "</assembly>";
+  const std::string b =
+      "<assembly name='B'>" + physvol("A") + physvol("D") + physvol("A") + "</assembly>";
+  const World world =
+      read(Gdml{.structure =
+                    a + b + volume("W", physvol("D") + physvol("A") + physvol("A") + physvol("B"))},
+           &report);
+  std::vector<int> numbers;
+  for (const Placement& d : top(world).daughters) numbers.push_back(d.copy_number);
+  // B holds A from the number of daughters so far on (7), itself its second part, and A from 200
+  // on.
+  EXPECT_EQ(numbers, (std::vector<int>{0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 9, 201, 202, 203}));
+  EXPECT_TRUE(report.notes.empty()) << "common, and counted alone";
+}
+
+TEST_F(GdmlStructure, NotesWhatGeant4LeavesOutOfAssemblies) {
+  GdmlReport report;
+  const World world =
+      read(Gdml{.define = "<variable name='i' value='0'/>",
+                .structure = "<assembly name='A'><loop for='i' from='1' to='2' step='1'>" +
+                             physvol("D", "<position x='30*i'/>") + "</loop></assembly>" +
+                             volume("W", physvol("A"))},
+           &report);
+  EXPECT_EQ(top(world).daughters.size(), 2U);
+  ASSERT_EQ(report.notes.size(), 1U);
+  EXPECT_HAS(report.notes[0], "in an assembly, where Geant4 leaves it out");
+}
+
 }  // namespace
 }  // namespace navjit::testing

@@ -212,5 +212,55 @@ TEST_F(GdmlXml, MessagesAreOneLine) {
   EXPECT_LT(message.size(), 1000u);
 }
 
+TEST_F(GdmlXml, ReadsDeclarationsOfParameterEntitiesAndDtds) {
+  write("names.ent", "<!ENTITY which 'D'><!ENTITY off '7'>");
+  const std::string structure =
+      volume("W", "<physvol><volumeref ref='&which;'/><position x='&off;'/></physvol>");
+  for (const std::string& declared :
+       {doctype("<!ENTITY % names SYSTEM 'names.ent'> %names;"),
+        doctype("<!ENTITY % names \"<!ENTITY which 'D'><!ENTITY off '7'>\"> %names;"),
+        std::string("<!DOCTYPE gdml SYSTEM 'names.ent'>")}) {
+    const World world = read(Gdml{.structure = structure, .doctype = declared});
+    ASSERT_EQ(top(world).daughters.size(), 1U) << declared;
+    EXPECT_EQ(world.volumes[top(world).daughters[0].volume].name, "D");
+    EXPECT_EQ(top(world).daughters[0].transformation.translation[0], 7) << declared;
+  }
+}
+
+TEST_F(GdmlXml, DeclarationsThatCannotBeReadMatterOnlyToWhoUsesThem) {
+  for (const std::string& declared :
+       {std::string("<!DOCTYPE gdml SYSTEM 'none.dtd'>"),
+        std::string("<!DOCTYPE gdml SYSTEM 'http://example.org/gdml.dtd'>"),
+        doctype("<!ENTITY % names SYSTEM 'none.ent'> %names;")}) {
+    EXPECT_EQ(top(read(Gdml{.structure = volume("W"), .doctype = declared})).name, "W");
+    // Expat would take it for nothing: a position of 0, a box of 1 mm.
+    for (const std::string& used :
+         {volume("W", physvol("D", "<position x='&off;'/>")),
+          volume("W", physvol("D", "<position x='1&off;'/>")), volume("W&off;")}) {
+      EXPECT_HAS(error_of(Gdml{.structure = used, .doctype = declared}),
+                 "entity '&off;' is not declared, or where it could not be read: external entity");
+    }
+    const World known = read(Gdml{.define = "<constant name='c' value='1&lt;2'/>",
+                                  .structure = volume("W"),
+                                  .doctype = declared});
+    EXPECT_EQ(top(known).name, "W");
+  }
+}
+
+TEST_F(GdmlXml, FindsFilesWhoseNamesAreUris) {
+  write("two words.xml", "<box name='other' x='2' y='2' z='2'/>");
+  const World world = read(Gdml{.solids = "&part;",
+                                .structure = "<volume name='W'><solidref ref='other'/></volume>",
+                                .doctype = doctype("<!ENTITY part SYSTEM 'two%20words.xml'>")});
+  EXPECT_EQ(top(world).solid.name, "other");
+}
+
+TEST_F(GdmlXml, ParameterEntitiesAreBounded) {
+  std::string many;
+  for (int i = 0; i < 2000; ++i) many += "<!ENTITY % p" + std::to_string(i) + " ''>";
+  EXPECT_HAS(error_of(Gdml{.structure = volume("W"), .doctype = doctype(many)}),
+             "more than 1000 parameter entities");
+}
+
 }  // namespace
 }  // namespace navjit::testing
