@@ -153,6 +153,28 @@ SpanPair<Real> form_spans(const Face& f, const Vec3<Real>& p, const Direction<Re
   return form_spans(f, form_at(f, p, v), p, v, tol);
 }
 
+/// The same for a face that the ray is not behind, and may be so far from that its discriminant is
+/// a difference of squares a million times as large: a bore of 0.01 mm would be missed from 10 m
+/// away. There it is looked at from just before the ray comes to it.
+template <class Face, class Real>
+SpanPair<Real> form_spans_ahead(const Face& f, const Vec3<Real>& p, const Direction<Real>& v,
+                                Real tol) {
+  const QuadraticForm<Real> q = form_at(f, p, v);
+  const Real square = q.b * q.b;
+  const bool is_far =
+      (q.a > 0) & (q.b < 0) & (q.c > 0) & (absolute(square - q.a * q.c) < square * Real(0x1p-20)) &&
+      is_off_surface(q, tol);
+  if (!is_far) [[likely]]
+    return form_spans(f, q, p, v, tol);
+  const Real middle = -q.b / q.a;
+  const QuadraticForm<Real> nearest = form_at(f, advance(p, v, middle), v);
+  const Real half_chord = form_root(nearest) / nearest.a;
+  if (!(half_chord > 0)) return no_spans<Real>();
+  const Real shift = middle - 2 * half_chord - 4 * tol;
+  if (!(shift > 0)) return form_spans(f, q, p, v, tol);
+  return moved_by(form_spans(f, advance(p, v, shift), v, tol), shift);
+}
+
 /// The exit through the face, folded into `leave`, for points behind it.
 template <class Face, class Real>
 Real leave_form(const Face& f, const Vec3<Real>& p, const Direction<Real>& v, Real tol,
@@ -239,7 +261,7 @@ Real distance_to_out(const QuadricSolid<Real>& s, const Vec3<Real>& p, const Dir
                      Real tol) {
   Real leave = leave_ends(s.z_low, s.z_high, p, v, tol);
   leave = leave_form(s.outer, p, v, tol, leave);
-  return s.bored != 0 ? leave_into_holes(form_spans(s.inner, p, v, tol), leave) : leave;
+  return s.bored != 0 ? leave_into_holes(form_spans_ahead(s.inner, p, v, tol), leave) : leave;
 }
 
 template <class Real>
