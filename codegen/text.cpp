@@ -1,16 +1,18 @@
 #include "codegen/text.hpp"
 
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace navjit::codegen {
 
 std::string number(double value) {
   if (std::isinf(value)) return value > 0 ? "__builtin_inf()" : "-__builtin_inf()";
   if (std::isnan(value)) return "__builtin_nan(\"\")";
+  // Whatever the program's locale is.
   char text[40];
-  std::snprintf(text, sizeof text, "%a", value);
-  return text;
+  const auto written =
+      std::to_chars(text, text + sizeof text, std::abs(value), std::chars_format::hex);
+  return (std::signbit(value) ? "-0x" : "0x") + std::string(text, written.ptr);
 }
 
 std::string identifier(std::string_view name) {

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <mutex>
 
+#include "jit/over_fork.hpp"
+
 namespace navjit::jit {
 namespace {
 
@@ -15,6 +17,8 @@ struct Registry {
   std::mutex mutex;
   std::condition_variable gone;
   std::list<std::stop_source> activities;
+  /// The threads at work stay in the parent.
+  OverFork over_fork{{&mutex}, [this] { activities.clear(); }};
 };
 
 Registry& registry() {

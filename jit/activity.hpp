@@ -8,7 +8,8 @@ namespace navjit::jit {
 
 /// While one exists, the process does not come to the end of exit(): that destroys LLVM's static
 /// objects, and a thread in LLVM would crash. exit(), also by a return from main, asks all
-/// activities to stop and waits until they are gone; _exit() and quick_exit() wait for nobody.
+/// activities to stop and waits until they are gone; _exit() and quick_exit() wait for nobody. The
+/// child of a fork() has none of its parent's.
 ///
 /// A thread that uses a `Compiler` or a `Linker` and may still do so when the process ends makes
 /// one before them, as its first local variable, and heeds the request. Thread-safe.

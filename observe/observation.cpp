@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "navjit/errors.hpp"
@@ -82,9 +81,11 @@ void read_mixtures(std::string_view text, Observation& observation) {
 }
 
 std::string text_of(double value) {
+  // Whatever the program's locale is: it is read again.
   char text[32];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  return text;
+  const auto written =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::general, 9);
+  return {text, written.ptr};
 }
 
 std::string budget_text(const Observation& o) {

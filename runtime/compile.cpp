@@ -4,12 +4,12 @@
 #include <exception>
 #include <future>
 #include <new>
-#include <thread>
 
 #include "jit/activity.hpp"
 #include "runtime/bind_to_data.hpp"
 #include "runtime/gather.hpp"
 #include "runtime/judge.hpp"
+#include "runtime/own_thread.hpp"
 #include "runtime/processor_time.hpp"
 
 namespace navjit {
@@ -35,6 +35,8 @@ void work(std::unique_ptr<Job> job) {
     made = job->maker->compile(job->source, job->stop);
   } catch (const std::bad_alloc&) {
     made = out_of_memory();
+  } catch (const std::exception& error) {
+    made = Failure{error.what()};
   }
   job->made.set_value(std::move(made));
   job.reset();
@@ -61,7 +63,7 @@ Made compile(Specialisation& spec, const std::string& source) {
                                        {}});
   std::future<Made> made = job->made.get_future();
   try {
-    std::thread(work, std::move(job)).detach();
+    own_thread(work, std::move(job)).detach();
   } catch (const std::exception& error) {
     return Failure{std::string("no thread to compile on: ") + error.what(), /*exhausted=*/true};
   }
@@ -70,8 +72,7 @@ Made compile(Specialisation& spec, const std::string& source) {
     {
       std::unique_lock lock(spec.mutex);
       // Whoever stops the run wakes this.
-      const std::chrono::duration<double, std::milli> ms(pause *
-                                                         spec.shared->options.specialiser.poll_ms);
+      const std::chrono::duration<double, std::milli> ms(pause * spec.poll_ms());
       spec.wake.wait_for(lock, ms, [&] {
         return spec.stopping() ||
                made.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
@@ -82,7 +83,9 @@ Made compile(Specialisation& spec, const std::string& source) {
     if (!spec.looking) continue;
     const double began_s = thread_seconds();
     look_meanwhile(spec);
-    pause = pause_after(spec.pace, thread_seconds() - began_s, spec.navigated_s(), false);
+    pause = pause_after(spec.pace, {.took_s = thread_seconds() - began_s,
+                                    .navigated_s = spec.navigated_s(),
+                                    .poll_s = 1e-3 * spec.poll_ms()});
   }
   if (spec.looking) show_candidates(spec);
   return made.get();

@@ -43,6 +43,9 @@ class DispatchTable {
   /// Frees replaced code that no thread can be in; returns how many records still wait.
   std::size_t reclaim();
 
+  /// What guards it, to be locked over a fork().
+  std::mutex& mutex() const { return mutex_; }
+
  private:
   using Entry = std::atomic<const kernels::DispatchEntry*>;
   static_assert(Entry::is_always_lock_free && sizeof(Entry) == sizeof(void*));

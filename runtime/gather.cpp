@@ -12,7 +12,29 @@ namespace navjit {
 namespace {
 
 constexpr std::size_t samples_kept = 512;  ///< per volume
-constexpr std::size_t fresh_kept = 64;     ///< per volume and look
+constexpr std::size_t fresh_kept = 64;     ///< per volume, until they are looked at
+
+/// Of all volumes together, some 60 MB: once there are so many, a volume keeps as few as serve.
+constexpr std::size_t all_samples_kept = std::size_t{1} << 18;
+constexpr std::size_t all_fresh_kept = std::size_t{1} << 14;  ///< some 4 MB
+
+/// Keeps a state of a volume.
+void keep(Specialisation& spec, const Sample& sample) {
+  auto& kept = spec.samples[sample.volume];
+  const std::size_t most = spec.samples_kept < all_samples_kept ? samples_kept : few_recorded;
+  if (kept.size() < most) {
+    kept.push_back(sample);
+    ++spec.samples_kept;
+  } else {
+    // Newer states replace older ones here and there: the run may move on.
+    kept[(spec.steps[sample.volume] * 2654435761U) % kept.size()] = sample;
+  }
+  if (spec.fresh_kept == all_fresh_kept) return;
+  auto& fresh = spec.fresh[sample.volume];
+  if (fresh.size() == fresh_kept) return;
+  fresh.push_back(sample);
+  ++spec.fresh_kept;
+}
 
 double ticks_of(const Specialisation& spec, const Sample& sample,
                 const kernels::DispatchEntry* used) {
@@ -61,17 +83,10 @@ void gather(Specialisation& spec) {
       if (sample.safety) continue;
       ++sampled;
       note_relocations(spec, sample, relocations);
-      auto& fresh = spec.fresh[sample.volume];
-      if (fresh.size() < fresh_kept) fresh.push_back(sample);
-      auto& kept = spec.samples[sample.volume];
-      if (kept.size() < samples_kept) {
-        kept.push_back(sample);
-      } else {
-        // Newer states replace older ones here and there: the run may move on.
-        kept[(spec.steps[sample.volume] * 2654435761U) % samples_kept] = sample;
-      }
+      keep(spec, sample);
     }
   }
+  const std::lock_guard lock(spec.mutex);  // a profile may be asked for meanwhile
   // Where a queue was full samples stand for more steps.
   for (const auto& [volume, count] : relocations) {
     spec.relocations[volume] += count * static_cast<double>(made) / static_cast<double>(sampled);

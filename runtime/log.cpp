@@ -2,6 +2,7 @@
 
 #include <spdlog/details/null_mutex.h>
 #include <spdlog/sinks/base_sink.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
 namespace navjit {
@@ -28,7 +29,14 @@ class UsersSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
 }  // namespace
 
 std::shared_ptr<spdlog::logger> make_log(const LogSink& sink) {
-  if (!sink) return spdlog::default_logger();
+  if (!sink) {
+    auto programs = spdlog::default_logger();
+    // The one that spdlog itself makes has no name, and writes to standard output, where a
+    // program's results are.
+    if (programs && !programs->name().empty()) return programs;
+    return std::make_shared<spdlog::logger>(
+        "navjit", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
+  }
   auto log = std::make_shared<spdlog::logger>("navjit", std::make_shared<UsersSink>(sink));
   log->set_level(spdlog::level::debug);
   return log;

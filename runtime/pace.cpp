@@ -4,15 +4,17 @@
 
 namespace navjit {
 
-double pause_after(Pace& pace, double look_s, double navigated_s, bool is_quiet) {
-  pace.spent_s += look_s;
-  pace.quiet = is_quiet ? std::min(2 * pace.quiet, Pace::longest_quiet) : 1;
+double pause_after(Pace& pace, const Look& look) {
+  pace.spent_s += look.took_s;
+  pace.quiet = look.is_quiet ? std::min(2 * pace.quiet, Pace::longest_quiet) : 1;
+  pace.idle = look.is_quiet && look.is_idle ? std::min(2 * pace.idle, Pace::longest_idle) : 1;
   // Twice as long while looks have cost more than they may, and half as long while they have not:
   // in the mean they cost that, but for what the longest pause leaves.
-  const bool too_much = pace.spent_s > Pace::first_s + Pace::share * navigated_s;
-  pace.thrifty = too_much ? std::min(2 * pace.thrifty, Pace::longest_thrifty)
-                          : std::max(pace.thrifty / 2, 1.0);
-  return std::max(pace.quiet, pace.thrifty);
+  const bool too_much = pace.spent_s > Pace::first_s + Pace::share * look.navigated_s;
+  const double pays = look.is_quiet ? look.took_s / (Pace::share * look.poll_s) : 0;
+  const double longest = std::clamp(pays, Pace::longest_thrifty, Pace::longest_idle);
+  pace.thrifty = too_much ? std::min(2 * pace.thrifty, longest) : std::max(pace.thrifty / 2, 1.0);
+  return std::max({pace.quiet, pace.thrifty, pace.idle});
 }
 
 }  // namespace navjit

@@ -11,13 +11,24 @@ struct Pace {
   /// The longest pauses, in units of SpecialiserOptions::poll_ms: while nothing is tried, and where
   /// looks have cost too much. A trial of Trials::most_s has enough stretches with either.
   static constexpr double longest_quiet = 4, longest_thrifty = 16;
+  /// And while nobody navigates; the same where nothing is tried and looks are dear, as those at a
+  /// hundred thousand volumes are.
+  static constexpr double longest_idle = 200;
 
-  double spent_s = 0;             ///< processor time of looks
-  double quiet = 1, thrifty = 1;  ///< pauses for either reason
+  double spent_s = 0;                       ///< processor time of looks
+  double quiet = 1, thrifty = 1, idle = 1;  ///< pauses for each reason
 };
 
-/// The pause after a look that found nothing to do and took `look_s`, in units of poll_ms.
-/// `navigated_s`: processor time of navigation so far. `is_quiet`: nothing is tried.
-double pause_after(Pace& pace, double look_s, double navigated_s, bool is_quiet);
+/// A look that found nothing to do.
+struct Look {
+  double took_s = 0;       ///< processor time
+  double navigated_s = 0;  ///< processor time of navigation so far
+  bool is_quiet = false;   ///< nothing is tried
+  bool is_idle = false;    ///< nothing was navigated since the last one
+  double poll_s = 0.005;   ///< SpecialiserOptions::poll_ms
+};
+
+/// The pause after it, in units of poll_ms.
+double pause_after(Pace& pace, const Look& look);
 
 }  // namespace navjit

@@ -122,17 +122,19 @@ void time_generic(Specialisation& spec, double most_seconds) {
   }
 }
 
-StepProfile step_profile(Specialisation& spec) {
-  gather(spec);
+StepProfile step_profile(const Specialisation& spec) {
+  const detail::Counts counts = spec.shared->counts();
+  const std::lock_guard lock(spec.mutex);
   StepProfile profile;
   profile.geometry = geometry_fingerprint(spec.shared->geometry);
   profile.runs = 1;
   const World& world = spec.shared->geometry.world();
-  for (std::size_t v = 0; v < spec.steps.size(); ++v) {
+  for (std::size_t v = 0; v < spec.relocations.size(); ++v) {
+    const auto volume = static_cast<VolumeId>(v);
+    const std::uint64_t steps = counts.steps(volume);
     const auto relocations = static_cast<std::uint64_t>(spec.relocations[v]);
-    if (spec.steps[v] + relocations == 0) continue;
-    profile.volumes.push_back(
-        {static_cast<VolumeId>(v), world.volumes[v].name, spec.steps[v], relocations});
+    if (steps + relocations == 0) continue;
+    profile.volumes.push_back({volume, world.volumes[v].name, steps, relocations});
   }
   return profile;
 }

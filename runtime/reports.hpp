@@ -15,7 +15,7 @@ std::size_t specialised(const Specialisation& spec);
 /// hottest first, for a limited time.
 void time_generic(Specialisation& spec, double most_seconds);
 
-/// What was counted so far, for a file.
-StepProfile step_profile(Specialisation& spec);
+/// What was counted so far, and what was gathered of relocations, for a file. Thread-safe.
+StepProfile step_profile(const Specialisation& spec);
 
 }  // namespace navjit

@@ -39,15 +39,15 @@ std::size_t Runtime::specialised() const {
 }
 
 RuntimeReport Runtime::final_report(double most_seconds) {
-  specialiser_->stop();
-  if (most_seconds > 0) {
+  const bool alone = specialiser_->stop();
+  if (alone && most_seconds > 0) {
     time_generic(specialiser_->specialisation(), most_seconds);
     if (shared_->options.budget) hold_to_budget(specialiser_->specialisation());
   }
   return navjit::report(specialiser_->specialisation());
 }
 
-StepProfile Runtime::step_profile() { return navjit::step_profile(specialiser_->specialisation()); }
+StepProfile Runtime::step_profile() { return specialiser_->step_profile(); }
 
 void Runtime::wait_until_idle() { specialiser_->wait_until_idle(); }
 

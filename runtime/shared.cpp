@@ -1,5 +1,7 @@
 #include "runtime/shared.hpp"
 
+#include "runtime/check_options.hpp"
+
 namespace navjit::detail {
 namespace {
 
@@ -22,7 +24,7 @@ std::uint64_t Counts::bail_outs(VolumeId volume) const {
 }
 
 Shared::Shared(std::shared_ptr<const World> world, RuntimeOptions runtime_options, Faults to_try)
-    : options(std::move(runtime_options)),
+    : options(checked(std::move(runtime_options))),
       faults(std::move(to_try)),
       log(make_log(options.log)),
       geometry(std::move(world), options.geometry),

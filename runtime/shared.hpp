@@ -27,6 +27,8 @@ struct Shared {
   /// A new navigator's profile.
   void add(std::shared_ptr<Profile> profile);
   Counts counts() const;
+  /// What guards the counts, to be locked over a fork().
+  std::mutex& mutex() const { return mutex_; }
 
   RuntimeOptions options;
   Faults faults;

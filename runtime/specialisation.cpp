@@ -32,6 +32,11 @@ double Specialisation::own_seconds() const {
   return thread_seconds() + (maker ? maker->processor_seconds() : 0);
 }
 
+double Specialisation::poll_ms() const {
+  constexpr double hour_ms = 3.6e6;
+  return std::clamp(shared->options.specialiser.poll_ms, 0.1, hour_ms);
+}
+
 double Specialisation::compile_weight() const {
   const double weight = shared->options.specialiser.compile_weight;
   const double busy = navigated_s() / std::max(seconds(), 1e-3);

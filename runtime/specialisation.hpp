@@ -63,6 +63,9 @@ struct Specialisation {
   /// Processor time of navigation, s, at the last look: of all that is not the specialiser's.
   double navigated_s() const { return 1e-9 * navigating_ns - process_s_before; }
 
+  /// SpecialiserOptions::poll_ms, within its limits.
+  double poll_ms() const;
+
   /// SpecialiserOptions::compile_weight, less where processors are left.
   double compile_weight() const;
 
@@ -108,6 +111,7 @@ struct Specialisation {
   double looked_at = 0;              ///< when, s
   double active_s = 0;               ///< between looks with steps: the clock of trials
   /// By volume: relocations in it at the end of steps made elsewhere, as far as samples tell.
+  /// Written by the thread alone, with the mutex locked.
   std::vector<double> relocations;
   std::vector<double> execution_counts;     ///< by volume; of all of equal structure in the first
   std::vector<double> recent;               ///< the same, fading
@@ -117,7 +121,9 @@ struct Specialisation {
   /// By volume that was measured to be slower: the execution count at which it is tried again.
   std::map<VolumeId, double> try_again_at;
   std::map<VolumeId, std::vector<Sample>> samples;
-  std::map<VolumeId, std::vector<Sample>> fresh;  ///< a few recorded since the last look
+  std::size_t samples_kept = 0;                   ///< in all of them
+  std::map<VolumeId, std::vector<Sample>> fresh;  ///< a few recorded since they were looked at
+  std::size_t fresh_kept = 0;
   struct Seen {
     std::uint64_t steps = 0, bail_outs = 0;
   };

@@ -15,27 +15,36 @@
 #include "runtime/compile_solids.hpp"
 #include "runtime/gather.hpp"
 #include "runtime/judge.hpp"
+#include "runtime/own_thread.hpp"
 #include "runtime/processor_time.hpp"
 #include "runtime/remembered_modules.hpp"
+#include "runtime/reports.hpp"
 #include "runtime/watch.hpp"
 
 namespace navjit {
 
-Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared) : spec_(std::move(shared)) {
+Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
+    : spec_(std::move(shared)),
+      over_fork_({&spec_.mutex, &spec_.shared->mutex(), &spec_.shared->table.mutex()}) {
   const RuntimeOptions& options = spec_.shared->options;
   spec_.shared->table.keep(spec_.arena);
   spec_.facts.with_safety = options.specialiser.safety;
+  apply_overrides(spec_);  // a plugin's scenes are under them, too
   if (options.jit == JitMode::off) return;
-  apply_overrides(spec_);
   if (!jit::has_compiler()) return;
   spec_.maker = std::make_shared<CodeMaker>(options.specialiser, options.cache, spec_.shared->log);
 }
 
-void Specialiser::stop() {
+bool Specialiser::stop() {
+  if (was_forked()) {
+    // There is nothing to join or to detach: what is left of the thread is left as it is.
+    if (left_behind_ == nullptr) left_behind_ = new std::thread(std::move(thread_));
+  }
+  if (left_behind_ != nullptr) return false;
   std::unique_lock lock(spec_.mutex);
   spec_.stop.request_stop();
   spec_.wake.notify_all();
-  if (!thread_.joinable()) return;
+  if (!thread_.joinable()) return true;
   // It ends at once: a compilation that is under way is left to itself.
   spec_.wake.wait(lock, [&] { return ended_; });
   for (auto& [volume, scene] : spec_.scenes) {
@@ -46,13 +55,19 @@ void Specialiser::stop() {
   lock.unlock();
   thread_.join();
   if (jit::Activity::any()) jit::outlast_activities();
+  return true;
+}
+
+StepProfile Specialiser::step_profile() {
+  if (!thread_.joinable() && left_behind_ == nullptr) gather(spec_);
+  return navjit::step_profile(spec_);
 }
 
 void Specialiser::start() {
   spec_.hopeless = !spec_.maker;
   try {
-    thread_ = std::thread([activity = std::make_unique<jit::Activity>(spec_.stop),
-                           self = shared_from_this()]() mutable {
+    thread_ = own_thread([activity = std::make_unique<jit::Activity>(spec_.stop),
+                          self = shared_from_this()]() mutable {
       // In this order: the last to own the specialiser takes the compiler down with it.
       const std::unique_ptr<jit::Activity> until_the_end = std::move(activity);
       const std::shared_ptr<Specialiser> own = std::move(self);
@@ -74,7 +89,12 @@ void Specialiser::run() {
     if (!spec_.stopping())
       spec_.shared->log->warn("nothing more is specialised in this run: {}", error.what());
   }
-  judge_finally(spec_);
+  try {
+    judge_finally(spec_);
+  } catch (const std::exception& error) {
+    // Whatever is installed stays: all of it was verified.
+    spec_.shared->log->warn("trials stay undecided at the end of this run: {}", error.what());
+  }
   const std::lock_guard lock(spec_.mutex);
   ended_ = true;
   spec_.wake.notify_all();
@@ -107,16 +127,18 @@ void Specialiser::look_until_stopped() {
       continue;
     }
     const bool trying = spec_.trials.open() || spec_.group.open();
-    const double pause =
-        pause_after(spec_.pace, thread_seconds() - began_s, spec_.navigated_s(), !trying);
-    spec_.wake.wait_for(
-        lock, std::chrono::duration<double, std::milli>((waiting_for_idle_ == 0 ? pause : 1) *
-                                                        spec_.shared->options.specialiser.poll_ms));
+    const double pause = pause_after(spec_.pace, {.took_s = thread_seconds() - began_s,
+                                                  .navigated_s = spec_.navigated_s(),
+                                                  .is_quiet = !trying,
+                                                  .is_idle = !spec_.active,
+                                                  .poll_s = 1e-3 * spec_.poll_ms()});
+    spec_.wake.wait_for(lock, std::chrono::duration<double, std::milli>(
+                                  (waiting_for_idle_ == 0 ? pause : 1) * spec_.poll_ms()));
   }
 }
 
 void Specialiser::wait_until_idle() {
-  if (!thread_.joinable()) return;
+  if (!thread_.joinable() || was_forked()) return;
   std::unique_lock lock(spec_.mutex);
   ++waiting_for_idle_;
   spec_.wake.notify_all();

@@ -1,9 +1,13 @@
 // The background thread: looks at the profile, decides, generates, compiles, verifies, installs.
 #pragma once
 
+#include <unistd.h>
+
 #include <memory>
 #include <thread>
 
+#include "jit/over_fork.hpp"
+#include "navjit/step_profile.hpp"
 #include "runtime/specialisation.hpp"
 
 namespace navjit {
@@ -19,8 +23,13 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
   void start();
   void wait_until_idle();
   /// Ends the thread. A compilation that is under way is asked to stop and left to itself, and
-  /// whatever comes of it is dropped. The calling thread may use what is the thread's from then on.
-  void stop();
+  /// whatever comes of it is dropped. True: the calling thread may use what is the thread's from
+  /// then on. False in the child of a fork(): the thread stayed in the parent, and may have been at
+  /// work on it.
+  bool stop();
+  /// How often each volume was used so far. Beside the thread and navigators, but not beside
+  /// itself.
+  StepProfile step_profile();
 
   /// What the functions of runtime/ work on: the thread's own from start() to stop(), but for what
   /// its mutex guards.
@@ -30,8 +39,12 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
  private:
   void run();
   void look_until_stopped();
+  /// Whether this process is a child of the one that it was made in, and has no such thread.
+  bool was_forked() const { return thread_.joinable() && process_ != getpid(); }
 
   Specialisation spec_;
+  pid_t process_ = getpid();
+  jit::OverFork over_fork_;
 
   // Guarded by the mutex of `spec_`:
   bool ended_ = false;           ///< the thread uses nothing any more
@@ -40,6 +53,7 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
   int waiting_for_idle_ = 0;     ///< threads
 
   std::thread thread_;
+  std::thread* left_behind_ = nullptr;  ///< in the parent; never destroyed
 };
 
 }  // namespace navjit

@@ -88,6 +88,7 @@ void watch(Specialisation& spec) {
     if (!problem.empty()) deoptimise(spec, volume, SceneStatus::failed, problem);
   }
   spec.fresh.clear();
+  spec.fresh_kept = 0;
 }
 
 }  // namespace navjit

@@ -30,7 +30,9 @@ enum class InstructionSet : std::uint8_t {
 
 /// When a scene is worth compiling, and how. Reasons in docs/decisions.md.
 struct SpecialiserOptions {
-  double poll_ms = 5;  ///< between looks at the profile; in long runs they become rarer
+  /// Between looks at the profile: at least 0.1, at most an hour. In long runs they become rarer,
+  /// and while nothing is navigated, a second at the most for the default.
+  double poll_ms = 5;
   /// What a ms of the compiler's thread counts beside one of navigation. Little: runs go on for
   /// long. A thirtieth counts while fewer threads of the process are busy than it has processors.
   double compile_weight = 0.3;
@@ -70,12 +72,13 @@ struct RuntimeOptions {
   /// measurement; Runtime::final_report() says which keep it. Nothing: none are.
   std::optional<double> budget{};
   JitMode jit = JitMode::on;
-  Cache cache{};  ///< of compiled code; none unless asked for
+  Cache cache{};  ///< of compiled code; none unless asked for. A relative path is taken at once
   /// Installed before the first step, whatever `jit` says; what is wrong with it is a warning in
   /// the log, and the run goes on without it.
   std::string plugin{};
   SpecialiserOptions specialiser{};
-  LogSink log{};  ///< empty: spdlog's default logger
+  /// Empty: the program's default logger of spdlog where it has set one, else standard error.
+  LogSink log{};
   GeometryOptions geometry{};
 };
 

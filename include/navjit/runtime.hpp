@@ -23,9 +23,15 @@ class Specialiser;
 /// it needs of the Runtime. Only the end of the process waits for it, by exit() or a return from
 /// main: that destroys what the compiler works with. It stops within the pass, or the function,
 /// that it is at, mostly in less than 0.1 s. A program that cannot wait leaves by _exit().
+///
+/// The child of a fork() has the navigators as they are, and may make more, but the thread that
+/// specialises stays in the parent: there nothing more is specialised, and reports measure nothing.
+/// A child that wants its own makes a Runtime of its own. The compiler cannot be used there if it
+/// was at work when the parent forked: wait_until_idle() first.
 class Runtime {
  public:
-  /// Throws GeometryError if the options name a volume that is not there.
+  /// Throws GeometryError if the options name a volume that is not there, and UsageError if a
+  /// number among them makes no sense.
   explicit Runtime(const Detector& detector, RuntimeOptions options = {});
   Runtime(const Runtime&) = delete;
   Runtime& operator=(const Runtime&) = delete;
@@ -52,8 +58,8 @@ class Runtime {
   /// `most_seconds`, and holds scenes to the budget; with 0 neither. No scene is specialised after
   /// it. Not thread-safe, but navigators may be in use.
   RuntimeReport final_report(double most_seconds = 1);
-  /// How often each volume was used, to be kept for `navjit specialise`. After final_report(); not
-  /// thread-safe.
+  /// How often each volume was used so far, to be kept for `navjit specialise`: also while the run
+  /// goes on, from one thread at a time, but not beside final_report().
   StepProfile step_profile();
   /// Returns when no specialisation is under way or due on what was counted until now.
   /// Thread-safe, but not beside final_report().

@@ -176,7 +176,7 @@ TEST(Exhausted, ARunGoesOnWithoutMemoryOrThreads) {
 
 TEST(Exhausted, OneLineTellsOfIt) {
   for (const JitMode jit : {JitMode::on, JitMode::wait}) {
-    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
     FaultyOptions options{eager_options(jit)};
     options.faults =
         std::make_shared<const Faults>(Faults{.compiling = [] { throw std::bad_alloc(); }});
@@ -189,7 +189,7 @@ TEST(Exhausted, OneLineTellsOfIt) {
       EXPECT_NE(scene.status, SceneStatus::specialised);
       EXPECT_NE(scene.status, SceneStatus::failed) << "it is not the scene's fault";
     }
-    const std::string log = testing::internal::GetCapturedStdout();
+    const std::string log = testing::internal::GetCapturedStderr();
     EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 1) << log;
     EXPECT_NE(log.find("nothing more is specialised in this run: out of memory"), std::string::npos)
         << log;

@@ -9,26 +9,31 @@ namespace {
 
 constexpr double poll_s = 0.005;
 
+double after(Pace& pace, double look_s, double navigated_s, bool is_quiet) {
+  return pause_after(
+      pace, {.took_s = look_s, .navigated_s = navigated_s, .is_quiet = is_quiet, .poll_s = poll_s});
+}
+
 /// Looks at a run for so long: what they cost.
 double spent_after(Pace& pace, double run_s, double look_s, int threads, bool is_quiet) {
   const double before = pace.spent_s;
   for (double now = 0; now < run_s;) {
-    now += look_s + poll_s * pause_after(pace, look_s, threads * now, is_quiet);
+    now += look_s + poll_s * after(pace, look_s, threads * now, is_quiet);
   }
   return pace.spent_s - before;
 }
 
 TEST(Pace, LooksAreMadeAtOnceWhileSomethingIsTried) {
   Pace pace;
-  for (int look = 0; look < 100; ++look) EXPECT_EQ(pause_after(pace, 1e-4, 0, false), 1);
+  for (int look = 0; look < 100; ++look) EXPECT_EQ(after(pace, 1e-4, 0, false), 1);
 }
 
 TEST(Pace, LooksAreRarerWhileNothingIs) {
   Pace pace;
-  EXPECT_EQ(pause_after(pace, 1e-4, 0, true), 2);
-  EXPECT_EQ(pause_after(pace, 1e-4, 0, true), 4);
-  EXPECT_EQ(pause_after(pace, 1e-4, 0, true), 4);
-  EXPECT_EQ(pause_after(pace, 1e-4, 0, false), 1);
+  EXPECT_EQ(after(pace, 1e-4, 0, true), 2);
+  EXPECT_EQ(after(pace, 1e-4, 0, true), 4);
+  EXPECT_EQ(after(pace, 1e-4, 0, true), 4);
+  EXPECT_EQ(after(pace, 1e-4, 0, false), 1);
 }
 
 TEST(Pace, ALongRunDoesNotFeelThem) {
@@ -45,17 +50,41 @@ TEST(Pace, ALongRunDoesNotFeelThem) {
 TEST(Pace, TheLongestPauseLeavesEnoughStretchesForATrial) {
   Pace pace;
   spent_after(pace, 10, 0.05, 1, false);
-  EXPECT_EQ(pause_after(pace, 0.05, 10, false), Pace::longest_thrifty);
+  EXPECT_EQ(after(pace, 0.05, 10, false), Pace::longest_thrifty);
   EXPECT_GT(2 / (poll_s * Pace::longest_thrifty), 2 * 8) << "eight pairs in two seconds";
+}
+
+TEST(Pace, WhileNobodyNavigatesAProcessorIsLeftAlone) {
+  Pace pace;
+  Look look{.took_s = 0.01, .navigated_s = 1, .is_quiet = true, .is_idle = true};
+  double before = 0, last = 0;
+  for (int i = 0; i < 20; ++i) {
+    before = last;
+    last = pause_after(pace, look);
+    EXPECT_GE(last, before);
+  }
+  EXPECT_EQ(last, Pace::longest_idle);
+  look.is_idle = false;
+  EXPECT_LT(pause_after(pace, look), Pace::longest_idle + 1);
+  // What is tried goes on at its own pace.
+  Pace fresh;
+  EXPECT_EQ(pause_after(fresh, {.took_s = 1e-4, .is_idle = true}), 1);
+}
+
+TEST(Pace, LooksOfALargeDetectorTakeTheirShareAndNoMore) {
+  // 40,000 volumes: 12% of a processor if the longest pause were the same for all.
+  Pace pace;
+  const double run_s = 500;
+  EXPECT_LT(spent_after(pace, run_s, 0.01, 1, true), Pace::first_s + 1.3 * Pace::share * run_s);
 }
 
 TEST(Pace, WhatWasTooMuchAtFirstIsMadeUpFor) {
   Pace pace;
   spent_after(pace, 5, 0.01, 1, false);
-  EXPECT_GT(pause_after(pace, 0.01, 5, false), 8);
+  EXPECT_GT(after(pace, 0.01, 5, false), 8);
   // Much later the share has caught up.
-  for (int look = 0; look < 5; ++look) pause_after(pace, 1e-4, 1000, false);
-  EXPECT_EQ(pause_after(pace, 1e-4, 1000, false), 1);
+  for (int look = 0; look < 5; ++look) after(pace, 1e-4, 1000, false);
+  EXPECT_EQ(after(pace, 1e-4, 1000, false), 1);
 }
 
 }  // namespace

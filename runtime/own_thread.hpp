@@ -1,0 +1,38 @@
+// Threads of the library's own. Private to runtime/.
+#pragma once
+
+#include <csignal>
+#include <thread>
+#include <utility>
+
+namespace navjit {
+
+/// While one exists, the calling thread, and those that it makes, take no signals but those that
+/// tell of a fault of their own: a program's signals are for its own threads, which may wait for
+/// them by sigwait() or signalfd().
+class WithoutSignals {
+ public:
+  WithoutSignals() {
+    sigset_t others;
+    sigfillset(&others);
+    for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS}) {
+      sigdelset(&others, fault);
+    }
+    pthread_sigmask(SIG_BLOCK, &others, &before_);
+  }
+  WithoutSignals(const WithoutSignals&) = delete;
+  WithoutSignals& operator=(const WithoutSignals&) = delete;
+  ~WithoutSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_{};
+};
+
+/// A thread that no signal of the program comes to. Throws what std::thread throws.
+template <class... Work>
+std::thread own_thread(Work&&... work) {
+  const WithoutSignals without_signals;
+  return std::thread(std::forward<Work>(work)...);
+}
+
+}  // namespace navjit
