@@ -53,6 +53,9 @@ std::vector<Candidates> other_searches(const Scene& scene, const ScenePlan& plan
     others.push_back(Candidates::scan);
   }
   if (may_be_grouped(plan.boxes.size())) others.push_back(Candidates::groups);
+  if (!plan.rings.rings.empty() && plan.candidates != Candidates::rings) {
+    others.push_back(Candidates::rings);
+  }
   if (scene.boxes) others.push_back(Candidates::tree);
   return others;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <span>
 
 #include "analysis/error_bound.hpp"
 #include "runtime/error_meter/error_meter.hpp"
@@ -14,6 +15,8 @@ namespace {
 
 /// Of a scene's recorded states: each is answered at 113 bits, too.
 constexpr std::size_t states_measured = 64;
+/// Where none was recorded.
+constexpr std::size_t states_made_up = 16;
 
 std::string millimetres(double value) {
   char text[32];
@@ -21,21 +24,33 @@ std::string millimetres(double value) {
   return text;
 }
 
+void measure(ErrorMeter& meter, std::span<const Sample> samples, BudgetReport& report) {
+  for (const Sample& sample : samples.first(std::min(samples.size(), states_measured))) {
+    const std::optional<double> error = meter.error_at(sample);
+    if (!error) continue;
+    ++report.states;
+    report.measured_mm = std::max(report.measured_mm, *error);
+  }
+}
+
 /// Both the bound and what was measured have to be within the budget: where nothing can be measured
 /// nothing is promised.
 void decide(const ErrorBound& bound, double budget, BudgetReport& report) {
   report.bound_mm = bound.total();
-  const bool measured = report.measured_mm <= budget;
-  report.met = bound.total() <= budget && measured && ErrorMeter::available();
+  const bool within = report.measured_mm <= budget;
+  report.met = bound.total() <= budget && within && report.states > 0;
   if (!bound.known()) {
     report.why = "no bound is known of surfaces of " + bound.unknown;
   } else if (bound.total() > budget) {
     report.why = "the bound, " + millimetres(bound.total()) + ", is above the budget";
-  } else if (!measured) {
+  } else if (!within) {
     report.why = "an error of " + millimetres(report.measured_mm) + " was measured";
   } else if (!ErrorMeter::available()) {
     report.why = "the bound is " + millimetres(bound.total()) +
                  ", but this program has no reference at 113 bits to measure errors with";
+  } else if (report.states == 0) {
+    report.why =
+        "the bound is " + millimetres(bound.total()) + ", but no state was found to measure it on";
   } else {
     report.why = "the bound is " + millimetres(bound.total());
   }
@@ -54,12 +69,9 @@ void hold_to_budget(Specialisation& spec) {
     if (spec.steps[v] == 0) continue;
     const auto volume = static_cast<VolumeId>(v);
     BudgetReport report;
-    const std::vector<Sample>& samples = spec.samples[volume];
-    for (std::size_t i = 0; i < std::min(samples.size(), states_measured); ++i) {
-      const std::optional<double> error = meter.error_at(samples[i]);
-      if (!error) continue;
-      ++report.states;
-      report.measured_mm = std::max(report.measured_mm, *error);
+    measure(meter, std::span(spec.samples[volume]), report);
+    if (report.states == 0) {
+      measure(meter, spec.sampler.states(volume, states_made_up, volume + 1), report);
     }
     decide(bounds[volume], budget, report);
     ++all;

@@ -229,6 +229,7 @@ void install_plugin(Specialisation& spec, const std::string& path) {
     return;
   }
   for (const Plugin::Entry& entry : (*plugin)->entries()) {
+    if (spec.off.contains(entry.volume)) continue;
     SceneReport begun;
     begun.origin = CodeOrigin::plugin;
     // Whoever made the plugin chose its scenes: production shall not depend on a timing.

@@ -24,13 +24,8 @@ bool holds_no_constants(const Specialisation& spec, const std::shared_ptr<const 
   return owner == spec.arena || spec.structures.contains(owner);
 }
 
-/// Installs the winner, and writes down what it is.
-void install_winner(Specialisation& spec, VolumeId volume, Trial& trial) {
-  const bool goes = trial.verdict == Verdict::goes;
-  if (trial.out == goes) {
-    spec.shared->table.show(volume, goes ? trial.before : trial.candidate);
-    return;
-  }
+/// Installs what was there before the trial, or its candidate, and writes down what it is.
+void install_side(Specialisation& spec, VolumeId volume, Trial& trial, bool goes) {
   trial.out = goes;
   const std::shared_ptr<const void>& owner = goes ? trial.before_owner : trial.candidate_owner;
   spec.shared->table.install(volume, goes ? trial.before : trial.candidate, owner);
@@ -45,6 +40,15 @@ void install_winner(Specialisation& spec, VolumeId volume, Trial& trial) {
                  : holds_no_constants(spec, trial.candidate_owner) ? SceneStatus::generic
                                                                    : SceneStatus::unprofitable;
   scene.note = goes ? "slower in the run than what was there" : "";
+}
+
+void install_winner(Specialisation& spec, VolumeId volume, Trial& trial) {
+  const bool goes = trial.verdict == Verdict::goes;
+  if (trial.out != goes) {
+    install_side(spec, volume, trial, goes);
+  } else {
+    spec.shared->table.show(volume, goes ? trial.before : trial.candidate);
+  }
 }
 
 /// Where the trial's winner is not compiled, it is what there is without code.
@@ -135,10 +139,7 @@ void judge(Specialisation& spec) {
   if (!spec.trials.open()) {
     for (const auto& [volume, trial] : spec.trials.begin_again(spec.active_s)) {
       // While it may be shown the table owns it.
-      if (trial->out) {
-        spec.shared->table.install(volume, trial->candidate, trial->candidate_owner);
-      }
-      trial->out = false;
+      if (trial->out) install_side(spec, volume, *trial, false);
     }
     if (!spec.trials.open()) return;
     spec.group_lost = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <set>
 
 namespace navjit {
@@ -9,11 +10,15 @@ namespace {
 
 constexpr std::string_view first_line = "navjit hot scenes 2\n";
 
+/// A scene is tried again once it is sixteen times as hot as before, or left out too many steps.
+constexpr unsigned most_batches_of_a_scene = 16;
+
 struct Name {
   std::string_view text;
   Candidates search;
 };
-constexpr Name names[] = {{":scan", Candidates::scan}, {":slabs", Candidates::slabs}};
+constexpr Name names[] = {
+    {":scan", Candidates::scan}, {":slabs", Candidates::slabs}, {":rings", Candidates::rings}};
 
 /// Takes "12" or "12:scan" from the front of the text.
 std::optional<ListedScene> take_scene(std::string_view& text) {
@@ -49,12 +54,14 @@ std::optional<ModuleList> read_module_list(std::string_view text, std::size_t vo
   if (text.substr(0, first_line.size()) != first_line) return std::nullopt;
   text.remove_prefix(first_line.size());
   ModuleList list;
-  std::set<VolumeId> seen;
+  std::map<VolumeId, unsigned> batches_of;
   while (!text.empty()) {
     std::vector<ListedScene>& batch = list.emplace_back();
+    std::set<VolumeId> seen;
     for (char end = ' '; end == ' ';) {
       const std::optional<ListedScene> scene = take_scene(text);
-      if (!scene || scene->volume >= volumes || !seen.insert(scene->volume).second) {
+      if (!scene || scene->volume >= volumes || !seen.insert(scene->volume).second ||
+          ++batches_of[scene->volume] > most_batches_of_a_scene) {
         return std::nullopt;
       }
       if (text.empty()) return std::nullopt;

@@ -24,13 +24,14 @@ using ModuleList = std::vector<std::vector<ListedScene>>;
 
 /// Of the ways to find daughters, those that are measured and that code can use.
 constexpr bool may_be_listed(Candidates search) {
-  return search == Candidates::scan || search == Candidates::slabs;
+  return search == Candidates::scan || search == Candidates::slabs || search == Candidates::rings;
 }
 
 std::string write_module_list(const ModuleList& list);
 
 /// Nothing if the text is not a list of modules for `volumes` volumes: every number is checked, and
-/// none may occur twice.
+/// none may occur twice in a batch. A scene that was compiled again, with others or alone, is in
+/// several; more than a run can come to are refused.
 std::optional<ModuleList> read_module_list(std::string_view text, std::size_t volumes);
 
 /// `mine`, and the batches of `others` that share no volume with it.

@@ -34,8 +34,7 @@ struct Overrides {
 };
 
 /// Parses "NAME=VARIANT,NAME=VARIANT": logical volumes by name ("*" for every one; later entries
-/// override earlier ones), variants off, all, lanes, nest, rings, wires, grid, boxes, scan, tree,
-/// layers.
+/// override earlier ones), variants by the names above.
 Overrides parse_overrides(const World& world, std::string_view text);
 
 /// The environment variable that a Runtime reads overrides from.

@@ -1,5 +1,7 @@
 #include "runtime/remembered_modules.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -19,15 +21,26 @@ std::vector<VolumeId> volumes_of(const std::vector<ListedScene>& scenes) {
   return volumes;
 }
 
+/// What the cache knows of earlier runs of this detector.
+std::optional<ModuleList> recall(Specialisation& spec) {
+  const std::optional<std::string> text = spec.maker->recall(spec.module_list_name);
+  if (!text) return std::nullopt;
+  std::optional<ModuleList> list = read_module_list(*text, spec.shared->geometry.size());
+  if (!list) {
+    spec.shared->log->info(
+        "the cache's list of this detector's hot scenes is none that this version reads: the run "
+        "begins without it, and writes its own");
+  }
+  return list;
+}
+
 }  // namespace
 
 void install_remembered(Specialisation& spec) {
   if (!spec.maker->has_cache()) return;
   const Geometry& geometry = spec.shared->geometry;
   spec.module_list_name = "hot scenes of " + geometry_fingerprint(geometry);
-  const std::optional<std::string> text = spec.maker->recall(spec.module_list_name);
-  const std::optional<ModuleList> list =
-      text ? read_module_list(*text, geometry.size()) : std::optional<ModuleList>();
+  const std::optional<ModuleList> list = recall(spec);
   if (!list) return;
   for (const std::vector<ListedScene>& listed : *list) {
     const std::vector<VolumeId> batch = volumes_of(listed);
@@ -68,12 +81,12 @@ namespace {
 
 void remember(Specialisation& spec, const std::vector<VolumeId>& batch) {
   if (!spec.maker->has_cache() || spec.shared->options.jit == JitMode::wait) return;
-  std::vector<ListedScene>& listed = spec.module_list.emplace_back();
+  std::vector<ListedScene> listed;
   for (const VolumeId volume : batch) listed.push_back(to_be_listed(spec, volume));
+  ModuleList& list = spec.module_list;
+  if (std::find(list.begin(), list.end(), listed) == list.end()) list.push_back(std::move(listed));
   // Other runs of the same detector may have found other scenes meanwhile.
-  const std::optional<std::string> text = spec.maker->recall(spec.module_list_name);
-  const std::optional<ModuleList> others =
-      text ? read_module_list(*text, spec.shared->geometry.size()) : std::optional<ModuleList>();
+  const std::optional<ModuleList> others = recall(spec);
   const ModuleList merged = others ? merge(spec.module_list, *others) : spec.module_list;
   if (others && *others == merged) return;
   spec.maker->remember(spec.module_list_name, "which scenes are hot in a detector",

@@ -2,15 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "geometry/check/chords.hpp"
 #include "geometry/model/random.hpp"
 #include "geometry/navigation/generic.hpp"
+#include "navjit/vector.hpp"
 
 namespace navjit {
 namespace {
 
 /// Placements remembered per volume: enough for variety.
 constexpr std::size_t most_placements = 64;
+
+/// Where boxes give a smaller part of the states that are asked for, lines are tried, which meet
+/// the thinnest shell.
+constexpr double few_of = 0.25;
 
 }  // namespace
 
@@ -46,6 +53,78 @@ bool StateSampler::touchable(VolumeId volume, std::mt19937_64& random, Touchable
   return true;
 }
 
+namespace {
+
+/// A point of the box, moved onto one of its faces half the time.
+Vec3 point_of(const Extent& e, std::mt19937_64& random) {
+  Vec3 p{uniform(random, e.min.x, e.max.x), uniform(random, e.min.y, e.max.y),
+         uniform(random, e.min.z, e.max.z)};
+  switch (random() % 12) {
+    case 0:
+      p.x = e.min.x;
+      break;
+    case 1:
+      p.x = e.max.x;
+      break;
+    case 2:
+      p.y = e.min.y;
+      break;
+    case 3:
+      p.y = e.max.y;
+      break;
+    case 4:
+      p.z = e.min.z;
+      break;
+    case 5:
+      p.z = e.max.z;
+      break;
+    default:
+      break;
+  }
+  return p;
+}
+
+/// A point within a solid that may take next to nothing of its box, on the part of a line within
+/// it; nothing where the line misses it.
+std::optional<Vec3> point_on_chord(const kernels::AnySolid<double>& solid, const Extent& e,
+                                   std::mt19937_64& random, double tolerance) {
+  const auto in_box = [&] {
+    return Vec3{uniform(random, e.min.x, e.max.x), uniform(random, e.min.y, e.max.y),
+                uniform(random, e.min.z, e.max.z)};
+  };
+  const Vec3 through = in_box();
+  Vec3 v = unit_vector(random);
+  // Most lines through a flat box are in it for a short way only.
+  if (random() % 2 == 0) {
+    const Vec3 along = in_box() - through;
+    const double length = std::sqrt(dot(along, along));
+    if (length > 0) v = 1 / length * along;
+  }
+  const Vec3 diagonal = e.max - e.min;
+  const double before = 1.1 * std::sqrt(dot(diagonal, diagonal));
+  const Vec3 begin = through - before * v;
+  const std::vector<Chord> chords = chords_along(solid, begin, v, 2 * before, tolerance);
+  if (chords.empty()) return std::nullopt;
+  const Chord& chord = chords[random() % chords.size()];
+  return begin + uniform(random, chord.enter, chord.leave) * v;
+}
+
+/// Along an axis now and then.
+Vec3 direction_of(const Vec3& at_random, std::mt19937_64& random) {
+  switch (random() % 8) {
+    case 0:
+      return {random() % 2 == 0 ? 1.0 : -1.0, 0, 0};
+    case 1:
+      return {0, random() % 2 == 0 ? 1.0 : -1.0, 0};
+    case 2:
+      return {0, 0, random() % 2 == 0 ? 1.0 : -1.0};
+    default:
+      return at_random;
+  }
+}
+
+}  // namespace
+
 std::vector<Sample> StateSampler::states(VolumeId volume, std::size_t count,
                                          std::uint64_t seed) const {
   std::mt19937_64 random(seed);
@@ -55,58 +134,8 @@ std::vector<Sample> StateSampler::states(VolumeId volume, std::size_t count,
   const Extent& extent = world.volumes[volume].solid.extent;
   NavigationStack stack{};
   stack.depth = -1;
-  for (std::size_t attempt = 0; attempt < 20 * count && samples.size() < count; ++attempt) {
-    Sample sample{0, volume, {}, unit_vector(random), INFINITY};
-    if (!touchable(volume, random, sample.touchable)) break;
-    // A point of the mother's box, or of a daughter's, moved onto one of its faces half the time.
-    Vec3 local;
-    const auto in_box = [&](const Extent& e) {
-      Vec3 p{uniform(random, e.min.x, e.max.x), uniform(random, e.min.y, e.max.y),
-             uniform(random, e.min.z, e.max.z)};
-      switch (random() % 12) {
-        case 0:
-          p.x = e.min.x;
-          break;
-        case 1:
-          p.x = e.max.x;
-          break;
-        case 2:
-          p.y = e.min.y;
-          break;
-        case 3:
-          p.y = e.max.y;
-          break;
-        case 4:
-          p.z = e.min.z;
-          break;
-        case 5:
-          p.z = e.max.z;
-          break;
-        default:
-          break;
-      }
-      return p;
-    };
-    if (scene.daughters.empty() || random() % 2 == 0) {
-      local = in_box(extent);
-    } else {
-      sample.left = static_cast<unsigned>(random() % scene.daughters.size());
-      const Daughter& d = scene.daughters[sample.left];
-      local = to_outer(d.transformation, in_box(world.volumes[d.volume].solid.extent));
-    }
-    switch (random() % 8) {
-      case 0:
-        sample.direction = {random() % 2 == 0 ? 1.0 : -1.0, 0, 0};
-        break;
-      case 1:
-        sample.direction = {0, random() % 2 == 0 ? 1.0 : -1.0, 0};
-        break;
-      case 2:
-        sample.direction = {0, 0, random() % 2 == 0 ? 1.0 : -1.0};
-        break;
-      default:
-        break;
-    }
+  const auto add = [&](Sample sample, const Vec3& local) {
+    sample.direction = direction_of(sample.direction, random);
     if (random() % 8 == 0) sample.limit = uniform(random, 0, 10);
     generic::restore(geometry_, stack, sample.touchable);
     const kernels::StackLevel& level = stack.levels[stack.depth];
@@ -115,8 +144,28 @@ std::vector<Sample> StateSampler::states(VolumeId volume, std::size_t count,
     if (level.rotation != nullptr) std::copy_n(level.rotation, 9, frame.rotation);
     sample.point = to_outer(frame, local);
     const Vec3 p = kernels::to_local(level, sample.point.x, sample.point.y, sample.point.z);
-    if (inside(scene.solid, p, geometry_.tolerance()) == Side::outside) continue;
+    if (inside(scene.solid, p, geometry_.tolerance()) == Side::outside) return;
     samples.push_back(sample);
+  };
+  for (std::size_t attempt = 0; attempt < 20 * count && samples.size() < count; ++attempt) {
+    Sample sample{0, volume, {}, unit_vector(random), INFINITY};
+    if (!touchable(volume, random, sample.touchable)) return samples;
+    // A point of the mother's box, or of a daughter's.
+    if (scene.daughters.empty() || random() % 2 == 0) {
+      add(sample, point_of(extent, random));
+    } else {
+      sample.left = static_cast<unsigned>(random() % scene.daughters.size());
+      const Daughter& d = scene.daughters[sample.left];
+      add(sample,
+          to_outer(d.transformation, point_of(world.volumes[d.volume].solid.extent, random)));
+    }
+  }
+  if (static_cast<double>(samples.size()) >= few_of * static_cast<double>(count)) return samples;
+  for (std::size_t attempt = 0; attempt < 4 * count && samples.size() < count; ++attempt) {
+    Sample sample{0, volume, {}, unit_vector(random), INFINITY};
+    if (!touchable(volume, random, sample.touchable)) break;
+    const auto local = point_on_chord(scene.solid, extent, random, geometry_.tolerance());
+    if (local) add(sample, *local);
   }
   return samples;
 }

@@ -19,7 +19,8 @@ class StateSampler {
   bool touchable(VolumeId volume, std::mt19937_64& random, TouchableId& result) const;
 
   /// Up to `count` states inside the volume: points in its solid and on its daughters' faces,
-  /// directions at random and along the axes. Fewer if the solid is hard to hit.
+  /// directions at random and along the axes. Where few such points are in the solid, as in thin
+  /// shells, points on lines through it as well. Fewer if the solid is hard to hit.
   std::vector<Sample> states(VolumeId volume, std::size_t count, std::uint64_t seed) const;
 
  private:

@@ -112,9 +112,10 @@ std::string verify(const Geometry& geometry, const kernels::Context& context,
   const auto stacks = std::make_unique<Pair>();
   stacks->generic.depth = stacks->specialised.depth = -1;
   const std::size_t daughters = geometry.scene(volume).daughters.size();
-  std::size_t n = 0;
+  std::size_t n = 0, verified = 0;
   for (const Sample& s : samples) {
     if (s.volume != volume) continue;
+    ++verified;
     std::string problem = verify_step(geometry, context, specialised, s, *stacks);
     if (problem.empty()) {
       problem = verify_relocate(geometry, context, specialised, s, -1, *stacks);
@@ -128,7 +129,7 @@ std::string verify(const Geometry& geometry, const kernels::Context& context,
     }
     if (!problem.empty()) return problem;
   }
-  return "";
+  return verified > 0 ? "" : "no state in the volume was found to verify it on";
 }
 
 double time_per_step(const Geometry& geometry, const kernels::Context& context,

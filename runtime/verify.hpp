@@ -9,9 +9,11 @@
 
 namespace navjit {
 
-/// Compares length (bits), boundary flag and the whole next stack, for steps from the samples and
-/// for relocation at the ends of those steps. Samples of other volumes are passed over. Returns an
-/// empty string, or the first state that differs, in words.
+/// Compares, from each sample of the volume: a step's length (bits), its boundary flag and the
+/// whole next stack; the stack after relocation at the sample's point, out of nothing and out of
+/// one of the daughters; the safety (bits). Samples of other volumes are passed over. Returns an
+/// empty string; or the first state that differs, in words; or that there was no sample of the
+/// volume, which proves nothing.
 std::string verify(const Geometry& geometry, const kernels::Context& context,
                    const kernels::DispatchEntry& specialised, VolumeId volume,
                    std::span<const Sample> samples);

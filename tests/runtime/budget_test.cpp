@@ -136,5 +136,20 @@ TEST(Budget, BelowAnyBoundIsPromisedNowhereAndRunsAllTheSame) {
   }
 }
 
+TEST(Budget, IsPromisedOnlyWhereItWasMeasured) {
+  RuntimeOptions options;
+  options.jit = JitMode::off;
+  options.budget = 1;
+  Runtime runtime(tests::mixed_world(), options);
+  transport_and_judge(runtime, 3);  // too few to be recorded everywhere
+  std::size_t promised = 0;
+  for (const SceneReport& scene : runtime.final_report().scenes) {
+    ASSERT_TRUE(scene.budget.has_value());
+    EXPECT_EQ(scene.budget->met, scene.budget->met && scene.budget->states > 0) << scene.volume;
+    promised += scene.budget->met ? 1 : 0;
+  }
+  EXPECT_GT(promised, 0U) << "states are made up where none was recorded";
+}
+
 }  // namespace
 }  // namespace navjit

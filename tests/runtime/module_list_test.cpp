@@ -60,5 +60,12 @@ TEST(ModuleList, MergedBatchesShareNoVolume) {
   }
 }
 
+TEST(ModuleList, AScenesNextModuleIsListedBesideItsFirst) {
+  const ModuleList list{{{17}, {12}}, {{12}}, {{12, Candidates::rings}, {3}}};
+  EXPECT_EQ(read_module_list(write_module_list(list), 20), list);
+  EXPECT_FALSE(read_module_list(write_module_list({{{12}, {12}}}), 20)) << "twice in one";
+  EXPECT_FALSE(read_module_list(write_module_list(ModuleList(100, {{1}})), 20)) << "without end";
+}
+
 }  // namespace
 }  // namespace navjit

@@ -9,6 +9,7 @@
 
 #include "jit/compiler.hpp"
 #include "runtime/make_plugin.hpp"
+#include "runtime/overrides.hpp"
 #include "runtime/plugin_text.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/folder.hpp"
@@ -204,6 +205,14 @@ TEST(PluginFeatures, AreThoseOfThisProcessorAndNoOthers) {
   }
   EXPECT_FALSE(processor_has("avx9000"));
   EXPECT_FALSE(processor_has(""));
+}
+
+TEST_F(PluginTest, WhatTheEnvironmentSwitchesOffIsNotTaken) {
+  const std::string path = make(source_);
+  setenv(overrides_variable, "*=off", 1);
+  EXPECT_EQ(scenes_in_use(path), 0U);
+  unsetenv(overrides_variable);
+  EXPECT_GE(scenes_in_use(path), 5U);
 }
 
 }  // namespace
