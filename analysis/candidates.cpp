@@ -30,7 +30,7 @@ constexpr std::size_t most_boxes = 32768;
 /// many in order takes seconds.
 constexpr std::size_t most_in_planes = std::size_t{1} << 22;
 
-/// Among more daughters no rings are looked for: that takes the square of their number.
+/// Among more daughters no rings are looked for; beyond this nothing was measured.
 constexpr std::size_t most_about_an_axis = 4096;
 
 /// All boxes are looked at for safety. With 65 to 70 daughters that takes as long as the generic
@@ -72,7 +72,7 @@ double mean_cross_section(const Extent& mother, const std::vector<Extent>& boxes
   return sum / (across(mother) * static_cast<double>(boxes.size()));
 }
 
-/// What is_regular_grid() asks that is known before there are grid.
+/// What is_regular_grid() asks that is known before the cells are made.
 bool may_be_grid(const ScenePlan& plan) {
   return plan.classes.size() == 1 && !plan.classes[0].rotated;
 }
@@ -91,13 +91,18 @@ bool may_use_lanes(const Geometry& geometry, const ScenePlan& plan) {
   });
 }
 
+/// Many rings are no faster than boxes (26: 0.56 times).
+bool sectors_may_pay(const Rings& rings) {
+  return rings.rings.size() <= most_rings && rings.others.size() <= most_beside_rings;
+}
+
 /// Where daughters are segments about the axis, each fills its sector, and boxes tell little: 1.2
-/// and 1.4 times faster than these. What is only placed in a ring (boxes, trapezoids) is better
-/// told by boxes (0.8 to 1.1 times), and so are many rings (26: 0.56 times).
+/// and 1.4 times faster than these. What is only placed in a ring (boxes, trapezoids) may be better
+/// told by boxes (0.8 to 1.1 times with 12 to 64 of them) or worse (0.4 times with 1200 blades,
+/// whose boxes overlap): that is measured (runtime/bind_to_data.cpp).
 bool sectors_pay(const Rings& rings) {
-  return rings.rings.size() <= most_rings && rings.others.size() <= most_beside_rings &&
-         std::all_of(rings.rings.begin(), rings.rings.end(),
-                     [](const Ring& ring) { return ring.segments; });
+  return sectors_may_pay(rings) && std::all_of(rings.rings.begin(), rings.rings.end(),
+                                               [](const Ring& ring) { return ring.segments; });
 }
 
 /// Slabs and grids are called just that.
@@ -130,11 +135,10 @@ bool choose_round(const Geometry& geometry, std::optional<Candidates> forced, do
   }
   if (!forced || forced == Candidates::rings) {
     auto rings = find_rings(world, world.volumes[plan.volume].solid, scene.daughters, margin);
-    if (rings && (forced || sectors_pay(*rings))) {
-      plan.candidates = Candidates::rings;
-      plan.rings = std::move(*rings);
-      return true;
-    }
+    const bool chosen = rings && (forced || sectors_pay(*rings));
+    if (chosen) plan.candidates = Candidates::rings;
+    if (chosen || (rings && sectors_may_pay(*rings))) plan.rings = std::move(*rings);
+    if (chosen) return true;
   }
   return false;
 }

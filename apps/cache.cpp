@@ -52,8 +52,8 @@ int cache(const Options& options) {
   const std::string& directory = options.cache.directory;
   if (directory.empty()) {
     throw Error(
-        "there is no cache directory: none is given, and neither XDG_CACHE_HOME nor HOME is an "
-        "absolute path");
+        "there is no cache directory: it is off (by --cache or NAVJIT_CACHE), or none is given and "
+        "neither XDG_CACHE_HOME nor HOME is an absolute path");
   }
   if (options.task == Task::path) {
     std::printf("%s\n", directory.c_str());

@@ -52,10 +52,13 @@ void add_check(CLI::App& app, Action& action) {
   CLI::App& command = *app.add_subcommand("check", "Find overlaps and protrusions");
   add_detector(command, options->detector);
   command
-      .add_option("--resolution", options->overlaps.resolution, "points on each daughter's surface")
+      .add_option("--resolution", options->overlaps.resolution,
+                  "points on each daughter's surface (default: 1000)")
       ->transform(count(1, 100000000))
       ->option_text("N");
-  command.add_option("--tolerance", options->overlaps.tolerance, "mm; shallower ones are not told")
+  command
+      .add_option("--tolerance", options->overlaps.tolerance,
+                  "mm; shallower ones are not told (default: 1e-6)")
       ->check(number(0, 1e12))
       ->option_text("MM");
   command.callback([options, &action] { action = [options] { return check(*options); }; });

@@ -12,6 +12,7 @@
 #include "apps/commands.hpp"
 #include "apps/options/boxes.hpp"
 #include "apps/options/detector.hpp"
+#include "apps/options/numbers.hpp"
 #include "codegen/data/bind.hpp"
 #include "codegen/module.hpp"
 #include "common/text.hpp"
@@ -186,7 +187,8 @@ void add_inspect(CLI::App& app, Action& action) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand("inspect", "What is in a detector");
   add_detector(command, options->detector);
-  command.add_option("--scene", options->scene, "analysis of one logical volume");
+  command.add_option("--scene", options->scene, "analysis of one logical volume")
+      ->check(not_empty());
   command.add_flag("--emit", options->emit, "print the scene's generated source")->needs("--scene");
   command.add_flag("--structures", options->structures, "what the scenes have in common")
       ->excludes("--scene");

@@ -39,6 +39,15 @@ void print_error(const std::string& text) {
   std::fprintf(stderr, "navjit: %s\n", common::printable(one_line(text, 4000)).c_str());
 }
 
+/// The word in the place of a subcommand that is none, where that is what is wrong.
+std::string unknown_subcommand(const CLI::App& app, const CLI::Error& error) {
+  if (error.get_name() != "RequiredError") return {};
+  for (const std::string& word : app.remaining(true)) {
+    if (!word.starts_with("-")) return word;
+  }
+  return {};
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app{jit::has_compiler()
                    ? "Particle transport through detectors, with navigators written while it runs"
@@ -57,7 +66,9 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::Error& error) {
-    print_error(std::string(error.what()) + "; see navjit --help");
+    const std::string unknown = unknown_subcommand(app, error);
+    print_error((unknown.empty() ? error.what() : "'" + unknown + "' is no subcommand") +
+                "; see navjit --help");
     return 2;
   }
   spdlog::set_default_logger(spdlog::stderr_color_mt("navjit"));

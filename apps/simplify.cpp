@@ -79,9 +79,14 @@ void add_simplify(CLI::App& app, Action& action) {
       *app.add_subcommand("simplify", "Write the detector without what is not observed");
   add_detector(command, options->detector);
   add_observe(command, options->observation)->default_str("materials");
-  command.add_option("-o,--out", options->out, "GDML file")->required()->option_text("FILE");
-  command.add_option("--report", options->report, "write a JSON report")->option_text("FILE");
-  command.callback([options, &action] { action = [options] { return simplify(*options); }; });
+  add_output(command, "-o,--out", options->out, "GDML file")->required();
+  add_output(command, "--report", options->report, "write a JSON report");
+  command.callback([options, &action] {
+    // The detector itself may be replaced: it was read before.
+    refuse_same_files({{"-o", options->out}, {"--report", options->report}});
+    refuse_same_files({{"--report", options->report}}, {{"the detector", options->detector.file}});
+    action = [options] { return simplify(*options); };
+  });
 }
 
 }  // namespace navjit::apps

@@ -7,6 +7,7 @@
 #include "apps/commands.hpp"
 #include "apps/options/detector.hpp"
 #include "apps/options/numbers.hpp"
+#include "apps/options/outputs.hpp"
 #include "files/output_file.hpp"
 #include "navjit/errors.hpp"
 #include "runtime/make_plugin.hpp"
@@ -92,21 +93,23 @@ void add_specialise(CLI::App& app, Action& action) {
       ->option_text("FILE");
   command
       .add_option("--least-share", options->choice.least_share,
-                  "of a profile's steps, for a scene to be taken")
+                  "of a profile's steps, for a scene to be taken (default: 0.001)")
       ->check(number(0, 1))
       ->option_text("SHARE");
   command.add_option("--emit", options->emit, "so (a plugin) or cpp (its source)")
       ->required()
       ->check(one_of({"so", "cpp"}))
       ->option_text("cpp|so");
-  command.add_option("--opt", options->optimisation, "of the compiler, 0 to 3")
+  command.add_option("--opt", options->optimisation, "of the compiler, 0 to 3 (default: 2)")
       ->transform(count(0, 3))
       ->option_text("N");
-  command.add_option("-o,--out", options->out, "file to write")->required()->option_text("FILE");
+  add_output(command, "-o,--out", options->out, "file to write")->required();
   command.callback([options, &action] {
     if (options->scenes.empty() && options->profile.empty()) {
       throw CLI::ValidationError("specialise", "--scene or --profile is needed");
     }
+    refuse_same_files({{"-o", options->out}},
+                      {{"the detector", options->detector.file}, {"--profile", options->profile}});
     action = [options] { return specialise(*options); };
   });
 }

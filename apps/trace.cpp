@@ -11,6 +11,7 @@
 #include "apps/options/detector.hpp"
 #include "apps/options/numbers.hpp"
 #include "apps/options/observe.hpp"
+#include "apps/options/outputs.hpp"
 #include "apps/options/runtime.hpp"
 #include "apps/options/source.hpp"
 #include "common/interruption.hpp"
@@ -209,13 +210,17 @@ void add_trace(CLI::App& app, Action& action) {
   add_detector(command, options->detector);
   add_rays(command, options->rays);
   command.get_option("--rays")->required();
-  command.add_option("--out", options->out, "CSV file (default: standard output)")
-      ->option_text("FILE");
+  add_output(command, "--out", options->out, "CSV file (default: standard output)");
   add_threads(command, options->threads);
   add_observe(command, options->observation);
   add_basket(command, options->basket);
   add_runtime_options(command, options->runtime);
-  command.callback([options, &action] { action = [options] { return trace(*options); }; });
+  command.callback([options, &action] {
+    refuse_same_files({{"--out", options->out}}, {{"the detector", options->detector.file},
+                                                  {"--rays", options->rays.rays},
+                                                  {"--plugin", options->runtime.plugin}});
+    action = [options] { return trace(*options); };
+  });
 }
 
 }  // namespace navjit::apps

@@ -15,6 +15,11 @@
 #include "navjit/runtime.hpp"
 
 namespace navjit::common {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+}  // namespace
 
 void RayFile::Close::operator()(gzFile_s* file) const { gzclose(file); }
 
@@ -26,7 +31,11 @@ RayFile::RayFile(std::string path) : path_(std::move(path)), file_(gzopen(path_.
   if (!file_) throw Error(path_ + ": cannot be opened");
   std::string_view header;
   if (!read_line(header)) throw Error(path_ + ": no rays");
-  if (header != "x,y,z,dx,dy,dz") fail("the header must be x,y,z,dx,dy,dz");
+  // Spreadsheets begin UTF-8 with this mark.
+  if (header.starts_with("\xef\xbb\xbf")) header.remove_prefix(3);
+  std::string names(header);
+  std::erase_if(names, is_blank);
+  if (names != "x,y,z,dx,dy,dz") fail("the header must be x,y,z,dx,dy,dz");
 }
 
 /// False at the end of the file.
@@ -54,12 +63,18 @@ std::optional<Ray> RayFile::next() {
   } while (row.empty());
   double value[6];
   const char *at = row.data(), *end = row.data() + row.size();
+  const auto skip_blanks = [&] {
+    while (at != end && is_blank(*at)) ++at;
+  };
   for (int i = 0; i < 6; ++i) {
+    skip_blanks();
+    if (end - at > 1 && *at == '+' && at[1] != '-') ++at;
     const auto [next, error] = std::from_chars(at, end, value[i]);
     if (error != std::errc{} || !std::isfinite(value[i])) {
       fail("field " + std::to_string(i + 1) + " is not a finite number");
     }
     at = next;
+    skip_blanks();
     if (i < 5) {
       if (at == end || *at != ',') fail("six numbers are needed");
       ++at;

@@ -16,9 +16,9 @@ struct gzFile_s;
 
 namespace navjit::common {
 
-/// A file of rays, read one by one: `x,y,z,dx,dy,dz` (mm; header required; plain or gzip);
-/// directions are normalised. Throws Error with file and line on anything else, and on
-/// a file without rays.
+/// A file of rays, read one by one: `x,y,z,dx,dy,dz` (mm; header required; blanks around values and
+/// a byte order mark are passed over; plain or gzip); directions are normalised. Throws Error with
+/// file and line on anything else, and on a file without rays.
 class RayFile {
  public:
   explicit RayFile(std::string path);

@@ -63,7 +63,7 @@ def drift(gdml):
     clips = 641 - len(daughters)
     for i in range(clips):
         phi = 360 * i / clips * 4 + 3
-        z = -2000 + 4000 * (i % (clips // 4)) / (clips // 4)
+        z = -2000 + 4000 * i / clips
         x, y = 2480 * math.cos(math.radians(phi)), 2480 * math.sin(math.radians(phi))
         daughters.append(place(f"clip{i}", "Clip", (x, y, z), (0, 0, -phi)))
     gdml.solid("tube", "Drift_s", rmin=795, rmax=2560, z=4980, deltaphi=360)

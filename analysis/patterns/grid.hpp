@@ -1,4 +1,4 @@
-// Partitions of a scene into grid.
+// A scene cut into cells of a grid.
 #pragma once
 
 #include <functional>

@@ -9,7 +9,7 @@
 namespace navjit {
 namespace {
 
-/// Grid for each daughter: where they are small against daughters and gaps, most have one first
+/// Cells for each daughter: where they are small against daughters and gaps, most have one first
 /// candidate alone.
 constexpr std::size_t cells_per_daughter = 8;
 constexpr std::size_t most_cells = 4096;

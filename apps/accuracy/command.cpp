@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "apps/accuracy/experiment.hpp"
 #include "apps/accuracy/observed_report.hpp"
@@ -71,13 +72,14 @@ int compare_observed(const Options& options) {
     observations.push_back(parse_observation(text));
   }
   Output json(options.report), picture(options.picture), page(options.html);
-  const common::Interruptible interruptible;
+  std::optional<common::Interruptible> interruptible;  // once there may be something to write
   const auto world = read(options.detector);
   common::check_origin(options.rays.source, world);
   const auto rays = common::rays_of(options.rays.rays, options.rays.source, *world);
   if (rays.empty()) throw Error("no rays are asked for; at least one is needed");
-  const auto figures = accuracy::compare_observations(world, observations, rays,
-                                                      options.repetitions, vecgeom_of(options));
+  const auto figures =
+      accuracy::compare_observations(world, observations, rays, options.repetitions,
+                                     vecgeom_of(options), [&] { interruptible.emplace(); });
   accuracy::print(figures);
   attempt_all(
       {[&] {
@@ -101,7 +103,7 @@ int compare_observed(const Options& options) {
 int accuracy(const Options& options) {
   if (!options.picture.empty()) common::check_picture(options.picture);
   Output json(options.report), picture(options.picture), page(options.html);
-  const common::Interruptible interruptible;
+  std::optional<common::Interruptible> interruptible;  // once there may be something to write
   const auto world = read(options.detector);
   common::check_origin(options.rays.source, world);
   accuracy::ExperimentOptions experiment;
@@ -113,6 +115,7 @@ int accuracy(const Options& options) {
   experiment.boundaries = options.boundaries;
   experiment.geometry = options.geometry;
   experiment.vecgeom = vecgeom_of(options);
+  experiment.prepared = [&] { interruptible.emplace(); };
   const accuracy::ExperimentReport report = accuracy::run_experiment(world, experiment);
   accuracy::print_tables(*world, report, options.scenes);
   attempt_all(
@@ -150,15 +153,18 @@ void add_accuracy(CLI::App& app, Action& action) {
   add_rays(command, options->rays);
   command
       .add_option("--repetitions", options->repetitions,
-                  "of the timing; 0, with --observe alone: none")
+                  "of the timing (default: 5); 0, with --observe alone: none")
       ->transform(count(0, 1000));
-  command.add_option("--boundaries", options->boundaries, "on the long track; 0: none")
+  command
+      .add_option("--boundaries", options->boundaries,
+                  "on the long track (default: 100000); 0: none")
       ->transform(count(0));
-  command.add_option("--scenes", options->scenes, "in the table")->transform(count(0));
-  command.add_option("--report", options->report, "write a JSON report")->option_text("FILE");
-  command.add_option("--html", options->html, "write a page for people")->option_text("FILE");
-  command.add_option("--picture", options->picture, "speed against error; by gnuplot")
-      ->option_text("FILE.svg|.png");
+  command.add_option("--scenes", options->scenes, "in the table (default: 12)")
+      ->transform(count(0));
+  add_output(command, "--report", options->report, "write a JSON report");
+  add_output(command, "--html", options->html, "write a page for people");
+  add_output(command, "--picture", options->picture, "speed against error; by gnuplot",
+             "FILE.svg|.png");
   command
       .add_option("--vecgeom", options->vecgeom,
                   "the program vecgeom_trace, or off (default: the one\nbeside navjit)")
@@ -170,7 +176,9 @@ void add_accuracy(CLI::App& app, Action& action) {
   command.add_option("--vecgeom-navigator", options->vecgeom_navigator, "of VecGeom")
       ->check(one_of({"simple", "abbox", "hybrid", "bvh", "automatic"}))
       ->option_text("NAME");
-  command.add_option("--vecgeom-seconds", options->vecgeom_seconds, "for each of its runs")
+  command
+      .add_option("--vecgeom-seconds", options->vecgeom_seconds,
+                  "for each of its runs (default: 300)")
       ->check(number_above(0, 1e6))
       ->option_text("S");
   command
@@ -188,6 +196,11 @@ void add_accuracy(CLI::App& app, Action& action) {
   add_threads(command, options->threads);
   add_boxes(command, options->geometry);
   command.callback([options, &action] {
+    refuse_same_files(
+        {{"--report", options->report}, {"--html", options->html}, {"--picture", options->picture}},
+        {{"the detector", options->detector.file},
+         {"--rays", options->rays.rays},
+         {"--vecgeom-detector", options->vecgeom_detector}});
     if (options->repetitions == 0 && options->observations.empty()) {
       throw CLI::ValidationError("--repetitions", "'0' is less than 1, and here steps are timed");
     }

@@ -205,6 +205,7 @@ ExperimentReport run_experiment(const std::shared_ptr<const World>& world,
     levels.emplace_back(world, level, options.geometry);
     report.engines.emplace_back().name = level.name;
   }
+  if (options.prepared) options.prepared();
   spdlog::debug("event=judging rays={}", rays.size());
   compare_levels(reference, levels, rays, options.threads, report);
   if (report.engines[0].figures.rays == 0) common::stop_if_interrupted();

@@ -2,6 +2,7 @@
 // reference.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +23,8 @@ struct ExperimentOptions {
   std::uint64_t boundaries = 100000;  ///< of the long track; 0: none
   GeometryOptions geometry;
   std::optional<VecGeom::Options> vecgeom;  ///< nothing: without it
+  /// Called once all is compiled: from then on there may be something to tell.
+  std::function<void()> prepared{};
 };
 
 struct EngineReport {

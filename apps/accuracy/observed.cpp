@@ -182,10 +182,12 @@ void measure_vecgeom(const std::vector<std::unique_ptr<Way>>& ways, const std::v
 std::vector<ObservedFigures> compare_observations(const Detector& detector,
                                                   const std::vector<Observation>& observations,
                                                   const std::vector<Ray>& rays, int repetitions,
-                                                  const std::optional<VecGeom::Options>& vecgeom) {
+                                                  const std::optional<VecGeom::Options>& vecgeom,
+                                                  const std::function<void()>& prepared) {
   std::vector<std::unique_ptr<Way>> ways;
   ways.push_back(std::make_unique<Way>(detector, Observation{}));
   for (const Observation& o : observations) ways.push_back(std::make_unique<Way>(detector, o));
+  if (prepared) prepared();
   std::vector<bool> observed(detector.volumes());
   for (const auto& way : ways) {
     for (VolumeId v = 0; v < observed.size(); ++v) {

@@ -1,6 +1,7 @@
 // What is lost, and what is won, by observing less: what rays go through, steps and time.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,10 +55,12 @@ struct ObservedFigures {
 };
 
 /// The first is `all`. `vecgeom`: how to measure VecGeom; its detector is not looked at.
+/// `prepared` is called once all observations are made.
 std::vector<ObservedFigures> compare_observations(const Detector& detector,
                                                   const std::vector<Observation>& observations,
                                                   const std::vector<Ray>& rays, int repetitions,
-                                                  const std::optional<VecGeom::Options>& vecgeom);
+                                                  const std::optional<VecGeom::Options>& vecgeom,
+                                                  const std::function<void()>& prepared = {});
 
 /// Whether one is beyond what it promises, by more than the rounding of sums.
 bool any_beyond(const std::vector<ObservedFigures>& figures);

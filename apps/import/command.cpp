@@ -108,7 +108,7 @@ void add_import(CLI::App& app, Action& action) {
   command.add_option("file", options->file, "ROOT file with a TGeoManager, or file .stl or .obj")
       ->required()
       ->option_text("FILE");
-  command.add_option("-o,--out", options->out, "GDML file")->required()->option_text("FILE");
+  add_output(command, "-o,--out", options->out, "GDML file")->required();
   add_choice(command, "--unit", options->unit, units,
              "of a surface's numbers: um, mm (default), cm, m, in or ft")
       ->option_text("UNIT");

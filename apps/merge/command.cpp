@@ -10,6 +10,7 @@
 
 #include "apps/commands.hpp"
 #include "apps/merge/reports.hpp"
+#include "apps/options/outputs.hpp"
 #include "common/text.hpp"
 #include "files/output_file.hpp"
 #include "geometry/input_file.hpp"
@@ -53,7 +54,7 @@ void add_report(CLI::App& app, Action& action) {
   command.require_subcommand(1);
   CLI::App& merging = *command.add_subcommand("merge", "make one report of those of parts");
   merging.add_option("reports", options->reports, "files of navjit run --report")->required();
-  merging.add_option("-o,--out", options->out, "file to write")->required()->option_text("FILE");
+  add_output(merging, "-o,--out", options->out, "file to write")->required();
   merging.callback([options, &action] { action = [options] { return merge_files(*options); }; });
 }
 

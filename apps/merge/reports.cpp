@@ -48,9 +48,9 @@ std::string circumstances(const json& report) {
   return all;
 }
 
-constexpr const char* counts[] = {"rays",          "steps",       "stuck",   "threads",
-                                  "bail_outs",     "differences", "modules", "cached_modules",
-                                  "plugin_scenes", "deoptimised"};
+constexpr const char* counts[] = {"rays",           "steps",         "stuck",       "outside",
+                                  "threads",        "bail_outs",     "differences", "modules",
+                                  "cached_modules", "plugin_scenes", "deoptimised"};
 /// Runs are made side by side: their speeds add up.
 constexpr const char* sums[] = {"length_mm",  "cpu_seconds",      "compile_cpu_seconds",
                                 "compile_ms", "steps_per_second", "warm_steps_per_second"};
@@ -59,9 +59,13 @@ constexpr const char* sums[] = {"length_mm",  "cpu_seconds",      "compile_cpu_s
 
 void ReportMerger::add(const json& report) {
   if (!report.is_object()) throw Error("it is no report of navjit run");
+  if (report.contains("merged")) {
+    throw Error("it is a merged report: give the reports that it was made of, and all the others");
+  }
   for (const char* key : counts) whole(report, key);
   for (const char* key : sums) number(report, key);
-  for (const char* key : {"seconds", "code_bytes", "share_specialised"}) number(report, key);
+  for (const char* key : {"seconds", "share_specialised"}) number(report, key);
+  whole(report, "code_bytes");
   if (!reports_.empty() && circumstances(report) != circumstances(reports_.front())) {
     throw Error("it is of another version, detector, --jit or --observe than the first");
   }
@@ -121,6 +125,7 @@ void ReportMerger::add_scenes(const json& report) {
 
 void ReportMerger::add_comparison(const json& report) {
   const json& compared = member(report, "compared");
+  if (compared.is_null()) return;
   if (!compared.is_object()) throw Error("'compared' is not an object");
   const std::uint64_t rays = whole(compared, "rays");
   const double with = number(compared, "steps_per_second_with");
@@ -161,16 +166,21 @@ nlohmann::ordered_json ReportMerger::merged() const {
     for (const json& r : reports_) sum += number(r, key);
     made[key] = sum;
   }
-  for (const char* key : {"seconds", "code_bytes"}) {
-    double most = 0;
-    for (const json& r : reports_) most = std::max(most, number(r, key));
-    made[key] = most;
+  double seconds = 0;
+  std::uint64_t code_bytes = 0;
+  for (const json& r : reports_) {
+    seconds = std::max(seconds, number(r, "seconds"));
+    code_bytes = std::max(code_bytes, whole(r, "code_bytes"));
   }
+  made["seconds"] = seconds;
+  made["code_bytes"] = code_bytes;
   double specialised = 0, steps = 0;
   for (const json& r : reports_) {
     specialised += number(r, "share_specialised") * number(r, "steps");
     steps += number(r, "steps");
   }
+  // Alike in all, as the first was found to be.
+  if (first.contains("observe")) made["observe"] = first["observe"];
   made["share_specialised"] = steps > 0 ? specialised / steps : 0;
   made["speedup"] = nullptr;
   if (compared_ == reports_.size()) {

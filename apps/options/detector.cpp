@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "apps/options/numbers.hpp"
 #include "navjit/root.hpp"
 
 namespace navjit::apps {
@@ -14,6 +15,7 @@ void add_detector(CLI::App& command, Detector& detector) {
   command
       .add_option("--setup", detector.setup,
                   "which <setup> of the file, or which TGeoManager (default: its default)")
+      ->check(not_empty())
       ->option_text("NAME");
 }
 

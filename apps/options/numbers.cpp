@@ -46,6 +46,11 @@ CLI::Validator count(std::uint64_t least, std::uint64_t most) {
       "");
 }
 
+CLI::Validator not_empty() {
+  return CLI::Validator(
+      [](std::string& text) { return std::string(text.empty() ? "the value is empty" : ""); }, "");
+}
+
 CLI::Validator rays_or_count() {
   return CLI::Validator(
       [](std::string& text) {
@@ -95,7 +100,7 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
 }
 
 void add_threads(CLI::App& command, unsigned& threads) {
-  command.add_option("--threads", threads, "navigating threads")
+  command.add_option("--threads", threads, "navigating threads (default: 1)")
       ->transform(count(1, 1024))
       ->option_text("T");
 }

@@ -23,6 +23,9 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
 /// --threads.
 void add_threads(CLI::App& command, unsigned& threads);
 
+/// For ->check(): any text but none.
+CLI::Validator not_empty();
+
 /// For ->check(): what RayStream takes, a file or a count.
 CLI::Validator rays_or_count();
 

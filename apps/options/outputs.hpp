@@ -8,7 +8,28 @@
 
 #include "files/output_file.hpp"
 
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
 namespace navjit::apps {
+
+/// An option for a file that is written. An empty name is wrong usage: a script whose variable is
+/// not set would lose what it asked for.
+CLI::Option* add_output(CLI::App& command, const std::string& option, std::string& path,
+                        const std::string& what, const std::string& value = "FILE");
+
+/// An option's name, and the file that it was given; empty: none.
+struct NamedFile {
+  const char* option;
+  const std::string& path;
+};
+
+/// Throws CLI::ValidationError if a file that is written is another one that is written, or one
+/// that is read: the last writer would win. Devices and pipes may be the same.
+void refuse_same_files(std::initializer_list<NamedFile> written,
+                       std::initializer_list<NamedFile> read = {});
 
 /// A file that may be asked for. It is opened at the beginning, so that a place that cannot be
 /// written costs no run.

@@ -23,7 +23,10 @@ void add_cache_option(CLI::App& command, Cache& cache, bool may_be_off) {
   command
       .add_option_function<std::string>(
           "--cache",
-          [&cache](const std::string& text) { cache = text == "off" ? Cache{} : Cache::in(text); },
+          [&cache](const std::string& text) {
+            if (text.empty()) throw CLI::ValidationError("--cache", "the value is empty");
+            cache = text == "off" ? Cache{} : Cache::in(text);
+          },
           may_be_off ? "of compiled code: a directory, or off (default: the user's)"
                      : "directory (default: the user's)")
       ->envname("NAVJIT_CACHE")
@@ -42,9 +45,11 @@ void add_code_options(CLI::App& command, RuntimeOptions& options) {
           "")
       ->group("");
   add_choice(command, "--isa", options.specialiser.instruction_set, common::instruction_sets,
-             "instructions of generated code: native, sse4.2, avx2 or avx512")
+             "instructions of generated code: native (default), sse4.2, avx2 or\navx512")
       ->option_text("SET");
-  command.add_option("--nice", options.specialiser.nice, "priority of the compiler's thread")
+  command
+      .add_option("--nice", options.specialiser.nice,
+                  "priority of the compiler's thread (default: 0, as the others)")
       ->transform(count(0, 19))
       ->option_text("0..19");
 }
@@ -53,11 +58,13 @@ void add_jit_options(CLI::App& command, RuntimeOptions& options) {
   options.specialiser.safety = false;  // the commands' rays never ask for it
   add_cache_option(command, options.cache, true);
   add_choice(command, "--jit", options.jit, jit_modes,
-             "off, on, wait (specialise first) or shadow (compare)")
+             "off, on, wait (specialise first) or shadow (compare);\n(default: on)")
       ->option_text("MODE");
   command.add_option("--plugin", options.plugin, "made by navjit specialise; used from the start")
       ->option_text("FILE");
-  command.add_option("--opt", options.specialiser.optimisation, "compiler's optimisation, 0 to 3")
+  command
+      .add_option("--opt", options.specialiser.optimisation,
+                  "compiler's optimisation, 0 to 3 (default: 2)")
       ->transform(count(0, 3))
       ->option_text("N");
   command.add_flag("--perf-map", options.specialiser.perf_map,

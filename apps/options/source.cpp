@@ -8,7 +8,7 @@
 namespace navjit::apps {
 
 void add_source(CLI::App& command, common::RaySource& source) {
-  command.add_option("--seed", source.seed, "of the random rays")
+  command.add_option("--seed", source.seed, "of the random rays (default: 1)")
       ->transform(count(0, ~std::uint64_t{0}))
       ->option_text("N");
   CLI::Option* origin = command
@@ -33,6 +33,7 @@ void add_source(CLI::App& command, common::RaySource& source) {
       .add_option("--aim", source.aim,
                   "isotropic rays through random points of the boxes of a\nvolume; auto: of the "
                   "box with most touchables")
+      ->check(not_empty())
       ->option_text("VOLUME|auto")
       ->excludes(origin)
       ->excludes(eta);
@@ -54,7 +55,8 @@ void add_part(CLI::App& command, std::optional<common::Part>& part) {
 }
 
 void add_rays(CLI::App& command, RayOptions& options) {
-  command.add_option("--rays", options.rays, "CSV file of rays, or their number")
+  const std::string otherwise = options.rays.empty() ? "" : " (default: " + options.rays + ")";
+  command.add_option("--rays", options.rays, "CSV file of rays, or their number" + otherwise)
       ->check(rays_or_count())
       ->option_text("FILE|N");
   add_source(command, options.source);

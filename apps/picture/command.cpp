@@ -205,6 +205,7 @@ void add_picture(CLI::App& app, Action& action) {
   add_threads(command, options->threads);
   add_cache_option(command, request.runtime.cache, true);
   command.callback([options, mode, colour, &action] {
+    refuse_same_files({{"-o", options->out}}, {{"the detector", options->detector.file}});
     picture::Request& asked = options->request;
     const bool surface = asked.mode == Mode::surface;
     if (asked.mode == Mode::time)

@@ -159,15 +159,23 @@ void add_run(CLI::App& app, Action& action) {
       ->option_text("MM");
   add_rays(command, options->rays);
   add_part(command, options->part);
-  command.add_option("--report", options->report, "write a JSON report")->option_text("FILE");
-  command.add_option("--html", options->html, "write a page for people")->option_text("FILE");
-  command.add_option("--save-profile", options->save_profile, "write what navjit specialise needs")
-      ->option_text("FILE");
+  add_output(command, "--report", options->report, "write a JSON report");
+  add_output(command, "--html", options->html, "write a page for people");
+  add_output(command, "--save-profile", options->save_profile,
+             "write what navjit specialise needs");
   add_threads(command, options->threads);
   add_observe(command, options->observation);
   add_basket(command, options->basket);
   add_runtime_options(command, options->runtime);
-  command.callback([options, &action] { action = [options] { return run(*options); }; });
+  command.callback([options, &action] {
+    refuse_same_files({{"--report", options->report},
+                       {"--html", options->html},
+                       {"--save-profile", options->save_profile}},
+                      {{"the detector", options->detector.file},
+                       {"--rays", options->rays.rays},
+                       {"--plugin", options->runtime.plugin}});
+    action = [options] { return run(*options); };
+  });
 }
 
 }  // namespace navjit::apps

@@ -58,6 +58,7 @@ void take(const ordered_json& sum, RunReport& report) {
   t.rays = sum["rays"];
   t.steps = sum["steps"];
   t.stuck = sum["stuck"];
+  t.outside = sum["outside"];
   t.bail_outs = sum["bail_outs"];
   t.differences = sum["differences"];
   t.length_mm = sum["length_mm"];

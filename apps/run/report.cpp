@@ -131,6 +131,9 @@ void print_table(const RunReport& report) {
               static_cast<unsigned long long>(t.rays), report.interrupted ? " (interrupted)" : "",
               static_cast<unsigned long long>(t.steps), t.length_mm,
               static_cast<unsigned long long>(t.stuck));
+  if (t.outside > 0) {
+    std::printf("%llu start outside the world, ", static_cast<unsigned long long>(t.outside));
+  }
   if (report.processes > 1) std::printf("%u processes, ", report.processes);
   std::printf("%u thread%s, %.2f s\n", t.threads, t.threads == 1 ? "" : "s", t.seconds);
   std::printf("%.3f M steps/s", steps_per_second(t) / 1e6);
@@ -146,12 +149,19 @@ void print_table(const RunReport& report) {
           "the JIT, %.3f M steps/s without: %.2f times\n",
           report.processes > 1 ? " for each process" : "", static_cast<unsigned long long>(c->rays),
           c->with / 1e6, c->without / 1e6, *report.speedup());
+    } else if (!report.interrupted && !report.any_specialised()) {
+      std::printf("no scene is specialised in the end: the speed-up is 1\n");
     }
     std::printf(
         "%zu modules (%zu from the cache), %.0f ms of compilation, %zu kB of code, %llu "
         "bail-outs\n",
         report.runtime.modules, report.runtime.cached_modules, report.runtime.compile_ms,
         report.runtime.code_bytes / 1024, static_cast<unsigned long long>(t.bail_outs));
+  }
+  if (report.jit == JitMode::shadow) {
+    std::printf("%llu of %llu steps differed from the generic navigator's\n",
+                static_cast<unsigned long long>(t.differences),
+                static_cast<unsigned long long>(t.steps));
   }
   if (report.budget) print_budget(report);
   if (report.seen != nullptr) print_observation(*report.seen);
@@ -164,7 +174,12 @@ std::string json_text(const RunReport& report) {
   const auto or_null = [](const std::optional<double>& value) {
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
   };
-  const Comparison compared = report.compared.value_or(Comparison{});
+  nlohmann::ordered_json compared;  // null where nothing was compared
+  if (report.compared) {
+    compared = {{"rays", report.compared->rays},
+                {"steps_per_second_with", report.compared->with},
+                {"steps_per_second_without", report.compared->without}};
+  }
   nlohmann::ordered_json json{
       {"version", version()},
       {"command", command_line()},
@@ -178,6 +193,7 @@ std::string json_text(const RunReport& report) {
       {"rays", t.rays},
       {"steps", t.steps},
       {"stuck", t.stuck},
+      {"outside", t.outside},
       {"length_mm", t.length_mm},
       {"seconds", t.seconds},
       {"cpu_seconds", t.cpu_seconds},
@@ -193,10 +209,7 @@ std::string json_text(const RunReport& report) {
       {"jit", jit_name(report.jit)},
       {"bail_outs", t.bail_outs},
       {"differences", t.differences},
-      {"compared",
-       {{"rays", compared.rays},
-        {"steps_per_second_with", compared.with},
-        {"steps_per_second_without", compared.without}}},
+      {"compared", compared},
       {"modules", report.runtime.modules},
       {"cached_modules", report.runtime.cached_modules},
       {"plugin_scenes", report.runtime.plugin_scenes},

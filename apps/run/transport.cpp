@@ -36,7 +36,7 @@ constexpr std::size_t rays_per_chunk = 64;
 constexpr std::uint64_t chunks_per_thread = 64;
 
 struct ChunkTotals {
-  std::uint64_t rays = 0, steps = 0, stuck = 0;
+  std::uint64_t rays = 0, steps = 0, stuck = 0, outside = 0;
   double length = 0;
 };
 
@@ -54,6 +54,7 @@ std::vector<ChunkTotals> by_chunk(const std::vector<RayTotals>& rays) {
     chunk.steps += ray.steps;
     chunk.length += ray.length;
     chunk.stuck += ray.stuck ? 1 : 0;
+    chunk.outside += ray.steps == 0 && !ray.stuck ? 1 : 0;
   }
   return chunks;
 }
@@ -170,6 +171,7 @@ Transport transport_rays(Runtime& runtime, const ObservedDetector& seen, common:
           result.rays += chunk.rays;
           result.steps += chunk.steps;
           result.stuck += chunk.stuck;
+          result.outside += chunk.outside;
           result.length_mm += chunk.length;
         }
       });

@@ -14,6 +14,7 @@ namespace navjit::apps {
 /// What the rays came to. Sums of lengths do not depend on the number of threads.
 struct Transport {
   std::uint64_t rays = 0, steps = 0, stuck = 0;  ///< made: fewer rays than asked for if stopped
+  std::uint64_t outside = 0;                     ///< rays that start outside the world
   std::uint64_t bail_outs = 0, differences = 0;  ///< NavigatorCounts
   double length_mm = 0;
   unsigned threads = 0;

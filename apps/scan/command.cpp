@@ -114,12 +114,15 @@ void add_scan(CLI::App& app, Action& action) {
   add_choice(command, "--of", options->quantity, quantities,
              "what table and picture show: x0, mass (g/cm2) or lambda (interaction lengths)")
       ->option_text("WHAT");
-  command.add_option("--csv", options->csv, "write every bin")->option_text("FILE");
-  command.add_option("--picture", options->picture, "SVG or PNG file, by gnuplot")
-      ->option_text("FILE");
+  add_output(command, "--csv", options->csv, "write every bin");
+  add_output(command, "--picture", options->picture, "SVG or PNG file, by gnuplot");
   add_threads(command, request.threads);
   add_cache_option(command, options->cache, true);
-  command.callback([options, &action] { action = [options] { return look(*options); }; });
+  command.callback([options, &action] {
+    refuse_same_files({{"--csv", options->csv}, {"--picture", options->picture}},
+                      {{"the detector", options->detector.file}});
+    action = [options] { return look(*options); };
+  });
 }
 
 }  // namespace navjit::apps

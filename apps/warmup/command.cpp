@@ -111,31 +111,41 @@ void add_warmup(CLI::App& app, Action& action) {
   CLI::App& command =
       *app.add_subcommand("warmup", "What the JIT costs before it pays: steps/s against time");
   const std::vector<CLI::Option*> shared = warmup::add_shared_options(command, options->every);
-  command.add_option("--seconds", options->seconds, "of each run")
+  command.add_option("--seconds", options->seconds, "of each run (default: 5)")
       ->check(number(0.05, 3600.0))
       ->option_text("S");
   command
-      .add_option("--prime", options->prime_seconds,
-                  "seconds of the run that fills the cache and makes the\nplugin's profile")
+      .add_option(
+          "--prime", options->prime_seconds,
+          "seconds of the run that fills the cache and makes the\nplugin's profile (default: 10)")
       ->check(number(0.05, 3600.0))
       ->option_text("S");
-  command.add_option("--repetitions", options->repetitions, "of each run, in turn")
+  command.add_option("--repetitions", options->repetitions, "of each run, in turn (default: 5)")
       ->transform(count(1, 1000))
       ->option_text("N");
-  command.add_option("--modes", options->modes, "of cold, cache and plugin; off is always there")
+  command
+      .add_option("--modes", options->modes,
+                  "of cold, cache and plugin (default: all); off is always\nthere")
       ->delimiter(',')
       ->check(one_of({"cold", "cache", "plugin"}))
       ->option_text("LIST");
-  command.add_option("--opt", options->optimisations, "compiler's optimisations to compare")
+  command
+      .add_option("--opt", options->optimisations,
+                  "compiler's optimisations to compare (default: 2)")
       ->delimiter(',')
       ->transform(count(0, 3))
       ->option_text("LIST");
-  command.add_option("--report", options->report, "write a JSON report")->option_text("FILE");
-  command.add_option("--csv", options->csv, "write every point")->option_text("FILE");
-  command.add_option("--picture", options->picture, "speed and share against time; by gnuplot")
-      ->option_text("FILE.svg|.png");
-  command.add_option("--html", options->html, "write a page for people")->option_text("FILE");
+  add_output(command, "--report", options->report, "write a JSON report");
+  add_output(command, "--csv", options->csv, "write every point");
+  add_output(command, "--picture", options->picture, "speed and share against time; by gnuplot",
+             "FILE.svg|.png");
+  add_output(command, "--html", options->html, "write a page for people");
   command.callback([options, shared, &action] {
+    refuse_same_files({{"--report", options->report},
+                       {"--csv", options->csv},
+                       {"--picture", options->picture},
+                       {"--html", options->html}},
+                      {{"the detector", options->every.detector.file}});
     options->words = warmup::words_given(shared);
     action = [options] { return warmup(*options); };
   });

@@ -19,7 +19,8 @@ std::vector<CLI::Option*> add_shared_options(CLI::App& command, RunSetup& setup)
   apps::add_source(command, setup.source);
   apps::add_threads(command, setup.threads);
   apps::add_code_options(command, setup.runtime);
-  command.add_option("--interval", setup.interval, "between points of the series, s")
+  command
+      .add_option("--interval", setup.interval, "between points of the series, s (default: 0.02)")
       ->check(apps::number(0.001, 10.0))
       ->option_text("S");
   std::vector<CLI::Option*> added = command.get_options();

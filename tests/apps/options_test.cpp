@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "tests/support/command.hpp"
 #include "tests/support/folder.hpp"
@@ -112,6 +113,44 @@ TEST(Options, VersionIsOneLine) {
   EXPECT_EQ(std::count(output.text.begin(), output.text.end(), '\n'), 1);
   const Output production = run_command(NAVJIT_PRODUCTION, "--version");
   EXPECT_NE(production.text.find(", no LLVM, "), npos) << production.text;
+}
+
+TEST(Options, AFileWithoutANameIsNone) {
+  for (const std::string option : {"--report", "--html", "--save-profile", "--aim", "--setup"}) {
+    refuses("run " + detector + " --rays 1 " + option + " ''", option + ": the value is empty");
+  }
+  refuses("trace " + detector + " --rays 1 --out ''", "the value is empty");
+  refuses("simplify " + detector + " -o ''", "the value is empty");
+  refuses("scan " + detector + " --csv ''", "the value is empty");
+  refuses("inspect " + detector + " --scene ''", "the value is empty");
+  refuses("run " + detector + " --cache ''", "the value is empty");
+}
+
+TEST(Options, OneFileIsNotTwo) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() + "/x", again = folder.path() + "/./x";
+  refuses("run " + detector + " --rays 1 --report " + file + " --html " + again,
+          "is the file of --html, too");
+  const std::string own = folder.path() + "/own.gdml";
+  std::filesystem::copy_file(detector, own);
+  refuses("run " + own + " --rays 1 --report " + again + "/../own.gdml", "the detector, too");
+  refuses("trace " + own + " --rays 1 --out " + own, "the detector, too");
+  EXPECT_EQ(std::filesystem::file_size(own), std::filesystem::file_size(detector));
+  const Output both =
+      run_navjit("run " + detector + " --rays 1 --jit off --report /dev/null --html /dev/null");
+  EXPECT_EQ(both.status, 0) << both.text;
+}
+
+TEST(Options, AWordThatIsNoSubcommandIsNamed) {
+  refuses("specialize " + detector, "'specialize' is no subcommand");
+  refuses("cache lst", "'lst' is no subcommand");
+  refuses("", "A subcommand is required");
+}
+
+TEST(Options, ACacheThatIsOffIsToldSo) {
+  const Output output = run_navjit("cache --cache off list");
+  EXPECT_EQ(output.status, 1) << output.text;
+  EXPECT_NE(output.text.find("it is off (by --cache or NAVJIT_CACHE)"), npos) << output.text;
 }
 
 }  // namespace

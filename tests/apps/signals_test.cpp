@@ -192,6 +192,19 @@ TEST_P(Signals, CommandsThatHaveNothingYetEndAtOnce) {
   EXPECT_EQ(check.wait(), 128 + number_) << check.text();
 }
 
+TEST_P(Signals, AccuracyEndsAtOnceWhileItCompiles) {
+  Process accuracy({NAVJIT_COMMAND, "-v", "accuracy", NAVJIT_DETECTORS_DIR "/barrel.gdml", "--rays",
+                    "1000", "--report", folder_.file("a.json")},
+                   log_.file("log"));
+  const auto judges = [&] { return accuracy.text().find("event=judging") != std::string::npos; };
+  ASSERT_TRUE(eventually([&] { return processor_seconds(accuracy.pid()) > 0.5; }));
+  ASSERT_FALSE(judges()) << accuracy.text();
+  accuracy.send(number_);
+  EXPECT_EQ(accuracy.wait(), 128 + number_) << accuracy.text();
+  EXPECT_FALSE(judges()) << "it went on compiling";
+  EXPECT_EQ(files_in(folder_.path()), std::vector<std::string>{});
+}
+
 INSTANTIATE_TEST_SUITE_P(Apps, Signals, testing::Values(SIGINT, SIGTERM, SIGHUP),
                          [](const auto& parameter) {
                            return parameter.param == SIGINT    ? "INT"

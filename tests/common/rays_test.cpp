@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <map>
 
+#include "navjit/errors.hpp"
 #include "navjit/runtime.hpp"
+#include "tests/support/folder.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace navjit::common {
@@ -134,6 +137,22 @@ TEST(Aim, WhatIsNotThereIsRefused) {
       EXPECT_NE(std::string(error.what()).find(std::string("'") + name + "'"), std::string::npos);
     }
   }
+}
+
+TEST(RayFile, ReadsWhatSpreadsheetsWrite) {
+  const tests::TemporaryFolder folder;
+  const std::string path = folder.file("rays.csv");
+  const auto read = [&](const std::string& text) {
+    std::ofstream(path, std::ios::binary) << text;
+    return read_rays(path);
+  };
+  const auto rays = read("\xef\xbb\xbfx, y, z, dx, dy, dz\r\n 1, +2 ,\t-3,0, 0, +5\r\n");
+  ASSERT_EQ(rays.size(), 1U);
+  EXPECT_TRUE(same(rays[0], {{1, 2, -3}, {0, 0, 1}}));
+  for (const char* wrong : {"+-2", "++2", "1 2", "", "-+2", "0x1", "nan"}) {
+    EXPECT_THROW(read(std::string("x,y,z,dx,dy,dz\n") + wrong + ",0,0,0,0,1\n"), Error) << wrong;
+  }
+  EXPECT_THROW(read("1,2,3,0,0,1\n"), Error) << "no header";
 }
 
 }  // namespace
