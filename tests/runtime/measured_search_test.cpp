@@ -2,6 +2,7 @@
 // code finds them so, too, and so does that of the next run.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <mutex>
 
 #include "runtime/faulty_runtime.hpp"
@@ -73,6 +74,36 @@ TEST(MeasuredSearch, IsThatOfTheCode) {
     }
     EXPECT_EQ(specialised(runtime), 2U);
     EXPECT_EQ(sources->text.find("constexpr SearchScan ") != std::string::npos, scans);
+  }
+}
+
+/// Thin blades about an axis, whose boxes overlap: the analysis leaves them to boxes.
+std::shared_ptr<const World> blades() {
+  World world;
+  world.top = tests::add_volume(world, "world", make_tube("world", 40, 200, 60, 0, 7));
+  const VolumeId blade = tests::add_volume(world, "blade", make_box("blade", 60, 0.4, 50));
+  constexpr int count = 96;
+  for (int i = 0; i < count; ++i) {
+    const double phi = 2 * M_PI * i / count;
+    tests::place(world, world.top, blade, {120 * std::cos(phi), 120 * std::sin(phi), 0},
+                 {0, 0, -phi});
+  }
+  finish(world);
+  return std::make_shared<const World>(std::move(world));
+}
+
+TEST(MeasuredSearch, MayBeByTheSectorsOfARing) {
+  for (const Candidates fastest : {Candidates::rings, Candidates::tree}) {
+    const tests::TemporaryFolder folder;
+    const auto sources = std::make_shared<Sources>();
+    FaultyRuntime runtime(blades(), options_with(folder.path(), fastest, sources));
+    for (int pass = 0; pass < 4; ++pass) {
+      expect_right(runtime);
+      runtime.wait_until_idle();
+    }
+    EXPECT_GE(specialised(runtime), 1U);
+    EXPECT_EQ(sources->text.find("constexpr SearchRings<") != std::string::npos,
+              fastest == Candidates::rings);
   }
 }
 

@@ -33,19 +33,18 @@ TEST(NarrowBore, OfAHyperbolicTubeIsCrossed) {
       Vec3 p = far * across + impact * beside;
       stack->depth = -1;
       generic::locate(geometry, *stack, p, v);
-      double within = 0, path = 0;
+      double within = 0;
       int steps = 0;
       for (; stack->depth >= 0 && steps < 20; ++steps) {
         const bool in_solid = stack->levels[stack->depth].volume == 1;
         const double step =
             generic::step(geometry, *stack, p, v, std::numeric_limits<double>::infinity());
         within += in_solid ? step : 0;
-        path += step;
         p += step * v;
       }
       ASSERT_EQ(stack->depth, -1);
       EXPECT_EQ(steps, 4) << "bore " << bore << ", ray " << ray;
-      EXPECT_GT(within, 0.5 * path) << "bore " << bore << ", ray " << ray;
+      EXPECT_GT(within, far + 19999) << "bore " << bore << ", ray " << ray;
     }
   }
 }
