@@ -273,5 +273,16 @@ TEST_F(BadInput, RaysHaveToBeNumbers) {
   }
 }
 
+TEST(ShippedDetectors, HaveNoOverlaps) {
+  int found = 0;
+  for (const auto& entry : fs::directory_iterator(NAVJIT_DETECTORS_DIR)) {
+    if (entry.path().extension() != ".gdml") continue;
+    ++found;
+    const tests::Output output = run_navjit("check " + entry.path().string() + " --resolution 50");
+    EXPECT_EQ(output.status, 0) << output.text;
+  }
+  EXPECT_EQ(found, 5);
+}
+
 }  // namespace
 }  // namespace navjit
