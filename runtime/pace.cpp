@@ -7,7 +7,8 @@ namespace navjit {
 double pause_after(Pace& pace, const Look& look) {
   pace.spent_s += look.took_s;
   pace.quiet = look.is_quiet ? std::min(2 * pace.quiet, Pace::longest_quiet) : 1;
-  pace.idle = look.is_quiet && look.is_idle ? std::min(2 * pace.idle, Pace::longest_idle) : 1;
+  // Trials do not go on meanwhile: no step is timed.
+  pace.idle = look.is_idle ? std::min(2 * pace.idle, Pace::longest_idle) : 1;
   // Twice as long while looks have cost more than they may, and half as long while they have not:
   // in the mean they cost that, but for what the longest pause leaves.
   const bool too_much = pace.spent_s > Pace::first_s + Pace::share * look.navigated_s;
