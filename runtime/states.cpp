@@ -55,10 +55,14 @@ bool StateSampler::touchable(VolumeId volume, std::mt19937_64& random, Touchable
 
 namespace {
 
-/// A point of the box, moved onto one of its faces half the time.
+Vec3 point_in(const Extent& e, std::mt19937_64& random) {
+  return {uniform(random, e.min.x, e.max.x), uniform(random, e.min.y, e.max.y),
+          uniform(random, e.min.z, e.max.z)};
+}
+
+/// The same, moved onto one of the box's faces half the time.
 Vec3 point_of(const Extent& e, std::mt19937_64& random) {
-  Vec3 p{uniform(random, e.min.x, e.max.x), uniform(random, e.min.y, e.max.y),
-         uniform(random, e.min.z, e.max.z)};
+  Vec3 p = point_in(e, random);
   switch (random() % 12) {
     case 0:
       p.x = e.min.x;
@@ -88,15 +92,11 @@ Vec3 point_of(const Extent& e, std::mt19937_64& random) {
 /// it; nothing where the line misses it.
 std::optional<Vec3> point_on_chord(const kernels::AnySolid<double>& solid, const Extent& e,
                                    std::mt19937_64& random, double tolerance) {
-  const auto in_box = [&] {
-    return Vec3{uniform(random, e.min.x, e.max.x), uniform(random, e.min.y, e.max.y),
-                uniform(random, e.min.z, e.max.z)};
-  };
-  const Vec3 through = in_box();
+  const Vec3 through = point_in(e, random);
   Vec3 v = unit_vector(random);
   // Most lines through a flat box are in it for a short way only.
   if (random() % 2 == 0) {
-    const Vec3 along = in_box() - through;
+    const Vec3 along = point_in(e, random) - through;
     const double length = std::sqrt(dot(along, along));
     if (length > 0) v = 1 / length * along;
   }
