@@ -96,7 +96,8 @@ WorldFacts analyse_world(const Geometry& geometry) {
   facts.touchables[top] = 1;
   sets[top].rotations.push_back(identity);
   sets[top].translations.push_back({0, 0, 0});
-  for (const VolumeId volume : topological_order(geometry)) {
+  const std::vector<VolumeId> mothers_first = topological_order(geometry);
+  for (const VolumeId volume : mothers_first) {
     facts.reachable[volume] = 1;
     const FrameSet& outer = sets[volume];
     for (const Daughter& d : geometry.scene(volume).daughters) {
@@ -136,11 +137,12 @@ WorldFacts analyse_world(const Geometry& geometry) {
       frame.only_translation = set.translations[0];
     }
   }
-  facts.first_equal = equal_scenes(geometry, facts);
+  facts.first_equal = equal_scenes(geometry, facts, mothers_first);
   facts.equals.resize(n);
   for (std::size_t v = 0; v < n; ++v) {
     facts.equals[facts.first_equal[v]].push_back(static_cast<VolumeId>(v));
   }
+  facts.of_equals = facts_of_equals(geometry, facts);
   // One navigator for several volumes cannot have the place of one of them built in.
   for (std::size_t v = 0; v < n; ++v) {
     if (facts.equals[facts.first_equal[v]].size() > 1) facts.frames[v].only_translation.reset();

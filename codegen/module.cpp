@@ -26,7 +26,8 @@ constexpr std::size_t most_neighbours = 24;
 /// which takes longer to compile than the hot scenes themselves.
 constexpr std::size_t most_solids = 8;
 
-/// Plans made once each: several hot scenes have the same neighbours.
+/// Plans made once each, of the first of equal volumes for all of them: several hot scenes have the
+/// same neighbours.
 class Plans {
  public:
   Plans(const Geometry& geometry, const WorldFacts& facts) : geometry_(geometry), facts_(facts) {}
@@ -34,7 +35,10 @@ class Plans {
   const ScenePlan& of(VolumeId volume) {
     const auto known = plans_.find(volume);
     if (known != plans_.end()) return known->second;
-    return plans_.emplace(volume, plan_scene(geometry_, facts_, volume)).first->second;
+    ScenePlan plan = plan_scene(geometry_, facts_, volume);
+    plan.frame = facts_.of_equals[volume].frame;
+    plan.only_mother = facts_.of_equals[volume].only_mother;
+    return plans_.emplace(volume, std::move(plan)).first->second;
   }
 
  private:
@@ -65,7 +69,8 @@ std::map<VolumeId, Parts> choose_parts(const Geometry& geometry, const WorldFact
   };
   for (const VolumeId v : hot) {
     // Where a track goes from a hot scene: out into the mother, and down into daughters.
-    if (const auto mother = facts.only_mothers[v]) add(*mother, &Parts::reenter);
+    const VolumeId first = facts.first_equal[v];
+    if (const auto mother = facts.of_equals[first].mothers) add(*mother, &Parts::reenter);
     VolumeId last = v;  // placements of one volume mostly follow each other
     for (const Daughter& d : geometry.scene(v).daughters) {
       if (d.volume == last || geometry.scene(d.volume).daughters.empty()) continue;
@@ -167,7 +172,10 @@ Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<con
     const VolumeId written = shares ? sharing->second : volume;
     const SceneParts scene =
         parts_of_scene(geometry, plan, shares ? Numbers::own_solid : Numbers::constants, shapes);
-    const SceneTables tables = make_tables({geometry, plan, geometry.scene(volume), *arena}, scene);
+    const bool stand_ins = facts.of_equals[volume].stand_ins;
+    const SceneTables tables = make_tables({geometry, plan, geometry.scene(volume), *arena, nullptr,
+                                            stand_ins ? &facts.first_equal : nullptr},
+                                           scene);
     const std::size_t at = shares ? data.add_shared(tables) : data.add(tables);
     const std::string name = scene_name(written);
     const std::string label = identifier(geometry.world().volumes[written].name);

@@ -95,9 +95,10 @@ void make_daughters(const Source& source, const SceneParts& parts, DaughtersInTa
       const Daughter& d = daughters[k];
       const double* t = d.transformation.translation;
       Record& record = records[k];
+      const VolumeId volume = source.stand_ins ? (*source.stand_ins)[d.volume] : d.volume;
       static_cast<kernels::PlacedDaughter&>(record) = {
-          t[0],    t[1],     t[2],     rotations.of(d),
-          nullptr, d.offset, d.volume, static_cast<unsigned short>(c),
+          t[0],    t[1],     t[2],   rotations.of(d),
+          nullptr, d.offset, volume, static_cast<unsigned short>(c),
           inner[k]};
       if (part.from == PartClass::From::shape_in_table) {
         const auto [at, fresh] = shapes.try_emplace(d.solid.shape, nullptr);

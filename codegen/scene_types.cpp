@@ -37,6 +37,11 @@ struct Writer {
   }
   bool constants() const { return parts.numbers == Numbers::constants; }
   bool of_structure() const { return parts.numbers == Numbers::tables; }
+  bool stand_ins() const { return constants() && facts.of_equals[plan.volume].stand_ins; }
+  /// What code takes a daughter's volume for.
+  VolumeId known_as(VolumeId daughter) const {
+    return stand_ins() ? facts.first_equal[daughter] : daughter;
+  }
 };
 
 std::string indexed(const std::string& name, std::size_t i) {
@@ -152,8 +157,8 @@ std::string listed_places(Writer& w) {
     }
     records += (k == 0 ? "{" : ", {") + number(t[0]) + ", " + number(t[1]) + ", " + number(t[2]) +
                ", " + rotation + ", nullptr, " + number(static_cast<unsigned long long>(d.offset)) +
-               ", " + number(d.volume) + ", " + number(static_cast<unsigned>(k)) + ", " +
-               "InnerDaughters(" + number(unsigned{inner[k]}) + ")" + "}";
+               ", " + number(w.known_as(d.volume)) + ", " + number(static_cast<unsigned>(k)) +
+               ", " + "InnerDaughters(" + number(unsigned{inner[k]}) + ")" + "}";
   }
   return w.define("PlacedDaughter", "places", "{" + records + "}", "[]");
 }
@@ -198,21 +203,20 @@ std::string search_of(Writer& w) {
 /// Where a track goes that leaves the scene.
 std::string leave_of(const Writer& w) {
   if (w.of_structure()) return "LeaveByStack";
-  if (!w.plan.only_mother) {
-    return w.plan.volume == w.geometry.world().top ? "LeaveWorld" : "LeaveByStack";
+  if (w.plan.volume == w.geometry.world().top) return "LeaveWorld";
+  const std::optional<VolumeId> mothers = w.facts.of_equals[w.plan.volume].mothers;
+  if (mothers && w.neighbours.reenter.contains(*mothers)) {
+    return (w.constants() ? "LeaveToScene<" : "LeaveSharedLeafTo<") + scene_name(*mothers) + ">";
   }
-  const VolumeId first = w.facts.first_equal[*w.plan.only_mother];
-  if (!w.neighbours.reenter.contains(first)) {
-    return "LeaveToVolume<" + number(*w.plan.only_mother) + ">";
-  }
-  return (w.constants() ? "LeaveToScene<" : "LeaveSharedLeafTo<") + scene_name(first) + ">";
+  if (!w.plan.only_mother) return "LeaveByStack";
+  return "LeaveToVolume<" + number(*w.plan.only_mother) + ">";
 }
 
 /// And one that enters a daughter.
 std::string enter_of(const Writer& w) {
   if (w.of_structure()) return "EnterByTable";
   std::set<VolumeId> volumes;
-  for (const Daughter& d : w.scene.daughters) volumes.insert(d.volume);
+  for (const Daughter& d : w.scene.daughters) volumes.insert(w.known_as(d.volume));
   const std::size_t leaves =
       std::erase_if(volumes, [&](VolumeId v) { return w.geometry.scene(v).daughters.empty(); });
   if (volumes.empty()) return "EnterLeaves";
@@ -283,6 +287,7 @@ std::string scene_types(const Geometry& geometry, const WorldFacts& facts, const
       ", shared_moves = " + number(!w.of_structure()) + ";\n";
   w.text += "  static constexpr Has has_lists = " + whether(!scene.neighbour_lists.of.empty()) +
             ", has_boxes = " + whether(plan.safety == SafetyFrom::boxes) + ";\n";
+  if (w.stand_ins()) w.text += "  static constexpr bool stand_ins = true;\n";
   w.text += "  static constexpr unsigned long at = " + std::to_string(at) + ";\n};\n";
   w.text += "static_assert(sizeof(" + name + ") == " + std::to_string(tables.bytes) +
             " && __builtin_offsetof(" + name + ", boxes) == " + std::to_string(tables.boxes) +

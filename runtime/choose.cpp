@@ -86,7 +86,7 @@ DueScenes due_scenes(Specialisation& spec) {
       }
       candidate = {volume, 0, 0, ms, expected_gain_ns(plan)};
     }
-    if (const double bound = bound_ns(spec, volume); std::isfinite(bound)) {
+    if (const double bound = bound_ns(spec, hottest_equal(spec, volume)); std::isfinite(bound)) {
       candidate.gain_ns = gain_over_data * bound;
     }
     candidate.executions = spec.execution_counts[v];

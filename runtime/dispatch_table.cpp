@@ -17,9 +17,17 @@ DispatchTable::DispatchTable(const Geometry& geometry)
   for (std::size_t v = 0; v < size_; ++v) {
     entries_[v].store(&generic::dispatch_entry, std::memory_order_relaxed);
   }
+  for (VolumeId v = 0; v < size_; ++v) {
+    for (const Daughter& d : geometry.scene(v).daughters) volumes_.push_back(d.volume);
+  }
+  const VolumeId* first = volumes_.data();
+  for (VolumeId v = 0; v < size_; ++v) {
+    daughters_.push_back(first);
+    first += geometry.scene(v).daughters.size();
+  }
   // Generated code reads the entries through __atomic_load_n: the same object representation.
   context_ = {reinterpret_cast<const kernels::DispatchEntry* const*>(entries_.get()), &geometry,
-              leave_at_once, return_at_once};
+              leave_at_once, return_at_once, daughters_.data()};
 }
 
 void DispatchTable::install(VolumeId volume, const kernels::DispatchEntry* record,

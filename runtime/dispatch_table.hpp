@@ -52,6 +52,8 @@ class DispatchTable {
 
   std::size_t size_;
   std::unique_ptr<Entry[]> entries_;
+  std::vector<VolumeId> volumes_;           ///< of daughters, of one volume after the other
+  std::vector<const VolumeId*> daughters_;  ///< by volume: its first one there
   kernels::Context context_;
   mutable std::mutex mutex_;  ///< guards what follows
   std::vector<double> specialised_since_;

@@ -16,6 +16,8 @@ namespace navjit {
 namespace {
 
 constexpr std::size_t states_made_up = 400;  ///< per volume, for verification
+/// Where other volumes have proved the code, and only what the volume's daughters are is its own.
+constexpr std::size_t states_made_up_for_equals = 32;
 /// Replayed alone, a scene's code is not what it is among that of its neighbours, compiled as well:
 /// only what is clearly slower is not tried in the run. Where nothing is tried, what timings of a
 /// few hundred steps can tell decides.
@@ -52,6 +54,54 @@ kernels::DispatchEntry find_entry(const Specialisation& spec, const jit::Code& c
   return found;
 }
 
+/// The recorded states of a volume, and behind them some that are made up; how many are recorded.
+struct States {
+  std::vector<Sample> all;
+  std::size_t recorded;
+};
+States states_of(Specialisation& spec, VolumeId volume, std::size_t made_up) {
+  States states{spec.samples[volume], 0};
+  states.recorded = states.all.size();
+  const std::vector<Sample> more = spec.sampler.states(volume, made_up, volume + 1);
+  states.all.insert(states.all.end(), more.begin(), more.end());
+  return states;
+}
+
+/// What is wrong with a scene's record, in words; empty if nothing is.
+std::string proved(const Specialisation& spec, VolumeId volume,
+                   const kernels::DispatchEntry& record, const std::vector<Sample>& states) {
+  const Faults& faults = spec.shared->faults;
+  if (faults.fail_verification) return "injected failure";
+  if (faults.skip_verification) return "";
+  return verify(spec.shared->geometry, spec.shared->table.context(), record, volume, states);
+}
+
+struct StepTimes {
+  double generic_ns, specialised_ns;
+};
+
+/// What is to be said of a volume whose code for constants pays, and is installed, or does not.
+SceneReport report_on_constants(Specialisation& spec, VolumeId volume, SceneReport report,
+                                bool pays, const StepTimes& times) {
+  report.status = pays ? SceneStatus::specialised : SceneStatus::unprofitable;
+  report.note = pays ? "" : "measured no faster than what is there";
+  report.generic_ns_per_step = times.generic_ns;
+  report.specialised_ns_per_step = pays ? times.specialised_ns : 0;
+  report.swapped_at_s = pays ? spec.seconds() : 0;
+  if (pays) {
+    report.binding = Binding::constants;
+    spec.bound.insert(volume);
+    return report;
+  }
+  const std::lock_guard lock(spec.mutex);
+  const SceneReport& before = spec.scenes[volume];
+  if (before.binding == Binding::generic) return report;
+  report.binding = before.binding;
+  report.specialised_ns_per_step = before.specialised_ns_per_step;
+  report.swapped_at_s = before.swapped_at_s;
+  return report;
+}
+
 /// Verifies, times and installs one scene. The report with what came of it, or what was wrong.
 Expected<SceneReport> install_scene(Specialisation& spec, VolumeId volume,
                                     const kernels::DispatchEntry& record,
@@ -60,17 +110,11 @@ Expected<SceneReport> install_scene(Specialisation& spec, VolumeId volume,
   const Geometry& geometry = spec.shared->geometry;
   const kernels::Context& context = spec.shared->table.context();
   const double begun = steady_seconds();
-  std::vector<Sample> samples = spec.samples[volume];
-  const std::size_t recorded = samples.size();
-  const std::vector<Sample> made_up = spec.sampler.states(volume, states_made_up, volume + 1);
-  samples.insert(samples.end(), made_up.begin(), made_up.end());
-  const Faults& faults = spec.shared->faults;
-  if (faults.fail_verification) return Failure{"injected failure"};
-  if (!faults.skip_verification) {
-    std::string problem = verify(geometry, context, record, volume, samples);
-    if (!problem.empty()) return Failure{std::move(problem)};
-  }
+  const auto [samples, recorded] = states_of(spec, volume, states_made_up);
+  std::string problem = proved(spec, volume, record, samples);
+  if (!problem.empty()) return Failure{std::move(problem)};
 
+  const Faults& faults = spec.shared->faults;
   const std::span<const Sample> timed =
       recorded > 0 ? std::span(samples).first(recorded) : std::span<const Sample>(samples);
   const double generic_ns = time_per_step(geometry, context, generic::dispatch_entry, timed);
@@ -113,40 +157,66 @@ Expected<SceneReport> install_scene(Specialisation& spec, VolumeId volume,
     const VolumeId first = spec.facts.first_equal[volume];
     spec.try_again_at[first] = try_again_after * spec.execution_counts[first];
   }
-  report.status = pays ? SceneStatus::specialised : SceneStatus::unprofitable;
-  report.note = pays ? "" : "measured no faster than what is there";
-  report.generic_ns_per_step = generic_ns;
-  report.specialised_ns_per_step = pays ? specialised_ns : 0;
-  report.swapped_at_s = pays ? spec.seconds() : 0;
-  if (pays) {
-    report.binding = Binding::constants;
-    spec.bound.insert(volume);
-  } else if (const std::lock_guard lock(spec.mutex);
-             spec.scenes[volume].binding != Binding::generic) {
-    report.binding = spec.scenes[volume].binding;
-    report.specialised_ns_per_step = spec.scenes[volume].specialised_ns_per_step;
-    report.swapped_at_s = spec.scenes[volume].swapped_at_s;
-  }
-  return report;
+  return report_on_constants(spec, volume, std::move(report), pays, {generic_ns, specialised_ns});
 }
 
-/// Finds one scene's functions in the code, and installs them. Nothing if they are wrong, which is
-/// noted unless they came from the cache. The report is not yet the scene's.
+/// The same for a scene that shares code with another, the hottest of those that do: it is
+/// verified, but not timed. Installed where it pays for that one, whose report is given.
+Expected<SceneReport> install_as_equal(Specialisation& spec, VolumeId volume,
+                                       const kernels::DispatchEntry& record,
+                                       const std::shared_ptr<const void>& owner, SceneReport report,
+                                       const SceneReport& hottest) {
+  const bool pays = hottest.status == SceneStatus::specialised;
+  if (pays) {
+    std::string problem =
+        proved(spec, volume, record, states_of(spec, volume, states_made_up_for_equals).all);
+    if (!problem.empty()) return Failure{std::move(problem)};
+    spec.shared->table.install(volume, &record, owner);
+    if (spec.shared->options.specialiser.keep_only_faster) try_out(spec, volume, &record, owner);
+  }
+  return report_on_constants(spec, volume, std::move(report), pays,
+                             {hottest.generic_ns_per_step, hottest.specialised_ns_per_step});
+}
+
+/// Of volumes that share code, which follow one another, the hottest before the others.
+std::vector<codegen::Entry> hottest_first(const Specialisation& spec,
+                                          std::vector<codegen::Entry> entries) {
+  const auto first = [&](const codegen::Entry& e) { return spec.facts.first_equal[e.volume]; };
+  for (auto begin = entries.begin(); begin != entries.end();) {
+    const auto end = std::find_if(
+        begin, entries.end(), [&](const codegen::Entry& e) { return first(e) != first(*begin); });
+    const VolumeId hottest = hottest_equal(spec, first(*begin));
+    const auto it =
+        std::find_if(begin, end, [&](const codegen::Entry& e) { return e.volume == hottest; });
+    if (it != end) std::iter_swap(begin, it);
+    begin = end;
+  }
+  return entries;
+}
+
+/// Finds one scene's functions in the code, and installs them; `hottest`: what came of the one
+/// of the volumes that share them that is executed most, if it is another. Nothing if they are
+/// wrong, which is noted unless they came from the cache. The report is not yet the scene's.
 std::optional<SceneReport> install_entry(Specialisation& spec,
                                          const std::shared_ptr<Installed>& installed,
                                          const codegen::Entry& entry, const void* data, bool cached,
-                                         Binding binding, double compile_ms) {
+                                         Binding binding, double compile_ms,
+                                         const SceneReport* hottest = nullptr) {
   SceneReport begun;
   begun.compile_ms = compile_ms;
   begun.origin = cached ? CodeOrigin::cache : CodeOrigin::compiler;
   const kernels::DispatchEntry record = find_entry(spec, installed->code, entry, data);
   const bool whole =
       record.step != nullptr && record.relocate != nullptr && record.safety != nullptr;
-  Expected<SceneReport> report =
-      whole ? install_scene(spec, entry.volume, installed->records.emplace_back(record), installed,
-                            spec.shared->options.specialiser.keep_only_faster, std::move(begun),
-                            binding)
-            : Failure{"the generated function is missing"};
+  Expected<SceneReport> report = Failure{"the generated function is missing"};
+  if (whole) {
+    const kernels::DispatchEntry& kept = installed->records.emplace_back(record);
+    report = hottest != nullptr
+                 ? install_as_equal(spec, entry.volume, kept, installed, std::move(begun), *hottest)
+                 : install_scene(spec, entry.volume, kept, installed,
+                                 spec.shared->options.specialiser.keep_only_faster,
+                                 std::move(begun), binding);
+  }
   if (report) return *std::move(report);
   if (!cached) note_failure(spec, entry.volume, report.failure().message);
   return std::nullopt;
@@ -169,14 +239,20 @@ bool install(Specialisation& spec, const codegen::Module& module, jit::Code code
   auto installed = std::make_shared<Installed>(Installed{std::move(code), {module.owner}, {}});
   bool all_good = true;
   installed->records.reserve(module.entries.size());  // pointers to records are published
-  for (const codegen::Entry& entry : module.entries) {
+  std::optional<SceneReport> hottest;  // of the volumes that share code with the next one
+  VolumeId first = 0;
+  for (const codegen::Entry& entry : hottest_first(spec, module.entries)) {
     if (spec.stopping()) {
       all_good = false;
       break;
     }
-    std::optional<SceneReport> report =
-        install_entry(spec, installed, entry, module.data_of(entry), cached, Binding::constants,
-                      compile_ms / static_cast<double>(module.entries.size()));
+    const VolumeId first_equal = spec.facts.first_equal[entry.volume];
+    if (first_equal != first) hottest.reset();
+    first = first_equal;
+    std::optional<SceneReport> report = install_entry(
+        spec, installed, entry, module.data_of(entry), cached, Binding::constants,
+        compile_ms / static_cast<double>(module.entries.size()), hottest ? &*hottest : nullptr);
+    if (report && !hottest) hottest = report;
     if (!report) {
       if (cached) return false;
       all_good = false;

@@ -33,13 +33,17 @@ std::size_t along_axes(const Geometry& geometry, const std::vector<Sample>& samp
       }));
 }
 
+// Batches are of volumes that are each the first of their equals.
+
 /// Whether many steps of these scenes are along faces: then their navigators have to take them.
 bool takes_rays_along_faces(Specialisation& spec, const std::vector<VolumeId>& batch) {
   std::size_t along = 0, all = 0;
   for (const VolumeId volume : batch) {
-    if (spec.left_out_too_much.contains(spec.facts.first_equal[volume])) return true;
-    along += along_axes(spec.shared->geometry, spec.samples[volume]);
-    all += spec.samples[volume].size();
+    if (spec.left_out_too_much.contains(volume)) return true;
+    for (const VolumeId equal : spec.facts.equals[volume]) {
+      along += along_axes(spec.shared->geometry, spec.samples[equal]);
+      all += spec.samples[equal].size();
+    }
   }
   return along * bail_out_share > all;
 }
@@ -50,10 +54,12 @@ codegen::Leaves leaves_of(Specialisation& spec, const std::vector<VolumeId>& bat
   std::size_t crossing = 0, all = 0;
   for (const VolumeId volume : batch) {
     if (!spec.shared->geometry.scene(volume).daughters.empty()) continue;
-    for (const Sample& s : spec.samples[volume]) {
-      if (s.safety) continue;
-      ++all;
-      crossing += s.relocation_count > 0 ? 1 : 0;
+    for (const VolumeId equal : spec.facts.equals[volume]) {
+      for (const Sample& s : spec.samples[equal]) {
+        if (s.safety) continue;
+        ++all;
+        crossing += s.relocation_count > 0 ? 1 : 0;
+      }
     }
   }
   return 2 * crossing > all ? codegen::Leaves::shared : codegen::Leaves::apart;

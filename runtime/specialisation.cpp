@@ -43,6 +43,13 @@ double Specialisation::compile_weight() const {
   return weight_of_compiling(weight, busy, std::thread::hardware_concurrency());
 }
 
+VolumeId hottest_equal(const Specialisation& spec, VolumeId first) {
+  const std::vector<VolumeId>& equals = spec.facts.equals[first];
+  return *std::max_element(equals.begin(), equals.end(), [&](VolumeId a, VolumeId b) {
+    return spec.executions(a) < spec.executions(b);
+  });
+}
+
 void note(Specialisation& spec, VolumeId volume, SceneStatus status, const std::string& why) {
   spec.shared->log->debug("event=status at_s={:.3f} scene={} status={} why={}", spec.seconds(),
                           in_quotes(spec.shared->geometry.world().volumes[volume].name),

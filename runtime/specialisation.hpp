@@ -143,6 +143,9 @@ struct Specialisation {
   RuntimeReport totals;
 };
 
+/// Of volumes that share code, given the first, the one that is executed most.
+VolumeId hottest_equal(const Specialisation& spec, VolumeId first);
+
 /// Notes what became of a volume and all of equal structure.
 void note(Specialisation& spec, VolumeId volume, SceneStatus status, const std::string& why);
 

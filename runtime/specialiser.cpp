@@ -182,9 +182,12 @@ void Specialiser::specialise_all() {
       volumes.push_back(volume);
     }
   }
-  std::stable_sort(volumes.begin(), volumes.end(), [&](VolumeId a, VolumeId b) {
-    return spec_.facts.touchables[a] > spec_.facts.touchables[b];
-  });
+  std::vector<TouchableId> touchables(spec_.facts.touchables.size(), 0);
+  for (std::size_t v = 0; v < touchables.size(); ++v) {
+    touchables[spec_.facts.first_equal[v]] += spec_.facts.touchables[v];
+  }
+  std::stable_sort(volumes.begin(), volumes.end(),
+                   [&](VolumeId a, VolumeId b) { return touchables[a] > touchables[b]; });
   const SpecialiserOptions& options = spec_.shared->options.specialiser;
   double expected = 0, of_module = module_base_ms;
   for (const VolumeId volume : volumes) {

@@ -47,6 +47,24 @@ struct Pair {
   NavigationStack generic, specialised;
 };
 
+/// For stacks that are not identical: where they end, or what else differs.
+std::string describe_ends(const Sample& s, const std::string& when, const Pair& stacks) {
+  const auto of = [](const NavigationStack& stack, auto StackLevel::*number) {
+    return stack.depth < 0 ? -1.0 : static_cast<double>(stack.levels[stack.depth].*number);
+  };
+  const auto differ = [&](auto StackLevel::*number) {
+    return of(stacks.generic, number) != of(stacks.specialised, number);
+  };
+  const auto as = [&](const char* what, auto StackLevel::*number) {
+    return describe(s, (what + when).c_str(), of(stacks.generic, number),
+                    of(stacks.specialised, number));
+  };
+  if (differ(&StackLevel::touchable)) return as("touchable ", &StackLevel::touchable);
+  if (differ(&StackLevel::volume)) return as("volume ", &StackLevel::volume);
+  return describe(s, ("frame or mothers " + when).c_str(), stacks.generic.depth,
+                  stacks.specialised.depth);
+}
+
 std::string verify_step(const Geometry& geometry, const kernels::Context& context,
                         const kernels::DispatchEntry& specialised, const Sample& s, Pair& stacks) {
   bring_to(geometry, stacks.generic, s);
@@ -68,10 +86,7 @@ std::string verify_step(const Geometry& geometry, const kernels::Context& contex
     return describe(s, "boundary flag", stacks.generic.boundary, stacks.specialised.boundary);
   }
   if (!identical(stacks.generic, stacks.specialised)) {
-    const auto top = [](const NavigationStack& stack) {
-      return stack.depth < 0 ? -1.0 : static_cast<double>(stack.levels[stack.depth].touchable);
-    };
-    return describe(s, "next touchable", top(stacks.generic), top(stacks.specialised));
+    return describe_ends(s, "after the step", stacks);
   }
   return "";
 }
@@ -87,7 +102,7 @@ std::string verify_relocate(const Geometry& geometry, const kernels::Context& co
                        s.point.z, blocked);
   return identical(stacks.generic, stacks.specialised)
              ? ""
-             : describe(s, "relocation", stacks.generic.depth, stacks.specialised.depth);
+             : describe_ends(s, "after relocation", stacks);
 }
 
 std::string verify_safety(const Geometry& geometry, const kernels::Context& context,

@@ -52,6 +52,8 @@ struct Source {
   const Scene& scene;
   Arena& arena;
   const CodeOfSolids* code = nullptr;  ///< null: no solid has any
+  /// By volume: which one tables have in its place; null: itself.
+  const std::vector<VolumeId>* stand_ins = nullptr;
 };
 
 // Each overload fills in one part.

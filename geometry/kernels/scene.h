@@ -74,7 +74,10 @@ struct Scene {
   static constexpr bool oblique_only = true;  ///< rays along planes of the frame's axes are rare
   static constexpr Has has_lists = Has::maybe, has_boxes = Has::maybe;
   static constexpr bool shared_moves = false;  ///< relocation is called by others, too
-  static constexpr unsigned long at = 0;       ///< its place in the data of all that it calls
+  /// The volumes that daughters say they are stand for all that share their scenes' code: the
+  /// context knows which they are.
+  static constexpr bool stand_ins = false;
+  static constexpr unsigned long at = 0;  ///< its place in the data of all that it calls
 
   [[no_unique_address]] Tolerance tolerance;
   [[no_unique_address]] Frame frame;
@@ -150,7 +153,8 @@ struct LeaveToScene {
   }
 };
 
-// Daughter `d` was just entered: how to relocate in it. `by_step`: through its surface.
+// Daughter `d`, which is `volume`, was just entered: how to relocate in it. `by_step`: through its
+// surface. `d` itself may name a stand-in.
 
 /// Whether nothing of the daughter's own can be where it was entered.
 template <class Daughter>
@@ -161,16 +165,16 @@ template <class Daughter>
 struct EnterByTable {
   template <class Daughter>
   [[gnu::always_inline]] static void go(const void*, NavigationStack* stack, const Context* context,
-                                        const Daughter& d, double x, double y, double z,
-                                        bool by_step) {
-    if (!enters_nothing(d, by_step)) relocate_in_table(stack, context, d.volume, x, y, z, -1);
+                                        const Daughter& d, unsigned volume, double x, double y,
+                                        double z, bool by_step) {
+    if (!enters_nothing(d, by_step)) relocate_in_table(stack, context, volume, x, y, z, -1);
   }
 };
 /// No daughter has daughters.
 struct EnterLeaves {
   template <class Daughter>
   [[gnu::always_inline]] static void go(const void*, NavigationStack*, const Context*,
-                                        const Daughter&, double, double, double, bool) {}
+                                        const Daughter&, unsigned, double, double, double, bool) {}
 };
 template <unsigned number, class S>
 struct VolumeOfScene {
@@ -182,15 +186,15 @@ template <bool leaves, bool all, class First, class... Others>
 struct EnterScenes {
   template <class Daughter>
   [[gnu::always_inline]] static void go(const void* data, NavigationStack* stack,
-                                        const Context* context, const Daughter& d, double x,
-                                        double y, double z, bool by_step) {
+                                        const Context* context, const Daughter& d, unsigned volume,
+                                        double x, double y, double z, bool by_step) {
     if ((leaves || by_step) && enters_nothing(d, by_step)) return;
     if ((all && sizeof...(Others) == 0) || d.volume == First::volume) {
       enter_scene<typename First::scene>(data, stack, context, x, y, z);
     } else if constexpr (sizeof...(Others) > 0) {
-      EnterScenes<false, all, Others...>::go(data, stack, context, d, x, y, z, false);
+      EnterScenes<false, all, Others...>::go(data, stack, context, d, volume, x, y, z, false);
     } else {
-      relocate_in_table(stack, context, d.volume, x, y, z, -1);
+      relocate_in_table(stack, context, volume, x, y, z, -1);
     }
   }
 };
@@ -208,7 +212,12 @@ template <class S>
   // For when the track leaves it again: lists of thousands of daughters are far away.
   if (has_neighbour_lists(s)) __builtin_prefetch(s.lists + k);
   s.daughters.template push<typename S::frame_type>(stack, k);
-  S::enter::go(data, stack, context, s.daughters.at[k], x, y, z, by_step);
+  unsigned volume = s.daughters.at[k].volume;
+  if constexpr (S::stand_ins) {
+    volume = context->daughters[stack->levels[stack->depth - 1].volume][k];
+    stack->levels[stack->depth].volume = volume;
+  }
+  S::enter::go(data, stack, context, s.daughters.at[k], volume, x, y, z, by_step);
 }
 
 /// The step. `rare`: with all that the kernels can do; else in their short ways, which take no

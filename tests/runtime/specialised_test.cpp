@@ -234,7 +234,7 @@ int swaps_within_rays(const FaultyOptions& with, std::size_t& differing) {
     const std::vector<Row> right = trace(a, ray, world->tolerance);
     std::vector<Row> rows;
     transport(b, ray, world->tolerance, [&](const State& state, double length) {
-      rows.push_back({state.touchable(), length});
+      rows.push_back({state.touchable(), length, state.volume()});
       if (rows.size() != right.size() / 2) return;
       const std::size_t before = tests::scenes_compiled(swapping);
       swapping.wait_until_idle();

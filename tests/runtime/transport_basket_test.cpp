@@ -32,7 +32,7 @@ TEST_F(TransportInBasket, RaysAreThoseOfOneByOne) {
     const std::vector<RayTotals> made = transport_in_basket(
         basket, some, world_->tolerance,
         [&](std::size_t ray, const State& s, double length) {
-          rows[ray].push_back({s.touchable(), length});
+          rows[ray].push_back({s.touchable(), length, s.volume()});
         },
         always);
     ASSERT_EQ(made.size(), some.size());
@@ -40,7 +40,7 @@ TEST_F(TransportInBasket, RaysAreThoseOfOneByOne) {
       std::vector<Row> right;
       const RayTotals totals =
           transport(one, some[i], world_->tolerance, [&](const State& s, double length) {
-            right.push_back({s.touchable(), length});
+            right.push_back({s.touchable(), length, s.volume()});
           });
       EXPECT_TRUE(tests::same_bits(rows[i], right)) << i;
       EXPECT_EQ(made[i].steps, totals.steps);

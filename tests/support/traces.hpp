@@ -19,12 +19,14 @@ namespace navjit::tests {
 struct Row {
   TouchableId touchable;
   double length;
+  VolumeId volume;
 };
 
 inline bool same_bits(const std::vector<Row>& a, const std::vector<Row>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].touchable != b[i].touchable || !kernels::same_bits(a[i].length, b[i].length)) {
+    if (a[i].touchable != b[i].touchable || a[i].volume != b[i].volume ||
+        !kernels::same_bits(a[i].length, b[i].length)) {
       return false;
     }
   }
@@ -34,7 +36,7 @@ inline bool same_bits(const std::vector<Row>& a, const std::vector<Row>& b) {
 inline std::vector<Row> trace(Navigator& navigator, const Ray& ray, double tolerance) {
   std::vector<Row> rows;
   const RayTotals totals = transport(navigator, ray, tolerance, [&](const State& s, double length) {
-    rows.push_back({s.touchable(), length});
+    rows.push_back({s.touchable(), length, s.volume()});
   });
   EXPECT_FALSE(totals.stuck);
   return rows;

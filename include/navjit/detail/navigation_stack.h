@@ -6,7 +6,7 @@
 #define NAVJIT_DETAIL_NAVIGATION_STACK_H
 namespace navjit::kernels {
 
-constexpr unsigned abi_version = 13;
+constexpr unsigned abi_version = 14;
 constexpr int stack_levels = 64;
 
 /// One level: a placed volume and its frame in the world, local = rotation * (global -
@@ -122,6 +122,9 @@ struct Context {
   const void* geometry;               ///< the generic navigator's data
   LeaveFunction leave_at_once;
   ReturnFunction return_at_once;
+  /// By volume: the volumes of its daughters, in order, for code that several volumes share whose
+  /// daughters are not the same ones; null where there is none.
+  const unsigned* const* daughters = nullptr;
 };
 
 /// The record of a volume, as other threads published it.
