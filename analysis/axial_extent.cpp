@@ -51,6 +51,35 @@ std::array<Vec3, 8> corners(const Extent& e, const Transformation& t) {
   return result;
 }
 
+/// The least that holds all of these azimuths, rad.
+struct Span {
+  double first, span;
+};
+Span span_of(std::array<double, 8> azimuths) {
+  std::sort(azimuths.begin(), azimuths.end());
+  double gap = azimuths[0] + 2 * pi - azimuths[7], first = azimuths[0];
+  for (std::size_t i = 1; i < azimuths.size(); ++i) {
+    if (azimuths[i] - azimuths[i - 1] > gap) {
+      gap = azimuths[i] - azimuths[i - 1];
+      first = azimuths[i];
+    }
+  }
+  return {first, 2 * pi - gap};
+}
+/// Seen from outside a convex body fills less than half a turn.
+bool may_be_outside(const Span& span) { return span.span < pi - 1e-6; }
+
+/// How near the convex hull of points comes to the origin, which is outside of it.
+double nearest(const std::array<Planar, 8>& points) {
+  double near = radius(points[0]);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      near = std::min(near, distance_to_segment(points[i], points[j]));
+    }
+  }
+  return near;
+}
+
 /// By the box around the solid in its own frame.
 AxialExtent by_box(const Solid& solid, const Transformation& t, int axis) {
   AxialExtent result;
@@ -67,26 +96,39 @@ AxialExtent by_box(const Solid& solid, const Transformation& t, int axis) {
     result.high = std::max(result.high, along);
     result.far = std::max(result.far, radius(points[i]));
   }
-  // Seen from outside, a convex body fills less than half a turn; its corners tell.
-  std::sort(azimuths.begin(), azimuths.end());
-  double gap = azimuths[0] + 2 * pi - azimuths[7];
-  result.first = azimuths[0];
-  for (std::size_t i = 1; i < 8; ++i) {
-    if (azimuths[i] - azimuths[i - 1] > gap) {
-      gap = azimuths[i] - azimuths[i - 1];
-      result.first = azimuths[i];
-    }
-  }
-  if (!(gap > pi + 1e-6)) return result;
+  const Span span = span_of(azimuths);
+  result.first = span.first;
+  if (!may_be_outside(span)) return result;
   result.around = false;
-  result.span = 2 * pi - gap;
-  result.near = result.far;
-  for (std::size_t i = 0; i < 8; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      result.near = std::min(result.near, distance_to_segment(points[i], points[j]));
-    }
-  }
+  result.span = span.span;
+  result.near = nearest(points);
   return result;
+}
+
+/// Tangents are told from one another where their length is not small beside the circle's radius.
+constexpr double farthest_lean = 0.99;
+/// Tangents have to tell a daughter that much better than radii. A guess.
+constexpr double worth_leaning = 0.5;
+
+std::array<Planar, 8> box_across(const Solid& solid, const Transformation& t, int axis) {
+  std::array<Planar, 8> points;
+  const std::array<Vec3, 8> box = corners(solid.extent, t);
+  std::transform(box.begin(), box.end(), points.begin(),
+                 [&](const Vec3& corner) { return across(corner, axis); });
+  return points;
+}
+
+std::optional<TangentSpan> tangents_through(const std::array<Planar, 8>& points, double lean) {
+  if (!(std::abs(lean) < farthest_lean * nearest(points))) return {};
+  // A segment outside of the circle goes from tangent to tangent one way: its ends, and so a convex
+  // body's corners, tell.
+  std::array<double, 8> azimuths;
+  std::transform(points.begin(), points.end(), azimuths.begin(), [&](const Planar& p) {
+    return std::remainder(std::atan2(p.y, p.x) - std::asin(lean / radius(p)), 2 * pi);
+  });
+  const Span span = span_of(azimuths);
+  if (!may_be_outside(span)) return {};
+  return TangentSpan{span.first, span.span};
 }
 
 /// What SolidFacts says of the solid, if it is known to be about its z axis.
@@ -141,6 +183,31 @@ AxialExtent axial_extent(const Solid& solid, const Transformation& t, int axis) 
   result.span = span;
   result.segment = true;
   return result;
+}
+
+std::optional<TangentSpan> tangent_span(const Solid& solid, const Transformation& t, int axis,
+                                        double lean) {
+  return tangents_through(box_across(solid, t, axis), lean);
+}
+
+double lean_of(const Solid& solid, const Transformation& t, int axis) {
+  const std::array<Planar, 8> points = box_across(solid, t, axis);
+  const auto by_radii = tangents_through(points, 0);
+  if (!by_radii) return 0;
+  const Planar middle{0.5 * (points[0].x + points[7].x), 0.5 * (points[0].y + points[7].y)};
+  double best = 0, least = worth_leaning * by_radii->span;
+  for (const std::size_t end : {1U, 2U, 4U}) {  // of the box's edges from its first corner
+    const Planar edge{points[end].x - points[0].x, points[end].y - points[0].y};
+    const double length = radius(edge);
+    if (!(length > 0)) continue;
+    const double outwards = edge.x * middle.x + edge.y * middle.y < 0 ? -1 : 1;
+    const double lean = outwards * (edge.x * middle.y - edge.y * middle.x) / length;
+    const auto span = tangents_through(points, lean);
+    if (!span || !(span->span < least)) continue;
+    least = span->span;
+    best = lean;
+  }
+  return best;
 }
 
 AxialExtent central_extent(const Solid& solid, const Transformation& t) {

@@ -1,6 +1,8 @@
 // Where a daughter is as seen from an axis of its mother, or from the mother's origin.
 #pragma once
 
+#include <optional>
+
 #include "geometry/navigation/geometry.hpp"
 
 namespace navjit {
@@ -19,6 +21,23 @@ struct AxialExtent {
 /// As seen from the mother's axis 0, 1, 2 for x, y, z through its origin. The azimuth is from y, z
 /// or x, in this order.
 AxialExtent axial_extent(const Solid& solid, const Transformation& transformation, int axis);
+
+/// Azimuths of tangents to a circle about an axis, anticlockwise, rad: the tangent that a point is
+/// on, seen away from the circle.
+struct TangentSpan {
+  double first = 0;  ///< in (-pi, pi]
+  double span = 0;   ///< < pi
+};
+
+/// On which tangents a daughter is; nothing if it is not all well outside of the circle, whose
+/// radius is `lean`, mm: seen outwards the axis is on the right of the tangents, or on their left
+/// where it is negative, and for 0 they are radii.
+std::optional<TangentSpan> tangent_span(const Solid& solid, const Transformation& transformation,
+                                        int axis, double lean);
+
+/// Of which circle the tangents are that tell the daughter best from its neighbours in a ring:
+/// those along one of the edges of its box, if it is on much fewer of them than on radii; else 0.
+double lean_of(const Solid& solid, const Transformation& transformation, int axis);
 
 /// As seen from the mother's origin: only near and far.
 AxialExtent central_extent(const Solid& solid, const Transformation& transformation);

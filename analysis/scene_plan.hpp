@@ -89,6 +89,7 @@ struct Ring {
   int steps = 0;          ///< in a full turn, a sector each
   int present = 0;        ///< daughters
   double reach = 0;       ///< how near to an edge the sector beyond it counts, too, mm
+  double lean = 0;        ///< edges are tangents of a circle about the axis; 0: radii, mm
   std::vector<std::array<double, 2>> edges;  ///< unit vectors along lower edges; the first again
   std::vector<std::uint32_t> at_angle;  ///< by cell of kernels::square_angle: sector of its start
   std::vector<std::uint32_t> first;     ///< by sector, and one more: start in `members`

@@ -35,13 +35,39 @@ constexpr double worth_clipping = 0.1;
 
 double turn(double phi) { return phi - 2 * pi * std::floor(phi / (2 * pi)); }
 
-double middle(const AxialExtent& e) { return turn(e.first + e.span / 2); }
+double middle(const TangentSpan& s) { return turn(s.first + s.span / 2); }
 
-bool same_ring(const AxialExtent& a, const AxialExtent& b) {
+/// A daughter as seen from the axis.
+struct Seen : AxialExtent {
+  double lean = 0;  ///< of the tangents that tell it best, mm; 0: radii
+};
+
+/// All daughters, as seen from an axis.
+struct View {
+  const World& world;
+  std::span<const Daughter> daughters;
+  int axis;
+  std::vector<Seen> seen{};
+
+  const Solid& solid(std::uint32_t k) const { return world.volumes[daughters[k].volume].solid; }
+  const Transformation& place(std::uint32_t k) const { return daughters[k].transformation; }
+  const Seen& look_at(std::uint32_t k) {
+    Seen& e = seen.emplace_back(Seen{axial_extent(solid(k), place(k), axis)});
+    if (!e.around && !e.segment) e.lean = lean_of(solid(k), place(k), axis);
+    return e;
+  }
+  /// In which directions a daughter is; nothing if these tangents do not tell.
+  std::optional<TangentSpan> directions(std::uint32_t k, double lean) const {
+    if (lean == 0) return TangentSpan{seen[k].first, seen[k].span};
+    return tangent_span(solid(k), place(k), axis, lean);
+  }
+};
+
+bool same_ring(const Seen& a, const Seen& b) {
   const double tolerance = alike * std::max(a.far, b.far);
-  return std::abs(a.near - b.near) <= tolerance && std::abs(a.far - b.far) <= tolerance &&
-         std::abs(a.low - b.low) <= tolerance && std::abs(a.high - b.high) <= tolerance &&
-         std::abs(a.span - b.span) <= alike;
+  return std::abs(a.lean - b.lean) <= tolerance && std::abs(a.near - b.near) <= tolerance &&
+         std::abs(a.far - b.far) <= tolerance && std::abs(a.low - b.low) <= tolerance &&
+         std::abs(a.high - b.high) <= tolerance && std::abs(a.span - b.span) <= alike;
 }
 
 /// The number of steps in a full turn of which all azimuths are multiples; 0 if there is none.
@@ -61,17 +87,18 @@ int steps_of(std::vector<double> azimuths) {
   return steps;
 }
 
-/// Daughters by sector. One belongs to those into which it reaches by more than the margin, across
-/// the edge: seen from the axis at its far end that is the smallest angle.
-void fill(Ring& ring, double start, const std::vector<AxialExtent>& extents,
+/// Daughters by sector; `directions`: of each member. One belongs to those into which it reaches by
+/// more than the margin, across the edge: seen from the axis, or along a tangent, at its far end
+/// that is the smallest angle.
+void fill(Ring& ring, double start, const std::vector<TangentSpan>& directions,
           const std::vector<std::uint32_t>& members, double margin) {
   const double width = 2 * pi / ring.steps;
   std::vector<std::vector<std::uint32_t>> lists(static_cast<std::size_t>(ring.steps));
-  for (const std::uint32_t k : members) {
-    const AxialExtent& e = extents[k];
-    const double shrink = margin / e.far;
-    const double begin = turn(e.first - start + shrink);
-    const double end = begin + std::max(e.span - 2 * shrink, 0.0);
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    const std::uint32_t k = members[m];
+    const double shrink = margin / ring.far;
+    const double begin = turn(directions[m].first - start + shrink);
+    const double end = begin + std::max(directions[m].span - 2 * shrink, 0.0);
     const int last =
         std::min(static_cast<int>(end / width), static_cast<int>(begin / width) + ring.steps - 1);
     for (int s = static_cast<int>(begin / width); s <= last; ++s) {
@@ -107,18 +134,22 @@ void lay_edges(Ring& ring, double start) {
   }
 }
 
-std::optional<Ring> make_ring(const std::vector<AxialExtent>& extents,
-                              const std::vector<std::uint32_t>& members, const AxialExtent& mother,
-                              double margin) {
+std::optional<Ring> make_ring(const View& view, const std::vector<std::uint32_t>& members,
+                              const AxialExtent& mother, double margin) {
+  std::vector<TangentSpan> directions;
   std::vector<double> azimuths;
   Ring ring;
   ring.segments = true;
   ring.near = INFINITY;
   ring.low = INFINITY;
   ring.high = -INFINITY;
+  ring.lean = view.seen[members[0]].lean;
   for (const std::uint32_t k : members) {
-    const AxialExtent& e = extents[k];
-    azimuths.push_back(middle(e));
+    const Seen& e = view.seen[k];
+    const auto of = view.directions(k, ring.lean);
+    if (!of) return {};
+    directions.push_back(*of);
+    azimuths.push_back(middle(*of));
     ring.segments &= e.segment;
     ring.near = std::min(ring.near, e.near);
     ring.far = std::max(ring.far, e.far);
@@ -130,9 +161,12 @@ std::optional<Ring> make_ring(const std::vector<AxialExtent>& extents,
   if (ring.steps == 0) return {};
   const double width = 2 * pi / ring.steps;
   // Where sectors are hardly wider than margins they tell nothing.
-  if (!(ring.near * width > 1e3 * margin)) return {};
+  const double near = std::sqrt(std::max(ring.near * ring.near - ring.lean * ring.lean, 0.0));
+  if (!(near * width > 1e3 * margin)) return {};
   const double thick = ring.far - ring.near, tall = ring.high - ring.low;
   ring.hole = mother.near < ring.near - worth_clipping * thick;
+  // Within the circle there are no tangents to go by.
+  if (ring.lean != 0 && !(mother.near > 1.001 * std::abs(ring.lean))) ring.hole = true;
   ring.outside = mother.far > ring.far + worth_clipping * thick;
   ring.ends = mother.low < ring.low - worth_clipping * tall ||
               mother.high > ring.high + worth_clipping * tall;
@@ -143,7 +177,7 @@ std::optional<Ring> make_ring(const std::vector<AxialExtent>& extents,
   ring.reach = 4 * margin;
   const double start = turn(azimuths[0] - width / 2);
   lay_edges(ring, start);
-  fill(ring, start, extents, members, margin);
+  fill(ring, start, directions, members, margin);
   return ring;
 }
 
@@ -154,19 +188,18 @@ std::optional<Rings> find_rings(const World& world, const Solid& mother,
   std::optional<Rings> best;
   for (const int axis : {2, 0, 1}) {
     const AxialExtent outer = axial_extent(mother, Transformation{}, axis);
-    std::vector<AxialExtent> extents;
+    View view{world, daughters, axis};
     std::vector<std::vector<std::uint32_t>> groups;
     Rings rings;
     rings.axis = axis;
     for (std::uint32_t k = 0; k < daughters.size(); ++k) {
-      const Solid& solid = world.volumes[daughters[k].volume].solid;
-      extents.push_back(axial_extent(solid, daughters[k].transformation, axis));
-      if (extents[k].around || !(extents[k].near > 0)) {
+      const Seen& e = view.look_at(k);
+      if (e.around || !(e.near > 0)) {
         rings.others.push_back(k);
         continue;
       }
       const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) {
-        return same_ring(extents[g[0]], extents[k]);
+        return same_ring(view.seen[g[0]], view.seen[k]);
       });
       if (group == groups.end()) {
         groups.push_back({k});
@@ -178,7 +211,7 @@ std::optional<Rings> find_rings(const World& world, const Solid& mother,
     if (groups.size() > most_groups) continue;
     for (const auto& group : groups) {
       std::optional<Ring> ring;
-      if (group.size() >= fewest) ring = make_ring(extents, group, outer, margin);
+      if (group.size() >= fewest) ring = make_ring(view, group, outer, margin);
       if (ring) {
         rings.rings.push_back(std::move(*ring));
       } else {

@@ -251,6 +251,7 @@ void make(const Source& source, SearchRings<Index>& search) {
                 static_cast<double>(cells) / 4,
                 static_cast<int>(cells),
                 ring.reach,
+                ring.lean,
                 arena.copy(ring.first),
                 arena.copy(ring.members)};
   }

@@ -2,6 +2,11 @@
 // the one it starts in to the one it ends in, less than half a turn on. Only a filter: near an edge
 // the sector beyond it counts, too, by far more than positions are rounded by, and no sector is so
 // narrow that this would be more than its neighbour.
+//
+// Daughters may lean: sectors then end at tangents of a circle about the axis, and the direction of
+// the tangent that a point is on stands for its azimuth. Outside of the circle a ray turns from
+// tangent to tangent as it does from azimuth to azimuth, one way and by less than half a turn: only
+// on the circle itself its sense may change.
 namespace navjit::kernels {
 
 /// Coordinates across the axis are x and y here, along it z.
@@ -14,7 +19,10 @@ struct RingSectors {
   const Index* at_angle;     ///< by cell of square_angle: the sector of its beginning
   double cells_per_angle;
   int cells;
-  double reach;           ///< so near to an edge the sector beyond it counts, too, mm
+  double reach;  ///< so near to an edge the sector beyond it counts, too, mm
+  /// Edges are on tangents of a circle of this radius, less than any daughter's, seen
+  /// outwards the axis is on their right, or on their left where it is negative; 0: on radii, mm.
+  double lean;
   const unsigned* first;  ///< by sector: start in members
   const Index* members;   ///< daughters, ascending within a sector
 };
@@ -26,15 +34,33 @@ inline double square_angle(double x, double y) {
   return x < 0 ? 2 - d : y < 0 ? 4 + d : d;
 }
 
-/// The sector of a point; any where the point is on the axis. A cell has an edge at most.
+/// The length of the tangent from a point to the circle; its radius where there is none.
+template <class Index>
+inline double tangent_length(const RingSectors<Index>& g, double x, double y) {
+  return square_root(larger(x * x + y * y - g.lean * g.lean, 0.0));
+}
+
+/// How far a point is beyond a sector's edge, mm.
+template <class Index>
+inline double beyond_edge(const RingSectors<Index>& g, int edge, double x, double y) {
+  return g.edges[edge][0] * y - g.edges[edge][1] * x - g.lean;
+}
+
+/// The sector of a point; any where the point is on the axis, or within the circle. A cell has an
+/// edge at most.
 template <class Index>
 inline int sector_at(const RingSectors<Index>& g, double x, double y) {
-  const double cell = smaller(larger(square_angle(x, y) * g.cells_per_angle, 0.0),
+  double along_x = x, along_y = y;
+  if (g.lean != 0) {
+    const double h = tangent_length(g, x, y);
+    along_x = h * x + g.lean * y;
+    along_y = h * y - g.lean * x;
+  }
+  const double cell = smaller(larger(square_angle(along_x, along_y) * g.cells_per_angle, 0.0),
                               static_cast<double>(g.cells - 1));
   const int sector = static_cast<int>(g.at_angle[static_cast<int>(cell)]);
-  const double* edge = g.edges[sector + 1];
   const int next = sector + 1 == g.sectors ? 0 : sector + 1;
-  return edge[0] * y - edge[1] * x >= 0 ? next : sector;
+  return beyond_edge(g, sector + 1, x, y) >= 0 ? next : sector;
 }
 
 template <class Index>
@@ -46,8 +72,7 @@ inline int sector_beside(const RingSectors<Index>& g, int sector, bool upper) {
 /// Whether a point of the sector is near its upper or its lower edge.
 template <class Index>
 inline bool is_near_edge(const RingSectors<Index>& g, int sector, bool upper, double x, double y) {
-  const double* edge = g.edges[upper ? sector + 1 : sector];
-  return absolute(edge[0] * y - edge[1] * x) <= g.reach;
+  return absolute(beyond_edge(g, upper ? sector + 1 : sector, x, y)) <= g.reach;
 }
 
 /// Calls visit(daughter) for those that may hold a point.
@@ -114,16 +139,24 @@ inline RingPart ring_part(const RingSectors<Index>& g, const AxialRay& ray, doub
   return part;
 }
 
+/// Whether a ray that is at (x, y) goes to higher sectors from there.
+template <class Index>
+inline bool goes_up(const RingSectors<Index>& g, const AxialRay& ray, double x, double y) {
+  const double turns = ray.x * ray.vy - ray.y * ray.vx;
+  if (g.lean == 0) return turns >= 0;
+  return tangent_length(g, x, y) * turns + g.lean * (x * ray.vx + y * ray.vy) >= 0;
+}
+
 /// Calls visit(daughter) for those whose sectors the ray passes within `reach()`, a path length
 /// that visits may shorten.
 template <class Index, class Visit, class Reach>
 inline void walk_ring(const RingSectors<Index>& g, const AxialRay& ray, const Visit& visit,
                       const Reach& reach) {
   RingPart part = ring_part(g, ray, reach());
-  const bool up = ray.x * ray.vy - ray.y * ray.vx >= 0;
   while (!(part.from > part.to)) {
     const double x = ray.x + part.from * ray.vx, y = ray.y + part.from * ray.vy;
     const int start = sector_at(g, x, y);
+    const bool up = goes_up(g, ray, x, y);
     const double stop = smaller(part.enter, part.to);
     double end = infinity<double>(), ex = 0, ey = 0;
     int last = 0, steps = 0;

@@ -119,6 +119,36 @@ TEST(Specialised, TracesNestsAndRingsAlike) {
   }
 }
 
+/// Blades that lean from the radius, in two rings that lean the other way round.
+World blades() {
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 100, 100, 60));
+  const VolumeId bath = tests::add_volume(world, "bath", make_tube("bath", 0, 90, 55, 0, 7));
+  tests::place(world, world.top, bath, {0, 0, 0});
+  const VolumeId blade = tests::add_volume(world, "blade", make_box("blade", 9, 0.2, 50));
+  const VolumeId foil = tests::add_volume(world, "foil", make_box("foil", 8, 0.05, 49));
+  tests::place(world, blade, foil, {0, 0, 0});
+  for (const double lean : {0.8, -0.7}) {
+    const double radius = lean > 0 ? 40 : 70;
+    for (int i = 0; i < 100; ++i) {
+      const double phi = 2 * M_PI / 100 * i;
+      tests::place(world, bath, blade, {radius * std::cos(phi), radius * std::sin(phi), 0},
+                   {0, 0, -(phi + lean)});
+    }
+  }
+  finish(world);
+  return world;
+}
+
+TEST(Specialised, TracesLeaningBladesAlike) {
+  for (const char* forced : {"", "*=rings"}) {
+    SCOPED_TRACE(forced);
+    setenv(overrides_variable, forced, 1);
+    expect_same_traces(std::make_shared<const World>(blades()), 19, 1500);
+    unsetenv(overrides_variable);
+  }
+}
+
 /// Everything is in one frame, turned by right angles about each axis in turn and both ways, and at
 /// coordinates of both signs: entries of -1 and 1 meet negative numbers wherever text is put
 /// together.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numbers>
 
@@ -193,8 +194,11 @@ TEST(Nest, LeadsToWhatTheRayMeetsFirst) {
   EXPECT_LT(3 * tally.asked, tally.all) << "no filter at all";
 }
 
-void expect_complete_rings(const Arrangement& a, std::mt19937_64& random, double half,
-                           Tally& tally) {
+using RayOf = std::function<tests::AskedRay(int)>;
+
+/// `ray_of`: the rays; null: of all kinds.
+void expect_complete_rings(const Arrangement& a, std::mt19937_64& random, double half, Tally& tally,
+                           RayOf ray_of = nullptr) {
   const auto rings = find_rings(a.geometry->world(), a.mother(), a.daughters(), margin);
   ASSERT_TRUE(rings);
   using Sectors = kernels::RingSectors<std::uint32_t>;
@@ -203,12 +207,13 @@ void expect_complete_rings(const Arrangement& a, std::mt19937_64& random, double
     sectors.push_back({r.near * r.near, r.far * r.far, r.low, r.high, r.hole, r.outside, r.ends,
                        r.steps, reinterpret_cast<const double(*)[2]>(r.edges.data()),
                        r.at_angle.data(), static_cast<double>(r.at_angle.size()) / 4,
-                       static_cast<int>(r.at_angle.size()), r.reach, r.first.data(),
+                       static_cast<int>(r.at_angle.size()), r.reach, r.lean, r.first.data(),
                        r.members.data()});
   }
   const int axis = rings->axis;
-  expect_complete(
-      a, random, half,
+  if (!ray_of) ray_of = [&](int i) { return tests::random_ray(random, a, half, i); };
+  tests::expect_complete_for(
+      a, random, half, ray_of,
       [&](const Vec3& p, const Direction& v, auto visit, auto reach) {
         for (const std::uint32_t k : rings->others) visit(k);
         const auto [x, y, z] = seen_from(p, axis);
@@ -264,6 +269,103 @@ TEST(Rings, LeadToWhatTheRayMeetsFirst) {
   }
   EXPECT_GT(tally.met, 4000U);
   EXPECT_LT(3 * tally.asked, tally.all) << "no filter at all";
+}
+
+/// Boxes in a ring whose first edge leans from the radius by some angle, anticlockwise; about axis
+/// 0, 1 or 2.
+void add_leaning(Arrangement& a, int steps, double start, double radius, double leaning, int axis,
+                 double thick, bool gaps = false) {
+  for (int i = 0; i < steps; ++i) {
+    if (gaps && i % 5 == 3) continue;
+    const double phi = start + 2 * pi / steps * i, turn = -(phi + leaning);
+    const double u = radius * std::cos(phi), v = radius * std::sin(phi);
+    const Vec3 at = axis == 0 ? Vec3{0, u, v} : axis == 1 ? Vec3{v, 0, u} : Vec3{u, v, 0};
+    const Vec3 angles = axis == 0   ? Vec3{turn, 0, 0}
+                        : axis == 1 ? Vec3{0, turn, 0}
+                                    : Vec3{0, 0, turn};
+    const Vec3 size = axis == 0   ? Vec3{9, 4, thick}
+                      : axis == 1 ? Vec3{thick, 9, 4}
+                                  : Vec3{4, thick, 9};
+    a.add(make_box("s", size.x, size.y, size.z), at, angles);
+  }
+}
+
+/// A blade's middle is on the tangent to a circle of radius r sin(leaning).
+TEST(Rings, OfLeaningBladesHaveEdgesOnTangents) {
+  std::mt19937_64 random(8);
+  for (const double leaning : {0.9, 0.4, -0.4, -0.9}) {
+    for (const int axis : {0, 1, 2}) {
+      Arrangement a(make_tube("mother", 0, 60, 50, 0, 7));
+      add_leaning(a, 200, 0.1, 40, leaning, axis, 0.1);
+      a.finished(random);
+      const auto rings = find_rings(a.geometry->world(), a.mother(), a.daughters(), margin);
+      ASSERT_TRUE(rings);
+      ASSERT_EQ(rings->axis, axis);
+      ASSERT_EQ(rings->rings.size(), 1U);
+      const Ring& ring = rings->rings[0];
+      EXPECT_EQ(ring.steps, 200);
+      EXPECT_TRUE(ring.hole);
+      EXPECT_NEAR(ring.lean, -40 * std::sin(leaning), 1e-9);
+      EXPECT_LT(ring.members.size(), 500U);  // by radii each would be in dozens of sectors
+    }
+  }
+  Arrangement upright(make_tube("mother", 0, 60, 50, 0, 7)),
+      wide(make_tube("mother", 0, 60, 50, 0, 7));
+  add_leaning(upright, 200, 0.1, 40, 0, 2, 0.1);
+  add_leaning(wide, 20, 0.1, 40, 0.2, 2, 4);
+  for (Arrangement* a : {&upright, &wide}) {
+    a->finished(random);
+    const auto rings = find_rings(a->geometry->world(), a->mother(), a->daughters(), margin);
+    ASSERT_TRUE(rings);
+    EXPECT_EQ(rings->rings[0].lean, 0);
+  }
+}
+
+TEST(Rings, OfLeaningBladesLeadToWhatTheRayMeetsFirst) {
+  std::mt19937_64 random(9);
+  Tally tally;
+  for (int round = 0; round < 60; ++round) {
+    const double bore = round % 2 == 0 ? 0 : 20, wide = round % 4 == 0 ? 45 : 60;
+    Arrangement a(make_tube("mother", bore, wide, round % 5 == 0 ? 10 : 50, 0, 7));
+    const int axis = round % 2 == 0 ? round / 2 % 3 : 2;
+    const double leaning = (random() % 2 == 0 ? 1 : -1) * uniform(random, 0.3, 1.2);
+    const int steps = 20 + static_cast<int>(random() % 100);
+    // Blades that may touch, and overlap, where they are nearest to the axis.
+    add_leaning(a, steps, uniform(random, -3, 3), 30, leaning, axis, uniform(random, 0.05, 0.5),
+                random() % 2 == 0);
+    if (round % 4 == 3) add_leaning(a, 40, 0, 40, -leaning, axis, 0.2);
+    if (round % 3 == 0) a.add(make_box("besides", 1, 1, 3), {0, 0, 20});
+    a.finished(random);
+    expect_complete_rings(a, random, 50, tally);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(tally.met, 4000U);
+  EXPECT_LT(6 * tally.asked, tally.all) << "no filter at all";
+}
+
+/// Rays that are tangents of the circle itself stay between two blades.
+TEST(Rings, OfLeaningBladesTakeRaysAlongThem) {
+  std::mt19937_64 random(10);
+  for (const double leaning : {0.7, -0.7}) {
+    Arrangement a(make_tube("mother", 0, 60, 50, 0, 7));
+    add_leaning(a, 80, 0.1, 30, leaning, 2, 0.1);
+    a.finished(random);
+    Tally tally;
+    for (int round = 0; round < 10; ++round) {
+      expect_complete_rings(a, random, 50, tally, [&](int) {
+        const Daughter& of = a.daughters()[random() % a.daughters().size()];
+        const double off = random() % 2 == 0 ? 0.1 : uniform(random, -0.3, 0.3);
+        const Vec3 from{uniform(random, -6, 6), off, uniform(random, -9, 9)};
+        const double way = random() % 2 == 0 ? 1 : -1;
+        const Vec3 along{way, random() % 2 == 0 ? 0 : uniform(random, -1e-9, 1e-9), 0};
+        const Vec3 at = to_outer(of.transformation, from);
+        const Vec3 to = to_outer(of.transformation, from + along);
+        return tests::AskedRay{at, (1 / norm(to - at)) * (to - at)};
+      });
+      if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(tally.met, 1000U);
+  }
 }
 
 TEST(RoundPatterns, AreNamed) {
