@@ -60,6 +60,22 @@ void print_level(const ErrorBound& bound) {
   }
 }
 
+/// Which other volumes have the code that is compiled for this one.
+void print_equals(const World& world, const WorldFacts& facts, VolumeId volume) {
+  constexpr std::size_t most_named = 3;
+  const std::vector<VolumeId>& equals = facts.equals[facts.first_equal[volume]];
+  if (equals.size() < 2) return;
+  std::string names;
+  std::size_t named = 0;
+  for (const VolumeId equal : equals) {
+    if (equal == volume) continue;
+    if (named++ == most_named) break;
+    names += (names.empty() ? "" : ", ") + common::printable(world.volumes[equal].name);
+  }
+  std::printf("  code         shared with %zu more of the same structure: %s%s\n",
+              equals.size() - 1, names.c_str(), named > most_named ? ", ..." : "");
+}
+
 void print_scene(const Geometry& geometry, const std::string& name, bool emit) {
   const VolumeId volume = find_volume(geometry.world(), name);
   const WorldFacts facts = analyse_world(geometry);
@@ -77,6 +93,7 @@ void print_scene(const Geometry& geometry, const std::string& name, bool emit) {
   }
   std::printf("\n");
   print_level(error_bounds(geometry.world())[volume]);
+  print_equals(geometry.world(), facts, volume);
   if (emit) {
     std::printf("\n%s", codegen::generate(geometry, facts, std::array{volume}).source.c_str());
   }

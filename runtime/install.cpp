@@ -222,6 +222,14 @@ std::optional<SceneReport> install_entry(Specialisation& spec,
   return std::nullopt;
 }
 
+/// Code that was wrong for one volume is not used for others that share it; that was said once.
+void note_wrong_as_equal(Specialisation& spec, VolumeId volume) {
+  const std::lock_guard lock(spec.mutex);
+  SceneReport& scene = spec.scenes[volume];
+  scene.status = SceneStatus::failed;
+  scene.note = "its code was wrong for a volume that shares it";
+}
+
 }  // namespace
 
 void count_module(Specialisation& spec, bool cached, std::size_t code_bytes, double start) {
@@ -239,25 +247,35 @@ bool install(Specialisation& spec, const codegen::Module& module, jit::Code code
   auto installed = std::make_shared<Installed>(Installed{std::move(code), {module.owner}, {}});
   bool all_good = true;
   installed->records.reserve(module.entries.size());  // pointers to records are published
-  std::optional<SceneReport> hottest;  // of the volumes that share code with the next one
+  // Of the volumes that share code with the next one: what came of the hottest, or that it is
+  // wrong.
+  std::optional<SceneReport> hottest;
+  bool wrong = false;
   VolumeId first = 0;
   for (const codegen::Entry& entry : hottest_first(spec, module.entries)) {
     if (spec.stopping()) {
       all_good = false;
       break;
     }
-    const VolumeId first_equal = spec.facts.first_equal[entry.volume];
-    if (first_equal != first) hottest.reset();
-    first = first_equal;
+    if (const VolumeId of_entry = spec.facts.first_equal[entry.volume]; of_entry != first) {
+      hottest.reset();
+      wrong = false;
+      first = of_entry;
+    }
+    if (wrong) {
+      note_wrong_as_equal(spec, entry.volume);
+      continue;
+    }
     std::optional<SceneReport> report = install_entry(
         spec, installed, entry, module.data_of(entry), cached, Binding::constants,
         compile_ms / static_cast<double>(module.entries.size()), hottest ? &*hottest : nullptr);
-    if (report && !hottest) hottest = report;
     if (!report) {
       if (cached) return false;
       all_good = false;
+      wrong = true;
       continue;
     }
+    if (!hottest) hottest = report;
     const std::lock_guard lock(spec.mutex);
     spec.scenes[entry.volume] = *std::move(report);
   }

@@ -115,6 +115,17 @@ TEST(Inspect, ShowsVolumesAndTheAnalysisOfAScene) {
   EXPECT_NE(scene.text.find("navjit_step_"), std::string::npos);
 }
 
+TEST(Inspect, ShowsWhoSharesTheCode) {
+  const std::string argon = NAVJIT_DETECTORS_DIR "/argon.gdml";
+  const std::string says = "shared with 1 more of the same structure: ";
+  const tests::Output one = run_navjit("inspect " + argon + " --scene Wire_3");
+  EXPECT_NE(one.text.find(says + "Wire_984\n"), std::string::npos) << one.text;
+  const tests::Output other = run_navjit("inspect " + argon + " --scene Wire_984");
+  EXPECT_NE(other.text.find(says + "Wire_3\n"), std::string::npos) << other.text;
+  const tests::Output alone = run_navjit("inspect " + shashlik + " --scene InnerLead");
+  EXPECT_EQ(alone.text.find("of the same structure"), std::string::npos) << alone.text;
+}
+
 TEST(Inspect, ShowsTheBoxStructure) {
   const std::string inspect = "inspect " + shashlik + " --boxes ";
   const tests::Output all = run_navjit(inspect + "regular-tree:furthest");

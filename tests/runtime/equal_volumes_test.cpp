@@ -106,11 +106,14 @@ TEST(EqualVolumes, AreVerifiedEach) {
   const std::vector<Ray> rays = tests::rays_through(*shared, 11, 500);
   EXPECT_EQ(tests::traces_that_differ(runtime, rays), 0U);
   EXPECT_GT(edits, 0U);
-  std::size_t failed = 0;
+  std::size_t failed = 0, as_others = 0;
   for (const SceneReport& scene : runtime.report().scenes) {
     failed += scene.status == SceneStatus::failed ? 1 : 0;
+    as_others += scene.note == "its code was wrong for a volume that shares it" ? 1 : 0;
   }
   EXPECT_GT(failed, 100U);
+  // It is said of a few what is wrong, and not of each.
+  EXPECT_GT(as_others, failed - 10);
 }
 
 }  // namespace
