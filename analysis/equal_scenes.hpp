@@ -1,5 +1,5 @@
-// Volumes that are scenes of the same structure, so that one navigator serves them all. Files that
-// programs write often have a volume with a name of its own for each copy of a part.
+// Equal volumes: their scenes differ in names alone, so that one navigator serves them all. Files
+// that programs write often have a volume with a name of its own for each copy of a part.
 #pragma once
 
 #include <span>

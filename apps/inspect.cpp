@@ -72,8 +72,8 @@ void print_equals(const World& world, const WorldFacts& facts, VolumeId volume) 
     if (named++ == most_named) break;
     names += (names.empty() ? "" : ", ") + common::printable(world.volumes[equal].name);
   }
-  std::printf("  code         shared with %zu more of the same structure: %s%s\n",
-              equals.size() - 1, names.c_str(), named > most_named ? ", ..." : "");
+  std::printf("  code         shared with %zu equal volume%s: %s%s\n", equals.size() - 1,
+              equals.size() == 2 ? "" : "s", names.c_str(), named > most_named ? ", ..." : "");
 }
 
 void print_scene(const Geometry& geometry, const std::string& name, bool emit) {

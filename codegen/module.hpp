@@ -13,7 +13,7 @@
 
 namespace navjit::codegen {
 
-/// The entry points of one volume in a module; extern "C" symbols. Volumes of equal structure share
+/// The entry points of one volume in a module; extern "C" symbols. Equal volumes share
 /// theirs; so do leaves that share code, each with data of its own.
 struct Entry {
   VolumeId volume;
@@ -45,7 +45,7 @@ enum class Leaves : std::uint8_t {
   shared,  ///< faster where tracks go from one to the other
 };
 
-/// Generates navigators for `hot` volumes and all of equal structure. Where scenes feed each other
+/// Generates navigators for `hot` volumes and all equal ones. Where scenes feed each other
 /// their relocation is inlined: plans for mothers and daughters of hot scenes are made as needed.
 Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<const VolumeId> hot,
                 Leaves leaves = Leaves::apart);

@@ -94,7 +94,7 @@ void gather(Specialisation& spec) {
 }
 
 void update_execution_counts(Specialisation& spec) {
-  // Volumes of equal structure are hot together.
+  // Equal volumes are hot together.
   std::vector<double> executions(spec.steps.size(), 0);
   for (std::size_t v = 0; v < spec.steps.size(); ++v) {
     executions[spec.facts.first_equal[v]] += spec.executions(static_cast<VolumeId>(v));

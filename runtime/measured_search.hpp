@@ -13,7 +13,7 @@ namespace navjit {
 ScenePlan plan_without_measurement(Specialisation& spec, VolumeId volume);
 
 /// To be called where what is bound to data in a volume was chosen, or chosen anew: code for the
-/// volume, and for all of equal structure, is to find daughters in the same way, if it can.
+/// volume, and for all equal ones, is to find daughters in the same way, if it can.
 void search_as_bound(Specialisation& spec, VolumeId volume);
 
 /// The same as an earlier run measured it, until something is bound.

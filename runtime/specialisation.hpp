@@ -113,7 +113,7 @@ struct Specialisation {
   /// By volume: relocations in it at the end of steps made elsewhere, as far as samples tell.
   /// Written by the thread alone, with the mutex locked.
   std::vector<double> relocations;
-  std::vector<double> execution_counts;     ///< by volume; of all of equal structure in the first
+  std::vector<double> execution_counts;     ///< by volume; of all equal ones in the first
   std::vector<double> recent;               ///< the same, fading
   double counted_at = 0;                    ///< when it was updated, s
   double expected_ms = 0, compiled_ms = 0;  ///< for all modules so far
@@ -146,7 +146,7 @@ struct Specialisation {
 /// Of volumes that share code, given the first, the one that is executed most.
 VolumeId hottest_equal(const Specialisation& spec, VolumeId first);
 
-/// Notes what became of a volume and all of equal structure.
+/// Notes what became of a volume and all that are equal to it.
 void note(Specialisation& spec, VolumeId volume, SceneStatus status, const std::string& why);
 
 /// Of one volume; also in the log.

@@ -117,13 +117,13 @@ TEST(Inspect, ShowsVolumesAndTheAnalysisOfAScene) {
 
 TEST(Inspect, ShowsWhoSharesTheCode) {
   const std::string argon = NAVJIT_DETECTORS_DIR "/argon.gdml";
-  const std::string says = "shared with 1 more of the same structure: ";
+  const std::string says = "shared with 1 equal volume: ";
   const tests::Output one = run_navjit("inspect " + argon + " --scene Wire_3");
   EXPECT_NE(one.text.find(says + "Wire_984\n"), std::string::npos) << one.text;
   const tests::Output other = run_navjit("inspect " + argon + " --scene Wire_984");
   EXPECT_NE(other.text.find(says + "Wire_3\n"), std::string::npos) << other.text;
   const tests::Output alone = run_navjit("inspect " + shashlik + " --scene InnerLead");
-  EXPECT_EQ(alone.text.find("of the same structure"), std::string::npos) << alone.text;
+  EXPECT_EQ(alone.text.find("equal volume"), std::string::npos) << alone.text;
 }
 
 TEST(Inspect, ShowsTheBoxStructure) {
