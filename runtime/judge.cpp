@@ -70,6 +70,7 @@ void conclude(Specialisation& spec, VolumeId volume, Trial& trial) {
       trial.verdict == Verdict::goes ? "goes" : "stays", trial.with.mean(), trial.without.mean(),
       trial.with.count, trial.without.count, trial.lost.mean(), trial.lost.error());
   install_winner(spec, volume, trial);
+  if (trial.verdict == Verdict::goes) have_bound(spec, volume);
   note_without_code(spec, volume, trial);
   // Another way to bind the scene's data has its turn.
   const auto second = spec.second_choices.find(volume);

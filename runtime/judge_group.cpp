@@ -144,6 +144,7 @@ void take_out(Specialisation& spec) {
     spec.shared->table.install(volume, record, owner);
     write_down(spec, volume, generic ? Binding::generic : Binding::data, SceneStatus::unprofitable,
                note);
+    have_bound(spec, volume);
   }
 }
 

@@ -50,6 +50,10 @@ VolumeId hottest_equal(const Specialisation& spec, VolumeId first) {
   });
 }
 
+void have_bound(Specialisation& spec, VolumeId volume) {
+  if (!spec.without_code.contains(volume)) spec.bound.erase(volume);
+}
+
 void note(Specialisation& spec, VolumeId volume, SceneStatus status, const std::string& why) {
   spec.shared->log->debug("event=status at_s={:.3f} scene={} status={} why={}", spec.seconds(),
                           in_quotes(spec.shared->geometry.world().volumes[volume].name),

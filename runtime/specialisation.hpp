@@ -146,6 +146,10 @@ struct Specialisation {
 /// Of volumes that share code, given the first, the one that is executed most.
 VolumeId hottest_equal(const Specialisation& spec, VolumeId first);
 
+/// A scene's code goes. Where it came from the cache, before the scene was bound to data, it is to
+/// be bound now.
+void have_bound(Specialisation& spec, VolumeId volume);
+
 /// Notes what became of a volume and all that are equal to it.
 void note(Specialisation& spec, VolumeId volume, SceneStatus status, const std::string& why);
 

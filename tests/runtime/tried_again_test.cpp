@@ -1,6 +1,8 @@
 // What lost its trial and is tried again: the report says what is installed.
 #include <gtest/gtest.h>
 
+#include "analysis/plan.hpp"
+#include "codegen/data/bind.hpp"
 #include "geometry/navigation/generic.hpp"
 #include "runtime/bind_to_data.hpp"
 #include "runtime/judge.hpp"
@@ -61,6 +63,38 @@ TEST(TriedAgain, TheReportSaysWhatIsInstalled) {
   }
   judge_finally(spec);
   EXPECT_EQ(reported_rightly(spec), scenes);
+}
+
+/// Code from the cache is installed before anything is bound to data.
+TEST(TriedAgain, WhatTheCacheHadAndLostIsBoundToData) {
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  const auto shared =
+      std::make_shared<detail::Shared>(world, RuntimeOptions{}, Faults{.lose_trials = true});
+  Specialisation spec(shared);
+  shared->table.keep(spec.arena);
+  codegen::Arena tables;
+  const auto code = std::make_shared<int>();  // stands for its owner
+  const VolumeId cached = 1, both = 2;
+  bind_to_data(spec, both);
+  for (const VolumeId v : {cached, both}) {
+    const kernels::DispatchEntry* record = codegen::bind_to_data(
+        spec.shared->geometry, plan_scene(spec.shared->geometry, spec.facts, v), tables);
+    shared->table.install(v, record, code);
+    spec.bound.insert(v);
+    try_out(spec, v, record, code);
+  }
+  spec.second_choices.clear();
+  spec.active = true;
+  spec.active_s = 1000;
+  judge(spec);
+  judge(spec);
+  EXPECT_EQ(shared->table.at(cached), &generic::dispatch_entry);
+  EXPECT_EQ(shared->table.at(both), spec.without_code.at(both));
+  EXPECT_FALSE(spec.bound.contains(cached));
+  EXPECT_TRUE(spec.bound.contains(both));
+  bind_to_data(spec, cached);
+  EXPECT_EQ(spec.scenes.at(cached).binding, Binding::data);
+  EXPECT_NE(shared->table.at(cached), &generic::dispatch_entry);
 }
 
 }  // namespace
