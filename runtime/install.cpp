@@ -3,7 +3,9 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "geometry/navigation/generic.hpp"
 #include "runtime/bind_to_data.hpp"
@@ -164,7 +166,8 @@ Expected<SceneReport> install_scene(Specialisation& spec, VolumeId volume,
 /// verified, but not timed. Installed where it pays for that one, whose report is given.
 Expected<SceneReport> install_as_equal(Specialisation& spec, VolumeId volume,
                                        const kernels::DispatchEntry& record,
-                                       const std::shared_ptr<const void>& owner, SceneReport report,
+                                       const std::shared_ptr<const void>& owner,
+                                       bool only_if_faster, SceneReport report,
                                        const SceneReport& hottest) {
   const bool pays = hottest.status == SceneStatus::specialised;
   if (pays) {
@@ -172,7 +175,9 @@ Expected<SceneReport> install_as_equal(Specialisation& spec, VolumeId volume,
         proved(spec, volume, record, states_of(spec, volume, states_made_up_for_equals).all);
     if (!problem.empty()) return Failure{std::move(problem)};
     spec.shared->table.install(volume, &record, owner);
-    if (spec.shared->options.specialiser.keep_only_faster) try_out(spec, volume, &record, owner);
+    if (only_if_faster) try_out(spec, volume, &record, owner);
+    spec.shared->log->debug("event=shared at_s={:.3f} scene={}", spec.seconds(),
+                            in_quotes(spec.shared->geometry.world().volumes[volume].name));
   }
   return report_on_constants(spec, volume, std::move(report), pays,
                              {hottest.generic_ns_per_step, hottest.specialised_ns_per_step});
@@ -211,11 +216,11 @@ std::optional<SceneReport> install_entry(Specialisation& spec,
   Expected<SceneReport> report = Failure{"the generated function is missing"};
   if (whole) {
     const kernels::DispatchEntry& kept = installed->records.emplace_back(record);
-    report = hottest != nullptr
-                 ? install_as_equal(spec, entry.volume, kept, installed, std::move(begun), *hottest)
-                 : install_scene(spec, entry.volume, kept, installed,
-                                 spec.shared->options.specialiser.keep_only_faster,
-                                 std::move(begun), binding);
+    const bool only_if_faster = spec.shared->options.specialiser.keep_only_faster;
+    report = hottest != nullptr ? install_as_equal(spec, entry.volume, kept, installed,
+                                                   only_if_faster, std::move(begun), *hottest)
+                                : install_scene(spec, entry.volume, kept, installed, only_if_faster,
+                                                std::move(begun), binding);
   }
   if (report) return *std::move(report);
   if (!cached) note_failure(spec, entry.volume, report.failure().message);
@@ -322,13 +327,21 @@ void install_plugin(Specialisation& spec, const std::string& path) {
     spec.shared->log->warn("plugin not used: {}", plugin.failure().message);
     return;
   }
+  // By the first of equal volumes, and the function that they share.
+  std::map<std::pair<VolumeId, kernels::StepFunction>, SceneReport> timed;
   for (const Plugin::Entry& entry : (*plugin)->entries()) {
     if (spec.off.contains(entry.volume)) continue;
     SceneReport begun;
     begun.origin = CodeOrigin::plugin;
+    const std::pair code(spec.facts.first_equal[entry.volume], entry.dispatch.step);
+    const auto equal = timed.find(code);
     // Whoever made the plugin chose its scenes: production shall not depend on a timing.
-    Expected<SceneReport> report = install_scene(spec, entry.volume, entry.dispatch, *plugin, false,
-                                                 std::move(begun), Binding::constants);
+    Expected<SceneReport> report =
+        equal == timed.end() ? install_scene(spec, entry.volume, entry.dispatch, *plugin, false,
+                                             std::move(begun), Binding::constants)
+                             : install_as_equal(spec, entry.volume, entry.dispatch, *plugin, false,
+                                                std::move(begun), equal->second);
+    if (report) timed.try_emplace(code, *report);
     if (report) {
       const std::lock_guard lock(spec.mutex);
       spec.scenes[entry.volume] = *std::move(report);
