@@ -221,7 +221,8 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
     case Candidates::rings:
       out << "sectors about " << axis_names[plan.rings.axis] << ":";
       for (const Ring& ring : plan.rings.rings) {
-        out << " " << ring.present << " of " << ring.steps << " in a ring,";
+        out << " " << ring.present << " of " << ring.steps << " in a ring"
+            << (ring.lean != 0 ? " that leans," : ",");
       }
       out << " " << plan.rings.others.size() << " besides";
       break;

@@ -321,6 +321,20 @@ TEST(Rings, OfLeaningBladesHaveEdgesOnTangents) {
   }
 }
 
+TEST(Plan, SaysThatARingLeans) {
+  std::mt19937_64 random(11);
+  for (const double leaning : {0.0, 0.8}) {
+    Arrangement a(make_tube("mother", 0, 60, 50, 0, 7));
+    add_leaning(a, 60, 0.1, 30, leaning, 2, 0.1);
+    a.finished(random);
+    WorldFacts facts = analyse_world(*a.geometry);
+    facts.forced_candidates[0] = Candidates::rings;
+    const std::string text = describe(*a.geometry, plan_scene(*a.geometry, facts, 0));
+    const std::string ring = "60 of 60 in a ring";
+    EXPECT_NE(text.find(ring + (leaning > 0 ? " that leans," : ",")), std::string::npos) << text;
+  }
+}
+
 TEST(Rings, OfLeaningBladesLeadToWhatTheRayMeetsFirst) {
   std::mt19937_64 random(9);
   Tally tally;
