@@ -25,20 +25,17 @@ void apply_overrides(Specialisation& spec) {
   if (text == nullptr) return;
   const Overrides overrides = parse_overrides(spec.shared->geometry.world(), text);
   for (const auto& [volume, variant] : overrides.variants) {
-    // Equal volumes share a navigator, and so what is forced on one of them.
-    const VolumeId first = spec.facts.first_equal[volume];
     if (variant == Variant::off) {
-      note(spec, first, SceneStatus::unprofitable, std::string("off by ") + overrides_variable);
-      for (const VolumeId equal : spec.facts.equals[first]) {
-        spec.bound.insert(equal);
-        spec.off.insert(equal);
-      }
+      // This one alone: what is wrong may be in its own part of what equal volumes share.
+      spec.bound.insert(volume);
+      spec.off.insert(volume);
+      const std::lock_guard lock(spec.mutex);
+      SceneReport& scene = spec.scenes[volume];
+      scene.status = SceneStatus::unprofitable;
+      scene.note = std::string("off by ") + overrides_variable;
     } else {
-      for (const VolumeId equal : spec.facts.equals[first]) {
-        spec.scenes.erase(equal);
-        spec.bound.erase(equal);
-        spec.off.erase(equal);
-      }
+      // Equal volumes share a navigator, and so what is forced on one of them.
+      const VolumeId first = spec.facts.first_equal[volume];
       spec.facts.forced_candidates[first] = *candidates_of(variant);
       spec.forced.insert(first);
     }
@@ -49,8 +46,13 @@ void apply_overrides(Specialisation& spec) {
 }
 
 bool may_be_tried(Specialisation& spec, VolumeId volume) {
+  // What became of its equals became of all that are not off.
+  const std::vector<VolumeId>& equals = spec.facts.equals[volume];
+  const auto one = std::find_if(equals.begin(), equals.end(),
+                                [&](VolumeId equal) { return !spec.off.contains(equal); });
+  if (one == equals.end()) return false;
   const std::lock_guard lock(spec.mutex);
-  const auto known = spec.scenes.find(volume);
+  const auto known = spec.scenes.find(*one);
   if (known == spec.scenes.end()) return true;
   if (known->second.status == SceneStatus::generic) return true;  // bound to data, or to nothing
   if (known->second.status != SceneStatus::unprofitable) return false;

@@ -183,9 +183,11 @@ Expected<SceneReport> install_as_equal(Specialisation& spec, VolumeId volume,
                              {hottest.generic_ns_per_step, hottest.specialised_ns_per_step});
 }
 
-/// Of volumes that share code, which follow one another, the hottest before the others.
+/// Of volumes that share code, which follow one another, the hottest before the others; without
+/// those that are off.
 std::vector<codegen::Entry> hottest_first(const Specialisation& spec,
                                           std::vector<codegen::Entry> entries) {
+  std::erase_if(entries, [&](const codegen::Entry& e) { return spec.off.contains(e.volume); });
   const auto first = [&](const codegen::Entry& e) { return spec.facts.first_equal[e.volume]; };
   for (auto begin = entries.begin(); begin != entries.end();) {
     const auto end = std::find_if(

@@ -60,6 +60,7 @@ void note(Specialisation& spec, VolumeId volume, SceneStatus status, const std::
                           status_name(status), in_quotes(why));
   const std::lock_guard lock(spec.mutex);
   for (const VolumeId equal : spec.facts.equals[volume]) {
+    if (spec.off.contains(equal)) continue;
     SceneReport& scene = spec.scenes[equal];
     scene.status = status;
     scene.note = why;

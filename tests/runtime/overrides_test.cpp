@@ -4,9 +4,14 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "navjit/runtime.hpp"
 #include "runtime/transport.hpp"
+#include "tests/support/traces.hpp"
+#include "tests/support/volumes_apart.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace navjit {
@@ -61,6 +66,51 @@ TEST(Overrides, FromTheEnvironmentForceScenes) {
     }
   }
   EXPECT_EQ(specialised, 1U);
+}
+
+/// The plates that are specialised, and those that are off, where each plate is a volume of its
+/// own.
+struct Plates {
+  std::vector<std::string> specialised, off;
+};
+Plates plates_with(const std::string& overrides) {
+  setenv(overrides_variable, overrides.c_str(), 1);
+  const auto world = std::make_shared<const World>(tests::volumes_apart(tests::mixed_world()));
+  Runtime runtime(world, tests::eager_options(JitMode::wait));
+  unsetenv(overrides_variable);
+  Navigator navigator = runtime.navigator();
+  for (const Ray& ray : tests::rays_through(*world, 21, 1000)) {
+    transport(navigator, ray, world->tolerance);
+  }
+  Plates plates;
+  for (const SceneReport& scene : runtime.report().scenes) {
+    if (!scene.volume.starts_with("plate")) continue;
+    const bool off = scene.note.find("off by") != std::string::npos;
+    (scene.status == SceneStatus::specialised ? plates.specialised : plates.off)
+        .push_back(scene.volume);
+    EXPECT_EQ(scene.status == SceneStatus::specialised, !off) << scene.volume << scene.note;
+  }
+  return plates;
+}
+
+TEST(Overrides, SwitchOffOneOfEqualVolumes) {
+  const Plates all = plates_with("");
+  ASSERT_GT(all.specialised.size(), 20U);
+  EXPECT_TRUE(all.off.empty());
+  // The first of them, which stands for all in the code, and one of the others.
+  const auto by_number = [](const std::string& a, const std::string& b) {
+    return std::pair(a.size(), a) < std::pair(b.size(), b);
+  };
+  const auto [first, last] =
+      std::minmax_element(all.specialised.begin(), all.specialised.end(), by_number);
+  for (const std::string& one : {*first, *last}) {
+    const Plates but_one = plates_with(one + "=off");
+    EXPECT_EQ(but_one.off, std::vector{one});
+    EXPECT_EQ(but_one.specialised.size(), all.specialised.size() - 1);
+    const Plates only_one = plates_with("*=off," + one + "=all");
+    EXPECT_EQ(only_one.specialised, std::vector{one});
+    EXPECT_EQ(only_one.off.size(), all.specialised.size() - 1);
+  }
 }
 
 }  // namespace
