@@ -4,9 +4,9 @@
 namespace navjit::tests {
 
 #ifdef __SANITIZE_ADDRESS__
-inline constexpr bool under_address_sanitizer = true;
+constexpr bool under_address_sanitizer = true;
 #else
-inline constexpr bool under_address_sanitizer = false;
+constexpr bool under_address_sanitizer = false;
 #endif
 #ifdef __SANITIZE_THREAD__
 constexpr bool under_thread_sanitizer = true;
