@@ -29,14 +29,15 @@ struct TangentSpan {
   double span = 0;   ///< < pi
 };
 
-/// On which tangents a daughter is; nothing if it is not all well outside of the circle, whose
-/// radius is `lean`, mm: seen outwards the axis is on the right of the tangents, or on their left
-/// where it is negative, and for 0 they are radii.
+/// On which tangents a daughter is; nothing if it is not all well outside of the circle. `lean`:
+/// the circle's radius, mm. Seen outwards the tangents have the axis on their right, or on their
+/// left where `lean` is negative; for 0 they are radii.
 std::optional<TangentSpan> tangent_span(const Solid& solid, const Transformation& transformation,
                                         int axis, double lean);
 
-/// Of which circle the tangents are that tell the daughter best from its neighbours in a ring:
-/// those along one of the edges of its box, if it is on much fewer of them than on radii; else 0.
+/// The circle whose tangents tell the daughter best from its neighbours in a ring: one that an edge
+/// of its box is a tangent of, if the daughter is on much fewer of its tangents than on radii;
+/// else 0.
 double lean_of(const Solid& solid, const Transformation& transformation, int axis);
 
 /// As seen from the mother's origin: only near and far.

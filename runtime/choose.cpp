@@ -46,7 +46,7 @@ void apply_overrides(Specialisation& spec) {
 }
 
 bool may_be_tried(Specialisation& spec, VolumeId volume) {
-  // What became of its equals became of all that are not off.
+  // Equal volumes have the same status, but for those that are off.
   const std::vector<VolumeId>& equals = spec.facts.equals[volume];
   const auto one = std::find_if(equals.begin(), equals.end(),
                                 [&](VolumeId equal) { return !spec.off.contains(equal); });

@@ -201,9 +201,9 @@ std::vector<codegen::Entry> hottest_first(const Specialisation& spec,
   return entries;
 }
 
-/// Finds one scene's functions in the code, and installs them; `hottest`: what came of the one
-/// of the volumes that share them that is executed most, if it is another. Nothing if they are
-/// wrong, which is noted unless they came from the cache. The report is not yet the scene's.
+/// Finds one scene's functions in the code, and installs them. Nothing if they are wrong, which is
+/// noted unless they came from the cache. The report is not yet the scene's. `hottest`: the report
+/// of the hottest volume that shares the functions; null if it is this one.
 std::optional<SceneReport> install_entry(Specialisation& spec,
                                          const std::shared_ptr<Installed>& installed,
                                          const codegen::Entry& entry, const void* data, bool cached,
@@ -254,8 +254,8 @@ bool install(Specialisation& spec, const codegen::Module& module, jit::Code code
   auto installed = std::make_shared<Installed>(Installed{std::move(code), {module.owner}, {}});
   bool all_good = true;
   installed->records.reserve(module.entries.size());  // pointers to records are published
-  // Of the volumes that share code with the next one: what came of the hottest, or that it is
-  // wrong.
+  // What is known of the volumes that share code with the next one: the hottest's report, and
+  // whether the code was wrong for any of them.
   std::optional<SceneReport> hottest;
   bool wrong = false;
   VolumeId first = 0;

@@ -20,8 +20,9 @@ struct RingSectors {
   double cells_per_angle;
   int cells;
   double reach;  ///< so near to an edge the sector beyond it counts, too, mm
-  /// Edges are on tangents of a circle of this radius, less than any daughter's, seen
-  /// outwards the axis is on their right, or on their left where it is negative; 0: on radii, mm.
+  /// The radius, mm, of a circle about the axis, within all daughters, whose tangents the edges
+  /// are. Seen outwards they have the axis on their right; on their left where this is negative. 0:
+  /// the edges are radii.
   double lean;
   const unsigned* first;  ///< by sector: start in members
   const Index* members;   ///< daughters, ascending within a sector

@@ -74,8 +74,8 @@ struct Scene {
   static constexpr bool oblique_only = true;  ///< rays along planes of the frame's axes are rare
   static constexpr Has has_lists = Has::maybe, has_boxes = Has::maybe;
   static constexpr bool shared_moves = false;  ///< relocation is called by others, too
-  /// The volumes that daughters say they are stand for all that share their scenes' code: the
-  /// context knows which they are.
+  /// A daughter's record may name a stand-in: the first of the volumes that share its scene's code.
+  /// The context knows which volume the daughter is.
   static constexpr bool stand_ins = false;
   static constexpr unsigned long at = 0;  ///< its place in the data of all that it calls
 
