@@ -38,7 +38,8 @@ Vec3<Real> to_local(const Placed<Real, S>& s, const Vec3<Real>& p) {
           r[6] * x + r[7] * y + r[8] * z};
 }
 template <class Real, class S>
-Direction<Real> to_local(const Placed<Real, S>& s, const Direction<Real>& v) {
+[[gnu::always_inline]] inline Direction<Real> to_local(const Placed<Real, S>& s,
+                                                       const Direction<Real>& v) {
   if (s.rotated == 0) return v;
   const Real* r = s.rotation;
   return make_direction<Real>(r[0] * v.x + r[1] * v.y + r[2] * v.z,

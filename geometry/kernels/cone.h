@@ -19,8 +19,9 @@ struct ConicalForm {
   Real r2, a, b;
 };
 template <class Real>
-ConicalForm<Real> conical_form(const ConicalFace<Real>& f, const Vec3<Real>& p,
-                               const Direction<Real>& v) {
+[[gnu::always_inline]] inline ConicalForm<Real> conical_form(const ConicalFace<Real>& f,
+                                                             const Vec3<Real>& p,
+                                                             const Direction<Real>& v) {
   const Real x = f.cosine * p.x, y = f.cosine * p.y, radius = f.radius + f.slope * p.z;
   const Real vx = f.cosine * v.x, vy = f.cosine * v.y, rate = f.slope * v.z;
   return {x,
@@ -36,7 +37,7 @@ ConicalForm<Real> conical_form(const ConicalFace<Real>& f, const Vec3<Real>& p,
 
 /// The discriminant b^2 - a c, written without the squares of the large terms.
 template <class Real>
-Real conical_discriminant(const ConicalForm<Real>& q) {
+[[gnu::always_inline]] inline Real conical_discriminant(const ConicalForm<Real>& q) {
   const Real gx = q.radius * q.vx - q.rate * q.x, gy = q.radius * q.vy - q.rate * q.y;
   const Real cross = q.x * q.vy - q.y * q.vx;
   return gx * gx + gy * gy - cross * cross;
@@ -44,19 +45,19 @@ Real conical_discriminant(const ConicalForm<Real>& q) {
 
 /// Does the direction, steeper than the face, stay in the nappe for ever once in it?
 template <class Real>
-bool stays_in_nappe(const ConicalForm<Real>& q) {
+[[gnu::always_inline]] inline bool stays_in_nappe(const ConicalForm<Real>& q) {
   return q.a < 0 && q.rate > 0;
 }
 
 /// Does the direction run along a cylinder?
 template <class Real>
-bool is_along_nappe(const ConicalForm<Real>& q) {
+[[gnu::always_inline]] inline bool is_along_nappe(const ConicalForm<Real>& q) {
   return is_along(q.vx) & is_along(q.vy) & is_along(q.rate);
 }
 
 /// Exit from the nappe, for points known to be in it and not leaving now.
 template <class Real>
-Real nappe_exit(const ConicalForm<Real>& q) {
+[[gnu::always_inline]] inline Real nappe_exit(const ConicalForm<Real>& q) {
   if (stays_in_nappe(q) || is_along_nappe(q)) return infinity<Real>();
   const Real root = square_root(larger(conical_discriminant(q), Real(0)));
   if (q.b < 0) return larger((root - q.b) / q.a, Real(0));
@@ -70,7 +71,7 @@ Real nappe_exit(const ConicalForm<Real>& q) {
 /// does what comes no deeper than the tolerance: nearly along the face it would leave and enter for
 /// ever, by steps that do not move the coordinates which decide.
 template <class Real>
-bool heads_into_nappe(const ConicalForm<Real>& q, Real tol) {
+[[gnu::always_inline]] inline bool heads_into_nappe(const ConicalForm<Real>& q, Real tol) {
   const Real inner = q.radius - tol;
   if (inner > 0 && q.r2 < inner * inner) return true;
   if (is_along_nappe(q)) return true;
@@ -85,13 +86,14 @@ bool heads_into_nappe(const ConicalForm<Real>& q, Real tol) {
   return (q.b < 0 || (q.b == 0 && q.radius > 0)) && nappe_exit(q) > tol;
 }
 template <class Real>
-bool within_tolerance_of_nappe(const ConicalForm<Real>& q, Real tol) {
+[[gnu::always_inline]] inline bool within_tolerance_of_nappe(const ConicalForm<Real>& q, Real tol) {
   const Real outer = q.radius + tol;
   return outer >= 0 && q.r2 <= outer * outer;
 }
 
 template <class Real>
-bool in_cone(const ConicalFace<Real>& f, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+[[gnu::always_inline]] inline bool in_cone(const ConicalFace<Real>& f, const Vec3<Real>& p,
+                                           const Direction<Real>& v, Real tol) {
   // Most points are far from the face; the direction matters to those that are on it.
   const Real x = f.cosine * p.x, y = f.cosine * p.y, radius = f.radius + f.slope * p.z;
   const Real r2 = x * x + y * y, outer = radius + tol, inner = radius - tol;
@@ -102,8 +104,8 @@ bool in_cone(const ConicalFace<Real>& f, const Vec3<Real>& p, const Direction<Re
 
 /// Exit from the nappe, for points known to be in it.
 template <class Real>
-Real leave_cone(const ConicalFace<Real>& f, const Vec3<Real>& p, const Direction<Real>& v,
-                Real tol) {
+[[gnu::always_inline]] inline Real leave_cone(const ConicalFace<Real>& f, const Vec3<Real>& p,
+                                              const Direction<Real>& v, Real tol) {
   const ConicalForm<Real> q = conical_form(f, p, v);
   if (within_tolerance_of_nappe(q, tol) ? !heads_into_nappe(q, tol) : !(q.b < 0)) return Real(0);
   return nappe_exit(q);
@@ -111,8 +113,8 @@ Real leave_cone(const ConicalFace<Real>& f, const Vec3<Real>& p, const Direction
 
 /// The span of the nappe. Accurate for starts whose z is near the part of the nappe in question.
 template <class Real>
-Span<Real> cone_span(const ConicalFace<Real>& f, const Vec3<Real>& p, const Direction<Real>& v,
-                     Real tol) {
+[[gnu::always_inline]] inline Span<Real> cone_span(const ConicalFace<Real>& f, const Vec3<Real>& p,
+                                                   const Direction<Real>& v, Real tol) {
   const ConicalForm<Real> q = conical_form(f, p, v);
   const bool stays = stays_in_nappe(q);
   if (within_tolerance_of_nappe(q, tol)) {
@@ -146,7 +148,7 @@ constexpr Real cone_distance(const ConicalFace<Real>& f, Real rho, Real z) {
 
 /// A span that was measured from `shift` along the ray.
 template <class Real>
-constexpr Span<Real> shifted(const Span<Real>& span, Real shift) {
+[[gnu::always_inline]] constexpr Span<Real> shifted(const Span<Real>& span, Real shift) {
   return {span.enter < 0 ? span.enter : span.enter + shift, span.leave + shift, span.until + shift};
 }
 

@@ -16,7 +16,8 @@ Real ball_discriminant(Real r, const Vec3<Real>& p, const Direction<Real>& v, Re
 
 /// The far end of a line's part in the ball of radius r; b is p.v, r2 is p.p.
 template <class Real>
-Real ball_exit(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real b, Real r2) {
+[[gnu::always_inline]] inline Real ball_exit(Real r, const Vec3<Real>& p, const Direction<Real>& v,
+                                             Real b, Real r2) {
   const Real a = v.x * v.x + v.y * v.y + v.z * v.z;
   const Real discriminant = b == 0 ? a * (r * r - r2) : ball_discriminant(r, p, v, a);
   const Real root = square_root(larger(discriminant, Real(0)));
@@ -33,7 +34,8 @@ bool heads_into_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real
 
 /// Directional containment in the ball of radius r.
 template <class Real>
-bool in_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+[[gnu::always_inline]] inline bool in_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v,
+                                           Real tol) {
   const Real r2 = p.x * p.x + p.y * p.y + p.z * p.z;
   const Real outer = r + tol, inner = r - tol;
   if (r2 > outer * outer) return false;
@@ -43,7 +45,8 @@ bool in_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
 
 /// Exit from the ball of radius r, for points known to be in it.
 template <class Real>
-Real leave_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+[[gnu::always_inline]] inline Real leave_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v,
+                                              Real tol) {
   const Real b = p.x * v.x + p.y * v.y + p.z * v.z;
   const Real r2 = p.x * p.x + p.y * p.y + p.z * p.z, inner = r - tol;
   const bool deep = r2 < inner * inner && inner > 0;
@@ -52,7 +55,8 @@ Real leave_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol)
 }
 
 template <class Real>
-Span<Real> ball_span(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+[[gnu::always_inline]] inline Span<Real> ball_span(Real r, const Vec3<Real>& p,
+                                                   const Direction<Real>& v, Real tol) {
   const Real outer = r + tol;
   if (p.x * p.x + p.y * p.y + p.z * p.z <= outer * outer) {
     if (!in_ball(r, p, v, tol)) return no_span<Real>();

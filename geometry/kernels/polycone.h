@@ -13,13 +13,15 @@ struct Polycone {
 };
 
 template <class Real>
-Span<Real> face_span(const Polycone<Real>&, const ConicalFace<Real>& f, const Vec3<Real>& p,
-                     const Direction<Real>& v, Real tol) {
+[[gnu::always_inline]] inline Span<Real> face_span(const Polycone<Real>&,
+                                                   const ConicalFace<Real>& f, const Vec3<Real>& p,
+                                                   const Direction<Real>& v, Real tol) {
   return cone_span(f, p, v, tol);
 }
 template <class Real>
-bool in_face(const Polycone<Real>&, const ConicalFace<Real>& f, const Vec3<Real>& p,
-             const Direction<Real>& v, Real tol) {
+[[gnu::always_inline]] inline bool in_face(const Polycone<Real>&, const ConicalFace<Real>& f,
+                                           const Vec3<Real>& p, const Direction<Real>& v,
+                                           Real tol) {
   return in_cone(f, p, v, tol);
 }
 template <class Real>

@@ -12,6 +12,8 @@
 // Points within `tol` of a face, measured across it, are on the face, and there the direction
 // decides. No kernel moves a point, and no kernel calls a transcendental function: results depend
 // on +, -, *, / and square root alone, so that every compiler gives the same bits.
+// What returns a span, a point or a direction, or changes one, is inlined by force in many kernels,
+// with what it calls: otherwise compilers hand these over through memory.
 namespace navjit::kernels {
 
 enum class Side : int { outside = 0, surface = 1, inside = 2 };

@@ -23,8 +23,9 @@ struct Ledge {
 
 /// Where a ray that starts in a face leaves it; -1 if it does not start there.
 template <class Sections, class Real>
-Real face_leave(const Sections& s, const ConicalFace<Real>& f, const Vec3<Real>& p,
-                const Direction<Real>& v, Real tol) {
+[[gnu::always_inline]] inline Real face_leave(const Sections& s, const ConicalFace<Real>& f,
+                                              const Vec3<Real>& p, const Direction<Real>& v,
+                                              Real tol) {
   const Span<Real> span = face_span(s, f, p, v, tol);
   return is_ahead(span) && starts_in(span) ? span.leave : Real(-1);
 }
@@ -37,8 +38,9 @@ struct SectionRange {
 /// Within the tolerance of a plane the direction decides, the same way for the sections on both of
 /// its sides; along the plane, a ray is in both.
 template <class Real>
-SectionRange<Real> section_range(const Section<Real>& section, const Vec3<Real>& p,
-                                 const Direction<Real>& v, Real tol) {
+[[gnu::always_inline]] inline SectionRange<Real> section_range(const Section<Real>& section,
+                                                               const Vec3<Real>& p,
+                                                               const Direction<Real>& v, Real tol) {
   if (is_along(v.z)) {
     const bool in = (section.z_low - p.z <= tol) & (p.z - section.z_high <= tol);
     return {Real(0), in ? infinity<Real>() : Real(0)};
@@ -119,7 +121,8 @@ bool sections_contains(const Sections& s, const Vec3<Real>& p, const Direction<R
 /// Is the point in the bore of a ring of a full turn, and off its face? Of a bore with flat sides
 /// only the circle within them is looked at.
 template <class Real>
-bool well_in_bore(const Section<Real>& section, const Vec3<Real>& q, Real tol) {
+[[gnu::always_inline]] inline bool well_in_bore(const Section<Real>& section, const Vec3<Real>& q,
+                                                Real tol) {
   const ConicalFace<Real>& f = section.inner;
   const Real x = f.cosine * q.x, y = f.cosine * q.y;
   const Real radius = f.radius + f.slope * q.z - 2 * tol;

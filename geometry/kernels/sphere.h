@@ -22,13 +22,15 @@ Real polar_distance(const PolarLimit<Real>& limit, Real rho, Real z) {
   return limit.kind == 1 ? s : -s;
 }
 template <class Real>
-Span<Real> polar_span(const PolarLimit<Real>& limit, const Vec3<Real>& p, const Direction<Real>& v,
-                      Real tol, int kind) {
+[[gnu::always_inline]] inline Span<Real> polar_span(const PolarLimit<Real>& limit,
+                                                    const Vec3<Real>& p, const Direction<Real>& v,
+                                                    Real tol, int kind) {
   return limit.kind == kind ? cone_span(limit.face, p, v, tol) : no_span<Real>();
 }
 template <class Real>
-void clip_to_nappe(const PolarLimit<Real>& limit, const Vec3<Real>& p, const Direction<Real>& v,
-                   Real tol, Real shift, Span<Real>& body) {
+[[gnu::always_inline]] inline void clip_to_nappe(const PolarLimit<Real>& limit, const Vec3<Real>& p,
+                                                 const Direction<Real>& v, Real tol, Real shift,
+                                                 Span<Real>& body) {
   if (limit.kind != 1) return;
   const Span<Real> span = shifted(cone_span(limit.face, p, v, tol), shift);
   body.enter = larger(span.enter, body.enter);
@@ -87,8 +89,8 @@ Real distance_to_in(const Sphere<Real>& s, const Vec3<Real>& p, const Direction<
 }
 
 template <class Real>
-Real leave_polar(const PolarLimit<Real>& limit, const Vec3<Real>& p, const Direction<Real>& v,
-                 Real tol, Real leave) {
+[[gnu::always_inline]] inline Real leave_polar(const PolarLimit<Real>& limit, const Vec3<Real>& p,
+                                               const Direction<Real>& v, Real tol, Real leave) {
   if (limit.kind == 0) return leave;
   if (limit.kind == 2) return leave_into_hole(cone_span(limit.face, p, v, tol), leave);
   return smaller(leave_cone(limit.face, p, v, tol), leave);

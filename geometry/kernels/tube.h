@@ -18,7 +18,9 @@ constexpr bool is_along_axis(const Direction<Real>& v) {
 /// The far end of a line's part in the infinite cylinder of radius r, which is not along the axis;
 /// a, b and r2 are v.v, p.v and p.p of the parts across z.
 template <class Real>
-Real cylinder_exit(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real a, Real b, Real r2) {
+[[gnu::always_inline]] inline Real cylinder_exit(Real r, const Vec3<Real>& p,
+                                                 const Direction<Real>& v, Real a, Real b,
+                                                 Real r2) {
   const Real cross = p.x * v.y - p.y * v.x;
   const Real discriminant = b == 0 ? a * (r * r - r2) : a * (r * r) - cross * cross;
   const Real root = square_root(larger(discriminant, Real(0)));
@@ -28,8 +30,9 @@ Real cylinder_exit(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real a
 /// On the surface, does a direction head in? A tangent leaves a round surface, and so does what
 /// comes no deeper than the tolerance: nearly along the axis it would leave and enter for ever.
 template <class Real>
-bool heads_into_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol, Real a,
-                         Real b) {
+[[gnu::always_inline]] inline bool heads_into_cylinder(Real r, const Vec3<Real>& p,
+                                                       const Direction<Real>& v, Real tol, Real a,
+                                                       Real b) {
   if (is_along_axis(v)) return true;
   const Real cross = p.x * v.y - p.y * v.x, inner = larger(r - tol, Real(0));
   return (b <= 0) & (cross * cross < inner * inner * a);
@@ -37,7 +40,8 @@ bool heads_into_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, 
 
 /// Directional containment in the infinite cylinder of radius r.
 template <class Real>
-bool in_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+[[gnu::always_inline]] inline bool in_cylinder(Real r, const Vec3<Real>& p,
+                                               const Direction<Real>& v, Real tol) {
   const Real r2 = p.x * p.x + p.y * p.y;
   const Real outer = r + tol, inner = r - tol;
   if (r2 > outer * outer) return false;
@@ -48,7 +52,8 @@ bool in_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol
 
 /// Exit from the infinite cylinder of radius r, for points known to be in it.
 template <class Real>
-Real leave_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+[[gnu::always_inline]] inline Real leave_cylinder(Real r, const Vec3<Real>& p,
+                                                  const Direction<Real>& v, Real tol) {
   const Real a = v.x * v.x + v.y * v.y, b = p.x * v.x + p.y * v.y;
   const Real r2 = p.x * p.x + p.y * p.y, inner = r - tol, outer = r + tol;
   if (is_along_axis(v)) return r2 > outer * outer ? Real(0) : infinity<Real>();
@@ -60,7 +65,8 @@ Real leave_cylinder(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real 
 /// The span of the infinite cylinder of radius r. The discriminant comes from the moment of the ray
 /// about the axis: far away it keeps the accuracy that |p|^2 - r^2 would lose.
 template <class Real>
-Span<Real> cylinder_span(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+[[gnu::always_inline]] inline Span<Real> cylinder_span(Real r, const Vec3<Real>& p,
+                                                       const Direction<Real>& v, Real tol) {
   const Real outer = r + tol;
   if (p.x * p.x + p.y * p.y <= outer * outer) {
     if (!in_cylinder(r, p, v, tol)) return no_span<Real>();

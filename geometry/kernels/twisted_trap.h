@@ -53,8 +53,10 @@ struct TwistedValue {
   Real value, nx, ny, nz;
 };
 template <class Real>
-TwistedValue<Real> value_at(const TwistedTrap<Real>& s, const TwistedSide<Real>& side,
-                            const Vec3<Real>& p, const Turn<Real>& turn) {
+[[gnu::always_inline]] inline TwistedValue<Real> value_at(const TwistedTrap<Real>& s,
+                                                          const TwistedSide<Real>& side,
+                                                          const Vec3<Real>& p,
+                                                          const Turn<Real>& turn) {
   const Real x = p.x - s.shear_x * p.z, y = p.y - s.shear_y * p.z;
   const Real u = side.nu + side.nu1 * p.z, w = side.nw + side.nw1 * p.z;
   const Real nx = turn.cosine * u - turn.sine * w, ny = turn.sine * u + turn.cosine * w;

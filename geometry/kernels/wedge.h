@@ -16,7 +16,7 @@ struct WedgeForm {
   Real first, second;
 };
 template <class Real>
-WedgeForm<Real> wedge_form(const Wedge<Real>& w, Real x, Real y) {
+[[gnu::always_inline]] inline WedgeForm<Real> wedge_form(const Wedge<Real>& w, Real x, Real y) {
   const Real first = w.start_y * x - w.start_x * y;
   const Real second = w.end_x * y - w.end_y * x;
   return w.kind == 1 ? WedgeForm<Real>{first, second} : WedgeForm<Real>{-first, -second};
@@ -25,15 +25,17 @@ WedgeForm<Real> wedge_form(const Wedge<Real>& w, Real x, Real y) {
 /// Clips a span to the convex wedge (kind 1), or, from the whole ray, gives the span of the missing
 /// sector (kind 2).
 template <class Real>
-void clip_to_wedge(const Wedge<Real>& w, const Vec3<Real>& p, const Direction<Real>& v, Real tol,
-                   Span<Real>& span) {
+[[gnu::always_inline]] inline void clip_to_wedge(const Wedge<Real>& w, const Vec3<Real>& p,
+                                                 const Direction<Real>& v, Real tol,
+                                                 Span<Real>& span) {
   const WedgeForm<Real> at = wedge_form(w, p.x, p.y), along = wedge_form(w, v.x, v.y);
   clip_face(span, at.first, along.first, tol);
   clip_face(span, at.second, along.second, tol);
 }
 /// The span of the missing sector; none unless the wedge is of kind 2.
 template <class Real>
-Span<Real> gap_span(const Wedge<Real>& w, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+[[gnu::always_inline]] inline Span<Real> gap_span(const Wedge<Real>& w, const Vec3<Real>& p,
+                                                  const Direction<Real>& v, Real tol) {
   if (w.kind != 2) return no_span<Real>();
   Span<Real> gap = whole_ray<Real>();
   clip_to_wedge(w, p, v, tol, gap);
@@ -42,8 +44,8 @@ Span<Real> gap_span(const Wedge<Real>& w, const Vec3<Real>& p, const Direction<R
 
 /// The exit from the sector, for points known to be in it, folded into `leave`.
 template <class Real>
-Real leave_wedge(const Wedge<Real>& w, const Vec3<Real>& p, const Direction<Real>& v, Real tol,
-                 Real leave) {
+[[gnu::always_inline]] inline Real leave_wedge(const Wedge<Real>& w, const Vec3<Real>& p,
+                                               const Direction<Real>& v, Real tol, Real leave) {
   if (w.kind == 0) return leave;
   if (w.kind == 2) return leave_into_hole(gap_span(w, p, v, tol), leave);
   const WedgeForm<Real> at = wedge_form(w, p.x, p.y), along = wedge_form(w, v.x, v.y);
@@ -53,15 +55,16 @@ Real leave_wedge(const Wedge<Real>& w, const Vec3<Real>& p, const Direction<Real
 
 /// Directional containment in the convex form (kind 1: the sector; kind 2: what is missing).
 template <class Real>
-bool in_convex_wedge(const Wedge<Real>& w, const Vec3<Real>& p, const Direction<Real>& v,
-                     Real tol) {
+[[gnu::always_inline]] inline bool in_convex_wedge(const Wedge<Real>& w, const Vec3<Real>& p,
+                                                   const Direction<Real>& v, Real tol) {
   const WedgeForm<Real> at = wedge_form(w, p.x, p.y), along = wedge_form(w, v.x, v.y);
   return !beyond_face(at.first, along.first, tol) && !beyond_face(at.second, along.second, tol);
 }
 
 /// Directional containment in the sector itself.
 template <class Real>
-bool in_wedge(const Wedge<Real>& w, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
+[[gnu::always_inline]] inline bool in_wedge(const Wedge<Real>& w, const Vec3<Real>& p,
+                                            const Direction<Real>& v, Real tol) {
   return w.kind == 0 || in_convex_wedge(w, p, v, tol) == (w.kind == 1);
 }
 
