@@ -6,6 +6,7 @@
 #include <G4GeometryManager.hh>
 #include <G4LogicalVolume.hh>
 #include <G4PVPlacement.hh>
+#include <G4StateManager.hh>
 #include <G4TouchableHistory.hh>
 #include <G4TransportationManager.hh>
 #include <G4VExceptionHandler.hh>
@@ -165,8 +166,12 @@ TEST_F(Calls, SecondariesStartFromTheirTouchable) {
   EXPECT_EQ(name(navigator_.ResetHierarchyAndLocate({5, 0, 0}, -x_, history)), "inner");
 }
 
-/// Keeps what it is told.
+/// Keeps what it is told, as long as it lives.
 struct Handler : G4VExceptionHandler {
+  Handler() = default;
+  ~Handler() override { G4StateManager::GetStateManager()->SetExceptionHandler(nullptr); }
+  Handler(const Handler&) = delete;
+  Handler& operator=(const Handler&) = delete;
   std::string codes{};
   G4bool Notify(const char*, const char* code, G4ExceptionSeverity severity,
                 const char* what) override {
