@@ -50,7 +50,8 @@ class RayJudge {
         ray_(ray),
         made_(made),
         tolerances_(tolerances),
-        direction_(reference::widen_direction(ray.direction)) {
+        direction_(reference::widen_direction(ray.direction)),
+        backwards_(reference::widen_direction(-1.0 * ray.direction)) {
     result_.stuck = made.stuck;
   }
 
@@ -72,6 +73,24 @@ class RayJudge {
   /// Whether a claim about a point is wrong, which it is only beyond the tolerance.
   bool refuted(const Chain& chain, const WidePoint& p) {
     return is_wrong(reference_.judge(chain, p, tolerances_.surface));
+  }
+
+  /// Whether a ray that is held to be in `chain` from `start` on, `end` far along `direction`, is
+  /// in something else meanwhile. `first` is the reference's step from there. What the reference
+  /// comes into is looked at one by one: a thin volume lies between any points chosen beforehand.
+  bool passes_another(const Chain& chain, const WidePoint& start, const WideDirection& direction,
+                      const WideAnswer& first, Quad end) {
+    constexpr int most = 16;  // of a claim that is wrong on the way, enough
+    Quad at = first.length;
+    WideAnswer answer = first;
+    for (int n = 0; n < most && answer.inside && at < end; ++n) {
+      const Chain passed = answer.next;
+      answer = reference_.step(passed, kernels::advance(start, direction, at), direction);
+      const Quad until = kernels::smaller(at + answer.length, end);
+      if (refuted(chain, kernels::advance(start, direction, (at + until) / 2))) return true;
+      at += answer.length;
+    }
+    return false;
   }
 
   void judge(std::size_t i) {
@@ -110,6 +129,8 @@ class RayJudge {
             judged.wrong_end || (checkable && refuted(beyond ? chain : next, p)) ||
             (!checkable && reference_.side_of_world(p, tolerances_.surface) == Side::inside);
       }
+      judged.wrong_end =
+          judged.wrong_end || (beyond && passes_another(chain, start, direction_, right, end));
     }
     const bool differs = !same || judged.error > tolerances_.surface;
     if (differs && !judged.wrong_volume && !judged.wrong_end) argue(judged);
@@ -175,18 +196,22 @@ class RayJudge {
     const WideAnswer right = reference_.step(chain, p, direction_);
     last_ = chain;
     if (right.inside) expected_ = right.next;
-    const Quad length = Quad(made.length) / 2 + right.length;
+    const Quad half = Quad(made.length) / 2, length = half + right.length;
     JudgedStep judged = measure(i, chain, made.point, made.length, length, right);
     if (judged.error > tolerances_.surface) {
       const bool beyond = Quad(made.length) > length;
       const WidePoint q = moved(made.point, ray_.direction, (Quad(made.length) + length) / 2);
       // Short of the surface, the engine claims that something else begins there.
-      judged.wrong_end = beyond
-                             ? refuted(chain, q)
-                             : reference_.judge(chain, q, tolerances_.surface) == Verdict::right &&
-                                   reference_.nearest_surface(chain, q) > tolerances_.surface;
+      judged.wrong_end =
+          beyond ? refuted(chain, q) || passes_another(chain, p, direction_, right, half)
+                 : reference_.judge(chain, q, tolerances_.surface) == Verdict::right &&
+                       reference_.nearest_surface(chain, q) > tolerances_.surface;
       if (!judged.wrong_end) argue(judged);
     }
+    // The step is judged from its middle on; what it passed before that is found on the way back.
+    const WideAnswer back = reference_.step(chain, p, backwards_);
+    judged.wrong_end = judged.wrong_end || (back.length < half - tolerances_.surface &&
+                                            passes_another(chain, p, backwards_, back, half));
     result_.steps.push_back(judged);
   }
 
@@ -233,7 +258,7 @@ class RayJudge {
   const Ray& ray_;
   const MadeRay& made_;
   const Tolerances& tolerances_;
-  WideDirection direction_;
+  WideDirection direction_, backwards_;
   // Of judge_named: the touchable that the ray was in last, as far as is known, and the one that
   // comes next by the reference.
   Chain last_;

@@ -102,6 +102,50 @@ TEST(Judge, TellsAWrongNextVolume) {
       &JudgedStep::wrong_volume);
 }
 
+/// A plate far thinner than the steps beside it, which a ray crosses at right angles.
+World world_with_plate(double thickness) {
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 100, 100, 100));
+  const VolumeId plate =
+      tests::add_volume(world, "plate", make_box("plate", thickness / 2, 50, 50));
+  tests::place(world, world.top, plate, {20 + thickness / 2, 0, 0});
+  finish(world);
+  return world;
+}
+
+TEST(Judge, TellsAThinVolumeThatIsPassed) {
+  for (const double thickness : {1.0, 1e-3, 1e-6}) {
+    for (const double short_by : {0.5, 2.0, 3.9}) {  // tolerances
+      Bench bench(world_with_plate(thickness));
+      const Ray ray{{-50, 1, 2}, {1, 0, 0}};
+      MadeRay made = make_ray_steps(bench.navigator, *bench.world, ray, 0);
+      ASSERT_EQ(made.steps.size(), 3U);
+      EXPECT_EQ(wrong_steps(bench.judge(ray, made)), 0U);
+      made.steps.erase(made.steps.begin() + 1);  // on as if there were no plate
+      made.steps[0].length -= short_by * bench.world->tolerance;
+      made.steps[1].point.x = -50 + made.steps[0].length;
+      made.steps[1].length = 100 - made.steps[1].point.x;
+      const JudgedRay judged = bench.judge(ray, made);
+      EXPECT_EQ(wrong_steps(judged), 1U) << thickness << " mm, " << short_by << " tolerances short";
+      EXPECT_EQ(judged.arguable, 1U) << "what comes after the first step";
+    }
+  }
+}
+
+TEST(Judge, TellsAThinVolumeThatIsPassedByNamesAlone) {
+  Bench bench(world_with_plate(1e-2));
+  for (const double x : {-99.0, -50.0}) {  // the plate is in the step's second half, in its first
+    const Ray ray{{x, 1, 2}, {1, 0, 0}};
+    MadeRay made = make_ray_steps(bench.navigator, *bench.world, ray, 0);
+    ASSERT_EQ(made.steps.size(), 3U);
+    made.steps.resize(1);
+    made.steps[0].length = 100 - x;
+    made.steps[0].touchable.reset();
+    const JudgedRay judged = judge_named_ray(bench.reference, ray, made, {1e-9, 1e-5});
+    EXPECT_EQ(wrong_steps(judged), 1U) << "from " << x;
+  }
+}
+
 TEST(Judge, TellsALostRay) {
   Bench bench(tests::mixed_world());
   std::mt19937_64 random(3);
