@@ -217,7 +217,7 @@ void add_trace(CLI::App& app, Action& action) {
   add_runtime_options(command, options->runtime);
   command.callback([options, &action] {
     refuse_same_files({{"--out", options->out}}, {{"the detector", options->detector.file},
-                                                  {"--rays", options->rays.rays},
+                                                  {"--rays", options->rays.file()},
                                                   {"--plugin", options->runtime.plugin}});
     action = [options] { return trace(*options); };
   });

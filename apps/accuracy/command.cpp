@@ -199,7 +199,7 @@ void add_accuracy(CLI::App& app, Action& action) {
     refuse_same_files(
         {{"--report", options->report}, {"--html", options->html}, {"--picture", options->picture}},
         {{"the detector", options->detector.file},
-         {"--rays", options->rays.rays},
+         {"--rays", options->rays.file()},
          {"--vecgeom-detector", options->vecgeom_detector}});
     if (options->repetitions == 0 && options->observations.empty()) {
       throw CLI::ValidationError("--repetitions", "'0' is less than 1, and here steps are timed");

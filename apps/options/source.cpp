@@ -61,7 +61,7 @@ void add_rays(CLI::App& command, RayOptions& options) {
       ->option_text("FILE|N");
   add_source(command, options.source);
   command.parse_complete_callback([&command, &options] {
-    if (options.rays.empty() || common::looks_like_number(options.rays)) return;
+    if (options.file().empty()) return;
     for (const char* name : {"--seed", "--origin", "--eta", "--aim"}) {
       if (command.get_option(name)->count() == 0) continue;
       throw CLI::ValidationError(name, "the rays of a file have their own starts and directions");

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "common/numbers.hpp"
 #include "common/rays.hpp"
 
 namespace CLI {
@@ -15,6 +16,9 @@ namespace navjit::apps {
 struct RayOptions {
   std::string rays{};  ///< a CSV file, or a count
   common::RaySource source{};
+
+  /// The CSV file; empty where `rays` is a count.
+  std::string file() const { return common::looks_like_number(rays) ? std::string() : rays; }
 };
 
 /// --rays, and the options of add_source. Rays of a file have their own starts and directions: with

@@ -172,7 +172,7 @@ void add_run(CLI::App& app, Action& action) {
                        {"--html", options->html},
                        {"--save-profile", options->save_profile}},
                       {{"the detector", options->detector.file},
-                       {"--rays", options->rays.rays},
+                       {"--rays", options->rays.file()},
                        {"--plugin", options->runtime.plugin}});
     action = [options] { return run(*options); };
   });

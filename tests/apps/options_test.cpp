@@ -136,6 +136,10 @@ TEST(Options, OneFileIsNotTwo) {
   refuses("run " + own + " --rays 1 --report " + again + "/../own.gdml", "the detector, too");
   refuses("trace " + own + " --rays 1 --out " + own, "the detector, too");
   EXPECT_EQ(std::filesystem::file_size(own), std::filesystem::file_size(detector));
+  // A number of rays is no file, whatever files are called.
+  const Output ten = run_command("cd " + folder.path() + " && " NAVJIT_COMMAND,
+                                 "trace own.gdml --rays 10 --out 10");
+  EXPECT_EQ(ten.status, 0) << ten.text;
   const Output both =
       run_navjit("run " + detector + " --rays 1 --jit off --report /dev/null --html /dev/null");
   EXPECT_EQ(both.status, 0) << both.text;
