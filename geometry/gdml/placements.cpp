@@ -22,19 +22,31 @@ Target find_target(FileContext& file, const XmlElement& element, const std::stri
   return {nullptr, file.look_up(&FileContext::volumes, element, "volume", name), name};
 }
 
-/// Geant4 looks in the working folder only, and is started beside the main file. Where it is
-/// started elsewhere, names may count from the file that has them, or from the main file.
-fs::path module_path(const Session& session, const XmlElement& element, std::string_view name) {
+/// Geant4 looks in the working folder only. Where the command is started in another one, names may
+/// count from the file that has them, from the main file, or from a folder above that: the top of a
+/// project that keeps its files in `geometry/` and starts Geant4 beside it.
+fs::path module_path(FileContext& file, const XmlElement& element, std::string_view name) {
   const fs::path path(name);
-  const fs::path beside = fs::path(*element.file).parent_path() / path;
-  const fs::path beside_main = fs::path(session.main_file).parent_path() / path;
   std::error_code error;
-  for (const fs::path* candidate : {&path, &beside, &beside_main}) {
-    if (fs::exists(*candidate, error)) return *candidate;
+  if (fs::exists(path, error)) return path;
+  const fs::path beside = fs::path(*element.file).parent_path() / path;
+  if (fs::exists(beside, error)) return beside;
+  const fs::path main_folder = fs::absolute(file.session.main_file, error).parent_path();
+  for (fs::path folder = main_folder;; folder = folder.parent_path()) {
+    const fs::path found = folder / path;
+    if (fs::exists(found, error)) {
+      if (folder != main_folder) {
+        file.note(element, "found the file in a folder above the main file",
+                  found.lexically_normal().string());
+      }
+      return found;
+    }
+    if (folder == folder.parent_path()) break;
   }
-  fail(element,
-       "there is no such file in the working folder, beside the file that names it, or beside the "
-       "main file; start in the folder from which the name counts");
+  fail(
+      element,
+      "there is no such file in the working folder, beside the file that names it, beside the main "
+      "file, or in a folder above that; start in the folder from which the name counts");
 }
 
 /// <file name='...' volname='...'>: the module's volume of that name, or its world.
@@ -44,8 +56,7 @@ Target find_in_module(FileContext& file, const XmlElement& element) {
   if (name->find("://") != std::string_view::npos) {
     fail(element, "the module is on a network and is not fetched; save it beside the file");
   }
-  FileContext& module =
-      read_file(file.session, module_path(file.session, element, *name), &element);
+  FileContext& module = read_file(file.session, module_path(file, element, *name), &element);
   if (element.find("volname")) {
     return find_target(module, element, file.reference(element, "volname"));
   }

@@ -52,9 +52,9 @@ struct GdmlReport {
 
 /// Reads a detector from a GDML file. Volumes keep the file's names and its
 /// order; assemblies are dissolved into the volumes that hold them. Nothing is fetched from a
-/// network; entities are opened relative to the file that declares them, modules (`<file>`)
-/// relative to the working folder or else to the file that names them. Throws GdmlError, and
-/// nothing else but std::bad_alloc. Thread-safe.
+/// network; entities are opened relative to the file that declares them, modules (`<file>`) to the
+/// working folder, that file's, the main file's or one above. Throws GdmlError, and nothing else
+/// but std::bad_alloc. Thread-safe.
 Detector read_gdml(const std::filesystem::path& path, const GdmlOptions& options = {},
                    GdmlReport* report = nullptr);
 

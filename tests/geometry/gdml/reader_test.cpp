@@ -167,6 +167,20 @@ TEST_F(GdmlReader, ModulesOfModulesAreNamedFromTheMainFile) {
   EXPECT_EQ(top(world).touchables, 3u);
 }
 
+// Many projects keep their files in a folder, and start Geant4 beside that.
+TEST_F(GdmlReader, ModulesMayBeNamedFromAFolderAboveTheMainFile) {
+  write("project/geometry/parts/spoke.gdml", Gdml{.structure = volume("W")});
+  const auto main =
+      write("project/geometry/detectors/main.gdml",
+            Gdml{.structure = volume(
+                     "W", "\n<physvol><file name='./geometry/parts/spoke.gdml'/></physvol>")});
+  GdmlReport report;
+  EXPECT_EQ(top(read_world(main, {}, &report)).touchables, 2u);
+  ASSERT_EQ(report.notes.size(), 1u);
+  EXPECT_HAS(report.notes[0], "found the file in a folder above the main file");
+  EXPECT_HAS(report.notes[0], "project/geometry/parts/spoke.gdml");
+}
+
 TEST_F(GdmlReader, RefusesBadModules) {
   const auto place = [](const std::string& file) {
     return Gdml{.structure = volume("W", "\n<physvol>" + file + "</physvol>")};
