@@ -18,8 +18,11 @@ using kernels::Union;
 
 using Box = kernels::Box<double>;
 using Tube = kernels::Tube<double>;
+using Cone = kernels::Cone<double>;
 using Trd = kernels::Trd<double>;
 using Trap = kernels::Trap<double>;
+using Hull = kernels::Hull<double>;
+using Prism = kernels::Prism<double>;
 using Sphere = kernels::Sphere<double>;
 using Polyhedra = kernels::Polyhedra<double>;
 using Polycone = kernels::Polycone<double>;
@@ -30,58 +33,82 @@ using Moved = kernels::Placed<double, Solid>;
 template <class Solid>
 using Apart = kernels::SolidApart<Solid>;
 using MovedTube = Boxed<Moved<Tube>>;
+/// Turned, too: the box around it tells more than its own sides.
+using TurnedBox = Boxed<Moved<Box>>;
 using TwoBoxes = Union<Moved<Box>, Moved<Box>>;
 
 template <class... Solids>
 struct List {};
+template <class... A, class... B>
+List<A..., B...> operator+(List<A...>, List<B...>);
+template <class... Lists>
+using Joined = decltype((List<>{} + ... + Lists{}));
 
-/// A cut, a joint or a common part of plain solids, and what detectors that have nothing to do with
-/// one another have in common (docs/experiments.md).
-using Structures = List<
+// Most solids that are made of several have holes that are boxes or tubes, somewhere:
+
+template <class Solid>
+using OneHole =
+    List<Subtraction<Solid, Box>, Subtraction<Solid, Moved<Box>>, Subtraction<Solid, TurnedBox>,
+         Subtraction<Solid, Boxed<Tube>>, Subtraction<Solid, MovedTube>>;
+template <class Solid, class Hole>
+using HoleAndAnother = List<Subtraction<Solid, Boxed<Union<Hole, Box>>>,
+                            Subtraction<Solid, Boxed<Union<Hole, Moved<Box>>>>,
+                            Subtraction<Solid, Boxed<Union<Hole, TurnedBox>>>,
+                            Subtraction<Solid, Boxed<Union<Hole, Boxed<Tube>>>>,
+                            Subtraction<Solid, Boxed<Union<Hole, MovedTube>>>>;
+template <class Solid>
+using TwoHoles = Joined<HoleAndAnother<Solid, Box>, HoleAndAnother<Solid, Moved<Box>>,
+                        HoleAndAnother<Solid, TurnedBox>, HoleAndAnother<Solid, Boxed<Tube>>,
+                        HoleAndAnother<Solid, MovedTube>>;
+
+/// And what detectors that have nothing to do with one another have in common
+/// (docs/experiments.md).
+using Others = List<
     // Two solids.
-    Subtraction<Box, Box>,                     //
-    Subtraction<Box, Moved<Box>>,              //
-    Subtraction<Box, Boxed<Moved<Box>>>,       //
-    Subtraction<Box, Boxed<Tube>>,             //
-    Subtraction<Box, MovedTube>,               //
     Subtraction<Box, Boxed<Moved<Polycone>>>,  //
-    Subtraction<Tube, Box>,                    //
-    Subtraction<Tube, Moved<Box>>,             //
-    Subtraction<Tube, Boxed<Moved<Box>>>,      //
-    Subtraction<Tube, Boxed<Tube>>,            //
-    Subtraction<Tube, MovedTube>,              //
     Subtraction<Trd, Boxed<Trd>>,              //
     Subtraction<Trap, Boxed<Trap>>,            //
+    Subtraction<Hull, Boxed<Moved<Hull>>>,     //
     Subtraction<Polyhedra, Boxed<Polyhedra>>,  //
     Subtraction<Polycone, Boxed<Polycone>>,    //
     Subtraction<Sphere, Boxed<Tube>>,          //
     Subtraction<Sphere, MovedTube>,            //
     Union<Box, Box>,                           //
     Union<Box, Moved<Box>>,                    //
-    Union<Box, Boxed<Moved<Box>>>,             //
+    Union<Box, TurnedBox>,                     //
     Union<Box, MovedTube>,                     //
+    Union<Box, Boxed<Moved<Hull>>>,            //
     Union<Boxed<Tube>, Moved<Box>>,            //
     Union<Boxed<Tube>, MovedTube>,             //
     Union<Boxed<Trd>, Boxed<Moved<Trd>>>,      //
-    Intersection<Box, Boxed<Moved<Box>>>,      //
+    Intersection<Box, TurnedBox>,              //
+    Intersection<Boxed<Tube>, Box>,            //
     Intersection<Boxed<Tube>, Moved<Box>>,     //
+    Intersection<Boxed<Hull>, TurnedBox>,      //
+    Intersection<Boxed<Hull>, MovedTube>,      //
     // Three.
-    Subtraction<Box, Boxed<Union<Box, Box>>>,                 //
-    Subtraction<Box, Boxed<TwoBoxes>>,                        //
-    Subtraction<Box, Boxed<Union<Moved<Box>, MovedTube>>>,    //
-    Subtraction<Box, Boxed<Union<Boxed<Tube>, Moved<Box>>>>,  //
-    Subtraction<Box, Boxed<Union<MovedTube, MovedTube>>>,     //
-    Subtraction<Box, Boxed<Subtraction<Box, MovedTube>>>,     //
-    Subtraction<Tube, Boxed<Union<MovedTube, MovedTube>>>,    //
-    Subtraction<Union<Box, Moved<Box>>, Moved<Box>>,          //
-    Subtraction<Union<Box, Moved<Box>>, MovedTube>,           //
-    Subtraction<Union<Box, MovedTube>, MovedTube>,            //
-    Union<Box, Boxed<TwoBoxes>>,                              //
-    Union<Moved<Box>, Boxed<Union<Box, Moved<Box>>>>,         //
-    Union<Boxed<Subtraction<Box, Boxed<Moved<Box>>>>, Moved<Box>>,
+    Subtraction<Box, Boxed<Union<Box, Boxed<Moved<Trd>>>>>,            //
+    Subtraction<Box, Boxed<Subtraction<Box, MovedTube>>>,              //
+    Subtraction<Hull, Boxed<Union<Boxed<Hull>, Boxed<Hull>>>>,         //
+    Subtraction<Union<Box, Moved<Box>>, Moved<Box>>,                   //
+    Subtraction<Union<Box, Moved<Box>>, MovedTube>,                    //
+    Subtraction<Union<Box, MovedTube>, MovedTube>,                     //
+    Union<Box, Boxed<TwoBoxes>>,                                       //
+    Union<Moved<Box>, Boxed<Union<Box, Moved<Box>>>>,                  //
+    Union<Moved<Box>, Boxed<Union<Boxed<Tube>, Moved<Box>>>>,          //
+    Union<TurnedBox, Boxed<Union<Boxed<Tube>, TurnedBox>>>,            //
+    Union<Boxed<Moved<Trap>>, Boxed<Union<Box, Boxed<Moved<Trap>>>>>,  //
+    Union<MovedTube, Boxed<Union<Boxed<Tube>, MovedTube>>>,            //
+    Union<MovedTube, Boxed<Union<Boxed<Moved<Hull>>, Boxed<Tube>>>>,   //
+    Union<MovedTube, Boxed<Union<Boxed<Moved<Prism>>, Boxed<Tube>>>>,  //
+    Union<Boxed<Subtraction<Box, TurnedBox>>, Moved<Box>>,             //
     // Windows.
     Subtraction<Box, Boxed<Apart<Union<Moved<Box>, Boxed<TwoBoxes>>>>>,
     Subtraction<Box, Boxed<Apart<Union<Boxed<TwoBoxes>, Boxed<TwoBoxes>>>>>>;
+
+using Structures =
+    Joined<OneHole<Box>, OneHole<Tube>, OneHole<Cone>, OneHole<Trd>, OneHole<Trap>, OneHole<Hull>,
+           OneHole<Prism>, OneHole<Polycone>, TwoHoles<Box>, TwoHoles<Tube>, Others>;
 
 /// A type of these as Shapes::type() has it.
 template <class Solid>
@@ -93,8 +120,11 @@ struct NameOf;
   };
 NAVJIT_NAME(Box)
 NAVJIT_NAME(Tube)
+NAVJIT_NAME(Cone)
 NAVJIT_NAME(Trd)
 NAVJIT_NAME(Trap)
+NAVJIT_NAME(Hull)
+NAVJIT_NAME(Prism)
 NAVJIT_NAME(Sphere)
 NAVJIT_NAME(Polyhedra)
 NAVJIT_NAME(Polycone)

@@ -20,16 +20,35 @@ namespace {
 
 constexpr double tolerance = 1e-9;
 
+constexpr double size_at_least = 0.5, size_at_most = 4;
+
+Solid some_hull(std::mt19937_64& random) {
+  const auto at = [&] { return uniform(random, size_at_least, size_at_most); };
+  return make_tet("s", {-at(), -at(), -at()}, {at(), -at(), -at()}, {0, at(), -at()}, {0, 0, at()});
+}
+
+/// An L.
+Solid some_prism(std::mt19937_64& random) {
+  const double a = uniform(random, size_at_least, 1), b = uniform(random, 2, size_at_most);
+  const PlanarPoint corners[] = {{-b, -b}, {b, -b}, {b, -a}, {-a, -a}, {-a, b}, {-b, b}};
+  const ExtrudedSection sections[] = {{-a, 0, 0, 1}, {b, 0, 0, 1}};
+  return make_extruded("s", corners, sections);
+}
+
+Solid some_trap(std::mt19937_64& random) {
+  const auto size = [&] { return uniform(random, size_at_least, size_at_most); };
+  const double x = size(), y = size(), wide = size(), far = uniform(random, 0.5, 2);
+  return make_trap("s", size(), 0.1, 0.2, y, x, wide, 0.1, far * y, far * x, far * wide, 0.1);
+}
+
 /// Mostly boxes and tubes, as what is made of several mostly is.
 Solid some_operand(std::mt19937_64& random) {
-  const auto size = [&] { return uniform(random, 0.5, 4); };
-  switch (random() % 14) {
+  const auto size = [&] { return uniform(random, size_at_least, size_at_most); };
+  switch (random() % 17) {
     case 0:
       return make_trd("s", size(), size(), size(), size(), size());
-    case 1: {
-      const double x = size(), y = size(), wide = size(), far = uniform(random, 0.5, 2);
-      return make_trap("s", size(), 0.1, 0.2, y, x, wide, 0.1, far * y, far * x, far * wide, 0.1);
-    }
+    case 1:
+      return some_trap(random);
     case 2:
       return make_sphere("s", 0.2, 0.3 + size(), 0, 7, 0, 4);
     case 3: {
@@ -41,9 +60,15 @@ Solid some_operand(std::mt19937_64& random) {
       return make_polycone("s", planes, 0, 7);
     }
     case 5:
+      return make_cone("s", 0, size(), 0.1, size(), size(), 0, 7);
     case 6:
+      return some_hull(random);
     case 7:
+      return some_prism(random);
     case 8:
+    case 9:
+    case 10:
+    case 11:
       return make_tube("s", 0, size(), size(), 0, 7);
     default:
       return make_box("s", size(), size(), size());
@@ -76,10 +101,38 @@ Solid some_wall(std::mt19937_64& random) {
   return wall;
 }
 
-/// Of two or three solids, or a wall; nothing if there is nothing left of them.
+/// Three in a row, as a coil or a frame is made.
+Solid some_row(std::mt19937_64& random) {
+  const auto part = [&] {
+    const auto size = [&] { return uniform(random, size_at_least, size_at_most); };
+    switch (random() % 5) {
+      case 0:
+        return make_box("s", size(), size(), size());
+      case 1:
+        return some_trap(random);
+      case 2:
+        return some_hull(random);
+      case 3:
+        return some_prism(random);
+      default:
+        return make_tube("s", 0, size(), size(), 0, 7);
+    }
+  };
+  Solid row = part();
+  for (int i = 0; i < 2; ++i) row = make_union("s", row, somewhere(random, part()));
+  return row;
+}
+
+/// Of two or three solids, a row, a hull less two, or a wall; nothing if there is nothing left of
+/// them.
 std::optional<Solid> some_solid(std::mt19937_64& random) {
   try {
     if (random() % 8 == 0) return some_wall(random);
+    if (random() % 8 == 0) return some_row(random);
+    if (random() % 64 == 0) {
+      return make_subtraction("s", some_hull(random),
+                              make_union("s", some_hull(random), some_hull(random)));
+    }
     const Solid two =
         some_boolean(random, some_operand(random), somewhere(random, some_operand(random)));
     switch (random() % 3) {
@@ -101,7 +154,7 @@ TEST(LibrarySolids, HaveTheBitsOfAnySolidsKernels) {
   std::mt19937_64 random(1);
   Arena arena;
   int with = 0, without = 0;
-  for (int n = 0; n < 150000; ++n) {
+  for (int n = 0; n < 400000; ++n) {
     const std::optional<Solid> solid = some_solid(random);
     if (!solid) continue;
     const std::string type = Shapes(true).type(solid->any());
