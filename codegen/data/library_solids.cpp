@@ -23,6 +23,7 @@ using Trd = kernels::Trd<double>;
 using Trap = kernels::Trap<double>;
 using Hull = kernels::Hull<double>;
 using Prism = kernels::Prism<double>;
+using Orb = kernels::Orb<double>;
 using Sphere = kernels::Sphere<double>;
 using Polyhedra = kernels::Polyhedra<double>;
 using Polycone = kernels::Polycone<double>;
@@ -43,6 +44,13 @@ template <class... A, class... B>
 List<A..., B...> operator+(List<A...>, List<B...>);
 template <class... Lists>
 using Joined = decltype((List<>{} + ... + Lists{}));
+
+/// Alone, through a pointer and not a switch over all kinds. Boxes need neither.
+using Plain = List<Tube, Cone, Trd, Trap, Hull, Prism, Orb, Sphere, Polyhedra, Polycone>;
+template <class Solid, class... Listed>
+constexpr bool is_listed(List<Listed...>) {
+  return (std::is_same_v<Solid, Listed> || ...);
+}
 
 // Most solids that are made of several have holes that are boxes or tubes, somewhere:
 
@@ -195,7 +203,9 @@ const SolidCode* bind(const AnySolid<double>& solid, double tolerance, Arena& ar
   Arena passing;
   std::memcpy(&bound->solid, typed_shape(solid, passing), sizeof(Solid));
   bound->tolerance = tolerance;
-  bound->code = {solid,
+  // What is made of several is there as any solid alone.
+  const bool is_plain = !is_composed(solid.kind);
+  bound->code = {{solid.kind, is_plain ? &bound->solid : solid.shape},
                  contains_numbered<Solid>,
                  distance_to_in_numbered<Solid>,
                  distance_to_out_numbered<Solid>,
@@ -233,6 +243,17 @@ const Structure* find_structure(const AnySolid<double>& solid) {
 const SolidCode* library_code(const AnySolid<double>& solid, double tolerance, Arena& arena) {
   const Structure* structure = find_structure(solid);
   return structure == nullptr ? nullptr : structure->bind(solid, tolerance, arena);
+}
+
+const SolidCode* plain_code(const AnySolid<double>& solid, double tolerance, Arena& arena) {
+  return kernels::visit(solid, [&](const auto& shape) -> const SolidCode* {
+    using Shape = std::decay_t<decltype(shape)>;
+    if constexpr (is_listed<Shape>(Plain{})) {
+      return bind<Shape>(solid, tolerance, arena);
+    } else {
+      return nullptr;
+    }
+  });
 }
 
 bool is_in_library(const AnySolid<double>& solid) { return find_structure(solid) != nullptr; }

@@ -1,5 +1,5 @@
-// Solids made of several whose structure is common: their code is compiled with the library, so
-// that scenes that are bound to data have it at once, and no compiler is needed for it.
+// Plain solids, and solids made of several whose structure is common: their code is compiled with
+// the library, so that scenes that are bound to data have it at once, and no compiler is needed.
 #pragma once
 
 #include <string>
@@ -14,6 +14,11 @@ namespace navjit::codegen {
 /// has none for its structure. The solid has to live as long as the arena.
 const kernels::SolidCode* library_code(const kernels::AnySolid<double>& solid, double tolerance,
                                        Arena& arena);
+
+/// The same for a solid that is not made of others, of the commonest kinds but boxes; null for
+/// those that have none.
+const kernels::SolidCode* plain_code(const kernels::AnySolid<double>& solid, double tolerance,
+                                     Arena& arena);
 
 /// Whether the library has code for it.
 bool is_in_library(const kernels::AnySolid<double>& solid);

@@ -42,9 +42,10 @@ QuickSolid quick_solid(const Source& source, const kernels::AnySolid<double>& so
     const auto code = source.code->find(solid.shape);
     if (code != source.code->end()) return quick(solid, code->second);
   }
-  const SolidCode* code = library_code(solid, source.geometry.tolerance(), source.arena);
-  if (code != nullptr) return quick(solid, code);
-  return quick(nearby(source, solid));
+  const double tolerance = source.geometry.tolerance();
+  const SolidCode* code = library_code(solid, tolerance, source.arena);
+  if (code == nullptr) code = plain_code(solid, tolerance, source.arena);
+  return code != nullptr ? quick(solid, code) : quick(nearby(source, solid));
 }
 
 }  // namespace
@@ -94,10 +95,9 @@ bool can_be_left_for_good(const QuickSolid& solid) {
     case SolidKind::trap:
     case SolidKind::hull:
     case SolidKind::orb:
-      return true;
     case SolidKind::tube:
     case SolidKind::cone:
-      return !solid.has_code;
+      return true;
     default:
       return false;
   }

@@ -47,13 +47,14 @@ inline QuickSolid quick(const AnySolid<double>& solid, const SolidCode* code) {
   return {solid.kind, true, code};
 }
 
-/// Of a kind that may be left for good; a tube or cone has no code of its own.
+/// Of a kind that may be left for good.
 inline bool is_left_for_good(const QuickSolid& s, const Vec3<double>& p, double tol) {
+  const void* const shape = s.has_code ? s.code().solid.shape : s.shape;
   if (s.kind == SolidKind::tube) {
-    return is_left_for_good(*static_cast<const Tube<double>*>(s.shape), p, tol);
+    return is_left_for_good(*static_cast<const Tube<double>*>(shape), p, tol);
   }
   if (s.kind == SolidKind::cone) {
-    return is_left_for_good(*static_cast<const Cone<double>*>(s.shape), p, tol);
+    return is_left_for_good(*static_cast<const Cone<double>*>(shape), p, tol);
   }
   return true;
 }

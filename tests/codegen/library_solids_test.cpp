@@ -178,11 +178,35 @@ TEST(LibrarySolids, AreDifferentStructures) {
   EXPECT_EQ(std::set(structures.begin(), structures.end()).size(), structures.size());
 }
 
-TEST(LibrarySolids, AreNotPlainOnes) {
+TEST(LibrarySolids, ArePlainOnesToo) {
+  std::mt19937_64 random(2);
+  Arena arena;
+  std::set<SolidKind> with, without;
+  for (int n = 0; n < 2000; ++n) {
+    const Solid solid = n % 50 == 0 ? make_orb("s", 2) : some_operand(random);
+    EXPECT_EQ(library_code(solid.any(), tolerance, arena), nullptr) << "made of several";
+    const kernels::SolidCode* code = plain_code(solid.any(), tolerance, arena);
+    (code != nullptr ? with : without).insert(solid.kind);
+    if (code == nullptr) continue;
+    ASSERT_EQ(verify_solid(solid.any(), *code, solid.extent, tolerance, 100, n + 1), "");
+    // Its numbers lie beside its code.
+    EXPECT_EQ(code->solid.kind, solid.kind);
+    const auto *numbers = static_cast<const char*>(code->solid.shape),
+               *start = static_cast<const char*>(code->data);
+    EXPECT_TRUE(numbers > start && numbers < start + 256);
+  }
+  EXPECT_EQ(with.size(), 10U);
+  EXPECT_EQ(without, std::set{SolidKind::box});
+}
+
+TEST(LibrarySolids, AreNoOthers) {
   Arena arena;
   const Solid box = make_box("box", 1, 2, 3);
-  EXPECT_EQ(library_code(box.any(), tolerance, arena), nullptr);
-  EXPECT_EQ(library_code(make_placed("moved", box, {}).any(), tolerance, arena), nullptr);
+  for (const Solid& solid :
+       {box, make_placed("moved", box, {}), make_ellipsoid("e", 1, 2, 3, -3, 3)}) {
+    EXPECT_EQ(library_code(solid.any(), tolerance, arena), nullptr);
+    EXPECT_EQ(plain_code(solid.any(), tolerance, arena), nullptr);
+  }
 }
 
 /// Of mothers and of daughters.
