@@ -80,7 +80,7 @@ class RayJudge {
   /// comes into is looked at one by one: a thin volume lies between any points chosen beforehand.
   bool passes_another(const Chain& chain, const WidePoint& start, const WideDirection& direction,
                       const WideAnswer& first, Quad end) {
-    constexpr int most = 16;  // of a claim that is wrong on the way, enough
+    constexpr int most = 16;  // enough to refute a claim
     Quad at = first.length;
     WideAnswer answer = first;
     for (int n = 0; n < most && answer.inside && at < end; ++n) {
@@ -198,20 +198,21 @@ class RayJudge {
     if (right.inside) expected_ = right.next;
     const Quad half = Quad(made.length) / 2, length = half + right.length;
     JudgedStep judged = measure(i, chain, made.point, made.length, length, right);
+    // The step is judged from its middle on; what it passed before that is found on the way back.
+    const WideAnswer back = reference_.step(chain, p, backwards_);
+    judged.wrong_end = back.length < half - tolerances_.surface &&
+                       passes_another(chain, p, backwards_, back, half);
     if (judged.error > tolerances_.surface) {
       const bool beyond = Quad(made.length) > length;
       const WidePoint q = moved(made.point, ray_.direction, (Quad(made.length) + length) / 2);
       // Short of the surface, the engine claims that something else begins there.
       judged.wrong_end =
-          beyond ? refuted(chain, q) || passes_another(chain, p, direction_, right, half)
-                 : reference_.judge(chain, q, tolerances_.surface) == Verdict::right &&
-                       reference_.nearest_surface(chain, q) > tolerances_.surface;
+          judged.wrong_end ||
+          (beyond ? refuted(chain, q) || passes_another(chain, p, direction_, right, half)
+                  : reference_.judge(chain, q, tolerances_.surface) == Verdict::right &&
+                        reference_.nearest_surface(chain, q) > tolerances_.surface);
       if (!judged.wrong_end) argue(judged);
     }
-    // The step is judged from its middle on; what it passed before that is found on the way back.
-    const WideAnswer back = reference_.step(chain, p, backwards_);
-    judged.wrong_end = judged.wrong_end || (back.length < half - tolerances_.surface &&
-                                            passes_another(chain, p, backwards_, back, half));
     result_.steps.push_back(judged);
   }
 

@@ -45,7 +45,7 @@ List<A..., B...> operator+(List<A...>, List<B...>);
 template <class... Lists>
 using Joined = decltype((List<>{} + ... + Lists{}));
 
-/// Alone, through a pointer and not a switch over all kinds. Boxes need neither.
+/// Solids that are not made of others. Boxes are asked without a call.
 using Plain = List<Tube, Cone, Trd, Trap, Hull, Prism, Orb, Sphere, Polyhedra, Polycone>;
 template <class Solid, class... Listed>
 constexpr bool is_listed(List<Listed...>) {
@@ -203,7 +203,7 @@ const SolidCode* bind(const AnySolid<double>& solid, double tolerance, Arena& ar
   Arena passing;
   std::memcpy(&bound->solid, typed_shape(solid, passing), sizeof(Solid));
   bound->tolerance = tolerance;
-  // What is made of several is there as any solid alone.
+  // Of solids made of several, AnySolid knows another form than these types.
   const bool is_plain = !is_composed(solid.kind);
   bound->code = {{solid.kind, is_plain ? &bound->solid : solid.shape},
                  contains_numbered<Solid>,

@@ -19,15 +19,12 @@ const Shape& shape_of(const kernels::AnySolid<double>& solid) {
   return *static_cast<const Shape*>(solid.shape);
 }
 
-/// The solid with its numbers beside those of the scene, where that is all there is to it.
+/// The solid; a box or tube, for which there is no code, with its numbers beside those of the
+/// scene.
 kernels::AnySolid<double> nearby(const Source& source, const kernels::AnySolid<double>& solid) {
   return kernels::visit(solid, [&](const auto& shape) -> kernels::AnySolid<double> {
     using Shape = std::decay_t<decltype(shape)>;
-    constexpr bool plain =
-        std::is_same_v<Shape, Box<double>> || std::is_same_v<Shape, Tube<double>> ||
-        std::is_same_v<Shape, Cone<double>> || std::is_same_v<Shape, Trd<double>> ||
-        std::is_same_v<Shape, Trap<double>>;
-    if constexpr (plain) {
+    if constexpr (std::is_same_v<Shape, Box<double>> || std::is_same_v<Shape, Tube<double>>) {
       Shape* copy = source.arena.array<Shape>(1);
       *copy = shape;
       return {solid.kind, copy};
