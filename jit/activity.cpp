@@ -3,10 +3,12 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdlib>
 #include <mutex>
 
+#include "jit/exiting.hpp"
 #include "jit/over_fork.hpp"
 
 namespace navjit::jit {
@@ -57,30 +59,42 @@ bool Activity::any() {
 
 namespace {
 
+/// An object of a thread. A thread that only ends itself waits for nothing.
 struct WaitWhenDestroyed {
-  ~WaitWhenDestroyed() { wait_for_activities(); }
+  ~WaitWhenDestroyed() {
+    if (Activity::any() && (gettid() == getpid() || is_exiting())) wait_for_activities();
+  }
 };
+
+/// Between two calls of outlast_static_objects() that do something: long compilations would
+/// otherwise leave a list of millions.
+constexpr auto between_calls = std::chrono::microseconds(200);
+constexpr int most_calls = 1 << 15;
 
 }  // namespace
 
+void outlast_by_this_thread() {
+  [[maybe_unused]] static thread_local const WaitWhenDestroyed at_its_end;
+}
+
 // Functions given to atexit are called in reverse, static objects destroyed in between: those of
 // LLVM that were made before this call outlive the wait. Objects of the thread that calls exit()
-// are destroyed before all of these: so where it is the main thread, as in a return from main, it
-// waits before anything of LLVM goes. Other threads must not wait when they end.
+// are destroyed before all of these: so it waits before anything of LLVM goes, whenever that was
+// made.
 void outlast_activities() {
   std::atexit(wait_for_activities);
-  if (gettid() == getpid()) {
-    [[maybe_unused]] static thread_local const WaitWhenDestroyed at_the_end_of_main;
-  }
+  outlast_by_this_thread();
 }
 
 void outlast_static_objects() {
-  constexpr int enough = 4096;
+  static std::atomic<std::chrono::steady_clock::rep> last{0};
   static std::atomic<int> calls{0};
-  if (calls.load(std::memory_order_relaxed) < enough) {
-    calls.fetch_add(1, std::memory_order_relaxed);
-    std::atexit(wait_for_activities);
-  }
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  const std::chrono::steady_clock::duration before(last.load(std::memory_order_relaxed));
+  if (now - before < between_calls || calls.load(std::memory_order_relaxed) >= most_calls) return;
+  last.store(now.count(), std::memory_order_relaxed);
+  calls.fetch_add(1, std::memory_order_relaxed);
+  std::atexit(wait_for_activities);
 }
 
 }  // namespace navjit::jit

@@ -32,9 +32,15 @@ class Activity {
 /// since the activity was: to be called where an activity is left to itself.
 void outlast_activities();
 
+/// The same, and before any static object is destroyed, if the calling thread is the one that will
+/// call exit(): to be called by threads that might. The end of the thread itself waits for
+/// nothing. Calls after the first cost nothing.
+void outlast_by_this_thread();
+
 /// The same for static objects of LLVM, which it makes when it first needs them: to be called often
-/// while something is compiled. What is made later than in the first few functions is not covered;
-/// it matters only where exit() is called by another thread than the main one.
+/// while something is compiled. It is all there is for a thread that calls exit() and has called
+/// neither of the functions above: such a thread may destroy, before the compiler has stopped, what
+/// that has made in its last fraction of a millisecond.
 void outlast_static_objects();
 
 }  // namespace navjit::jit

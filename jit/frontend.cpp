@@ -1,11 +1,13 @@
 #include "jit/detail/frontend.hpp"
 
+#include <clang/AST/ASTConsumer.h>
 #include <clang/Basic/Diagnostic.h>
 #include <clang/Basic/DiagnosticOptions.h>
 #include <clang/CodeGen/ModuleBuilder.h>
 #include <clang/Frontend/CompilerInstance.h>
 #include <clang/Frontend/CompilerInvocation.h>
 #include <clang/Frontend/FrontendAction.h>
+#include <clang/Frontend/MultiplexConsumer.h>
 #include <clang/Frontend/TextDiagnosticPrinter.h>
 #include <llvm/IR/LLVMContext.h>
 #include <llvm/IR/Module.h>
@@ -13,10 +15,20 @@
 #include <llvm/Support/VirtualFileSystem.h>
 #include <llvm/Support/raw_ostream.h>
 
+#include "jit/activity.hpp"
 #include "jit/detail/leave_wreck.hpp"
 
 namespace navjit::jit::detail {
 namespace {
+
+/// Clang makes static objects when it meets the first declaration that needs them.
+class OutlastStaticObjects : public clang::ASTConsumer {
+ public:
+  bool HandleTopLevelDecl(clang::DeclGroupRef) override {
+    outlast_static_objects();
+    return true;
+  }
+};
 
 /// Generates IR for the whole unit and keeps it. Clang's own actions for this would also set up
 /// and run its back end, which has its own idea of the pass pipeline.
@@ -33,7 +45,10 @@ class KeepModule : public clang::ASTFrontendAction {
         clang::CreateLLVMCodeGen(instance.getDiagnostics(), file, &instance.getVirtualFileSystem(),
                                  instance.getHeaderSearchOpts(), instance.getPreprocessorOpts(),
                                  instance.getCodeGenOpts(), context_);
-    return std::unique_ptr<clang::ASTConsumer>(generator_);
+    std::vector<std::unique_ptr<clang::ASTConsumer>> consumers;
+    consumers.emplace_back(generator_);
+    consumers.push_back(std::make_unique<OutlastStaticObjects>());
+    return std::make_unique<clang::MultiplexConsumer>(std::move(consumers));
   }
 
   void EndSourceFileAction() override {
@@ -171,6 +186,7 @@ Expected<ParsedUnit> parse(std::string_view source, std::string_view unit_name,
                          f.instance.getDiagnostics())) {
       return Failure{"compiler flags not understood:\n" + f.printer.all()};
     }
+    outlast_static_objects();  // the table of flags is one
     llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> files(memory);
     const bool kept = preamble.use(source, f.instance.getInvocation(), files);
     f.instance.createFileManager(files);

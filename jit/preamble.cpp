@@ -8,8 +8,14 @@
 
 #include <memory>
 
+#include "jit/activity.hpp"
+
 namespace navjit::jit::detail {
 namespace {
+
+struct OutlastStaticObjects : clang::PreambleCallbacks {
+  void HandleTopLevelDecl(clang::DeclGroupRef) override { outlast_static_objects(); }
+};
 
 /// Nothing if there are errors in the text.
 std::optional<clang::PrecompiledPreamble> parse_text(
@@ -19,12 +25,12 @@ std::optional<clang::PrecompiledPreamble> parse_text(
       new clang::DiagnosticIDs, new clang::DiagnosticOptions, new clang::IgnoringDiagConsumer));
   const auto buffer =
       llvm::MemoryBuffer::getMemBufferCopy(text, invocation.getFrontendOpts().Inputs[0].getFile());
-  clang::PreambleCallbacks nothing_to_do;
+  OutlastStaticObjects callbacks;
   auto parsed = clang::PrecompiledPreamble::Build(
       invocation, buffer.get(),
       {static_cast<unsigned>(text.size()), /*PreambleEndsAtStartOfLine=*/true}, *diagnostics, files,
       std::make_shared<clang::PCHContainerOperations>(), /*StoreInMemory=*/true,
-      /*StoragePath=*/"", nothing_to_do);
+      /*StoragePath=*/"", callbacks);
   // With errors it would be kept as it is, and they would not be told again.
   if (!parsed || diagnostics->hasErrorOccurred()) return std::nullopt;
   return std::move(*parsed);

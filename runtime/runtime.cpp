@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "jit/activity.hpp"
 #include "runtime/budget.hpp"
 #include "runtime/install.hpp"
 #include "runtime/reports.hpp"
@@ -28,7 +29,10 @@ Runtime::Runtime(Detector detector, std::shared_ptr<detail::Shared> shared)
 
 Runtime::~Runtime() { specialiser_->stop(); }
 
-Navigator Runtime::navigator() { return Navigator(shared_); }
+Navigator Runtime::navigator() {
+  jit::outlast_by_this_thread();
+  return Navigator(shared_);
+}
 
 Basket Runtime::basket(std::size_t places) { return {navigator(), places}; }
 

@@ -1,6 +1,7 @@
 // Runs that end while something is compiled, and runs for which there is no compiling: for want of
 // threads or of memory. Nothing waits, nothing fails, nothing changes.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <future>
@@ -141,6 +142,28 @@ TEST(EndingDeathTest, AProcessMayEndWhileARuntimeCompiles) {
         },
         testing::ExitedWithCode(7), "");
   }
+}
+
+/// LLVM makes static objects while it compiles.
+struct MadeWhileItCompiles {
+  ~MadeWhileItCompiles() {
+    if (jit::Activity::any()) _exit(1);
+  }
+};
+
+TEST(EndingDeathTest, AThreadWithANavigatorMayEndTheProcess) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(
+      {
+        static Runtime* const runtime =  // never destroyed
+            new Runtime(tests::mixed_world(), eager_options(JitMode::on));
+        [[maybe_unused]] static const MadeWhileItCompiles object;
+        std::thread([] {
+          transport_all(*runtime);
+          std::exit(jit::Activity::any() ? 7 : 2);
+        }).join();
+      },
+      testing::ExitedWithCode(7), "");
 }
 
 /// Whether a run with the JIT on has the traces of one with it off; for a child.
