@@ -23,7 +23,8 @@ Real bracketed_zero(const F& f, Real low, Real high, bool rising) {
       next = low + (high - low) / 2;
     }
     step = absolute(next - t);
-    if (next == t) return t;
+    // Rounding would make it go to and fro.
+    if (t + step / 4 == t) return next;
     t = next;
   }
   return t;

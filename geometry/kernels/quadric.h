@@ -24,7 +24,9 @@ Real value_of(const Quadric<Real>& f, const Vec3<Real>& p) {
   return f.a * (p.x * p.x) + f.b * (p.y * p.y) + (f.c * z + f.d) * z + f.e;
 }
 template <class Real>
-QuadraticForm<Real> form_at(const Quadric<Real>& f, const Vec3<Real>& p, const Direction<Real>& v) {
+[[gnu::always_inline]] inline QuadraticForm<Real> form_at(const Quadric<Real>& f,
+                                                          const Vec3<Real>& p,
+                                                          const Direction<Real>& v) {
   const Real z = p.z - f.origin;
   const Real gx = f.a * p.x, gy = f.b * p.y, gz = f.c * z + f.d / 2;
   return {f.a * (v.x * v.x) + f.b * (v.y * v.y) + f.c * (v.z * v.z),
@@ -45,13 +47,14 @@ Real form_distance(const QuadraticForm<Real>& q) {
   return 2 * q.c / (gradient + square_root(gradient * gradient + 2 * (bend * size)));
 }
 
-/// Is form_distance beyond the tolerance, on either side? Told without a root: it is if the value
-/// is above what the steepest gradient and the strongest bend make of the tolerance; twice as much
-/// is asked for, for the rounding of either, so that sometimes it is so and this does not say it.
+/// Is form_distance beyond the tolerance, on either side? Told without a root of the gradient: the
+/// value at the tolerance's distance is what the steepest gradient and the strongest bend make of
+/// that.
 template <class Real>
-bool is_off_surface(const QuadraticForm<Real>& q, Real tol) {
-  const Real tol2 = tol * tol;
-  return q.c * q.c > 4 * tol2 * (q.gradient2 + tol2 * (q.bend * q.bend + q.bend2));
+[[gnu::always_inline]] inline bool is_off_surface(const QuadraticForm<Real>& q, Real tol) {
+  const Real bend = q.bend2 > 0 ? q.bend + square_root(q.bend2) : q.bend;
+  const Real without_bend = absolute(q.c) - bend * (tol * tol / 2);
+  return without_bend > 0 && without_bend * without_bend > tol * tol * q.gradient2;
 }
 
 /// Whether a ray that heads out is in again within the tolerance, by a step too short to move the
@@ -62,23 +65,36 @@ bool comes_back(const QuadraticForm<Real>& q, Real tol) {
          square_root(larger(q.b * q.b - q.a * q.c, Real(0))) + q.b <= -tol * q.a;
 }
 
-/// Directional containment near the surface. A tangent goes where that bends; what comes no deeper
-/// than the tolerance leaves at once, and what would be in again within it does not leave: nearly
-/// along the surface rays would come and go for ever, by steps that do not move what decides.
+/// Directional containment within the tolerance of the surface. A tangent goes where that bends;
+/// what comes no deeper than the tolerance leaves at once, and what would be in again within it
+/// does not leave: nearly along the surface rays would come and go for ever, by steps that do not
+/// move what decides.
 template <class Real>
-[[gnu::noinline]] bool in_form_nearby(const QuadraticForm<Real> q, Real tol) {
-  const Real s = form_distance(q);
-  if (s > tol) return false;
-  if (s < -tol) return true;
+[[gnu::always_inline]] inline bool heads_into_form(const QuadraticForm<Real>& q, Real tol) {
   if (comes_back(q, tol)) return true;
   if (q.b > 0 || (q.b == 0 && q.a >= 0 && !(q.c < 0))) return false;
   if (!(q.a > 0)) return true;
   // Where it is deepest the value is that much, by `a`, below 0.
-  return q.b * q.b - q.a * q.c > tol * q.a * (square_root(q.gradient2) + tol * q.bend);
+  const Real most = tol * q.a;
+  const Real without_bend = q.b * q.b - q.a * q.c - most * (tol * q.bend);
+  return without_bend > 0 && without_bend * without_bend > most * most * q.gradient2;
 }
 template <class Real>
-bool in_form(const QuadraticForm<Real>& q, Real tol) {
-  return is_off_surface(q, tol) ? q.c < 0 : in_form_nearby(q, tol);
+[[gnu::always_inline]] inline bool in_form(const QuadraticForm<Real>& q, Real tol) {
+  return is_off_surface(q, tol) ? q.c < 0 : heads_into_form(q, tol);
+}
+
+/// Whether the closed form loses more than its value at the crossing has of rounding anyway: not
+/// where it was looked at from near a face that bounds an ellipsoid or an elliptical tube, whose
+/// terms are all as small there as at the crossing.
+template <class Face, class Real>
+[[gnu::always_inline]] inline bool needs_polish(const Face&, const QuadraticForm<Real>&) {
+  return true;
+}
+template <class Real>
+[[gnu::always_inline]] inline bool needs_polish(const Quadric<Real>& f,
+                                                const QuadraticForm<Real>& q) {
+  return !((f.c >= 0) & (f.d == 0) & (q.c <= -4 * f.e));
 }
 
 /// A crossing at `t` after one step of Newton's, which undoes the rounding of the closed form.
@@ -116,13 +132,13 @@ Real form_exit(const Face& f, const QuadraticForm<Real>& q, Real root, const Vec
   const Real depth = bends_around ? larger(-q.c, Real(0)) : -q.c;
   const Real above = inwards ? root - q.b : depth, below = inwards ? q.a : h;
   const Real leave = bends_around & !(below > 0) ? Real(0) : above / below;
-  return polished(f, p, v, leave);
+  return needs_polish(f, q) ? polished(f, p, v, leave) : leave;
 }
 /// Whether a ray from before a face that bends around what is behind it comes in.
 template <class Real>
 bool comes_in(const QuadraticForm<Real>& q, Real tol) {
   // On the surface: a graze that is not entered.
-  return q.b < 0 && q.b * q.b > q.a * q.c && (is_off_surface(q, tol) || !(form_distance(q) <= tol));
+  return q.b < 0 && q.b * q.b > q.a * q.c && is_off_surface(q, tol);
 }
 
 /// The parts of the ray behind the face, of which `q` is the form.
@@ -130,9 +146,8 @@ template <class Face, class Real>
 SpanPair<Real> form_spans(const Face& f, const QuadraticForm<Real>& q, const Vec3<Real>& p,
                           const Direction<Real>& v, Real tol) {
   const Real root = form_root(q), forever = infinity<Real>();
-  const auto to = [&](Real enter, Real exit) {
-    return Span<Real>{polished(f, p, v, enter), exit, exit};
-  };
+  const auto at = [&](Real t) { return needs_polish(f, q) ? polished(f, p, v, t) : t; };
+  const auto to = [&](Real enter, Real exit) { return Span<Real>{at(enter), exit, exit}; };
   if (in_form(q, tol)) {
     if (!comes_out(q, tol)) return one_span(whole_ray<Real>());
     const Real exit = form_exit(f, q, root, p, v);
@@ -143,7 +158,7 @@ SpanPair<Real> form_spans(const Face& f, const QuadraticForm<Real>& q, const Vec
   if (q.a > 0) {
     if (!comes_in(q, tol)) return no_spans<Real>();
     const Real h = root - q.b;
-    return one_span(to(q.c / h, polished(f, p, v, h / q.a)));
+    return one_span(to(q.c / h, at(h / q.a)));
   }
   if (q.b < 0) return one_span(to(q.c / (root - q.b), forever));
   return q.a < 0 ? one_span(to((q.b + root) / -q.a, forever)) : no_spans<Real>();
@@ -225,9 +240,12 @@ Real entry_through_bend(const QuadricSolid<Real>& s, const Span<Real>& slab,
                         const Direction<Real>& v, Real shift, Real tol) {
   if (!comes_in(form, tol)) return infinity<Real>();
   const Real h = form_root(form) - form.b, far = h / form.a;
-  const Real near = polished(s.outer, q, v, form.c / h) + shift;
+  const bool to_be_polished = needs_polish(s.outer, form);
+  const Real entry = form.c / h;
+  const Real near = (to_be_polished ? polished(s.outer, q, v, entry) : entry) + shift;
   const Real t = larger(near, larger(slab.enter, Real(0)));
   if (!(t < slab.until)) return infinity<Real>();
+  if (!to_be_polished) return t < far + shift ? t : infinity<Real>();
   // Where the ray comes out is polished only where that might decide.
   const Real before_exit = (shift + far * (1 - most_polish<Real>())) * (1 - Real(0x1p-50));
   return t < before_exit || t < polished(s.outer, q, v, far) + shift ? t : infinity<Real>();

@@ -201,6 +201,67 @@ SpanPair<Real> ring_spans(Real r, const RingForm<Real>& q, const Turns<Real>& tu
   return pair;
 }
 
+/// The path out of the tube of radius r for a ray that is in it and either off its surface or on
+/// its way in: h bends upwards by no more than a plane's does, so that the way to where it could
+/// leave at the earliest is never too long, and those ways soon lead to where it does. Negative if
+/// that is a graze, or takes too many of them. `hole` is the least distance from the axis.
+template <class Real>
+Real ring_exit(Real r, Real hole, const RingForm<Real>& q, Real tol) {
+  Sample<Real> at = value_at(q, Real(0));
+  const Real inner = r - tol, a = q.v.x * q.v.x + q.v.y * q.v.y + q.v.z * q.v.z;
+  const bool is_deep = inner > 0 && at.value < inner * inner;
+  if (!(hole > 64 * tol) || !(is_deep || at.slope < 0)) return Real(-1);
+  const Real cross = q.p.x * q.v.y - q.p.y * q.v.x, furthest = q.ring + r;
+  const Real most_bend = a - q.ring * (cross * cross) / (furthest * furthest * furthest);
+  Real t = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Real c = at.value - r * r, square = at.slope * at.slope - most_bend * c;
+    if (!(square > 0)) return Real(-1);
+    const Real root = square_root(square);
+    const Real step = at.slope > 0 ? -c / (root + at.slope) : (root - at.slope) / most_bend;
+    // Out again for longer than the tolerance: it bends back by no more than at the hole.
+    const Real to = t + step;
+    if (t + step / 4 == t || !(step > 0)) {
+      return at.slope > 4 * tol * (a + q.ring / hole) ? larger(to, Real(0)) : Real(-1);
+    }
+    t = to;
+    at = value_at(q, t);
+  }
+  return Real(-1);
+}
+
+/// The path to where such a ray comes into a tube of radius r within the other, before `until`;
+/// infinity if it does not. Negative as above. In the wider tube h bends downwards by no more than
+/// at the hole.
+template <class Real>
+Real ring_entry(Real r, Real hole, const RingForm<Real>& q, Real tol, Real until) {
+  Sample<Real> at = value_at(q, Real(0));
+  const Real outer = r + tol, inner = r - tol, a = q.v.x * q.v.x + q.v.y * q.v.y + q.v.z * q.v.z;
+  const bool is_off = at.value > outer * outer;
+  if (!is_off && (at.value < inner * inner || !(at.slope > 0))) return Real(-1);
+  const Real cross = q.p.x * q.v.y - q.p.y * q.v.x;
+  const Real least_bend = a - q.ring * (cross * cross) / (hole * hole * hole);
+  Real t = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Real c = larger(at.value - r * r, Real(0));
+    const Real slope2 = at.slope * at.slope, square = slope2 - least_bend * c;
+    const bool falls = at.slope < 0;
+    // A difference of numbers that are nearly equal: a narrow tube, or a graze.
+    if (falls && absolute(square) <= slope2 * Real(0x1p-20)) return Real(-1);
+    if (least_bend >= 0 && !(falls && square > 0)) return infinity<Real>();
+    const Real root = square_root(square);
+    const Real step = falls ? c / (root - at.slope) : (root + at.slope) / -least_bend;
+    const Real to = t + step;
+    if (!(to < until)) return infinity<Real>();
+    if (t + step / 4 == t) {
+      return at.slope < -4 * tol * (a + q.ring / hole) ? larger(to, Real(0)) : Real(-1);
+    }
+    t = to;
+    at = value_at(q, t);
+  }
+  return Real(-1);
+}
+
 /// The ray near the torus, and how far along it that is.
 template <class Real>
 struct TorusApproach {
@@ -280,6 +341,12 @@ template <class Real>
 Real distance_to_out(const Torus<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
                      Real tol) {
   const RingForm<Real> q{s.rtor, p, v};
+  if (in_ring(s.rmax, q, tol)) {
+    const Real hole = s.rtor - s.rmax, leave = ring_exit(s.rmax, hole, q, tol);
+    const Real enter =
+        s.rmin > 0 && leave > 0 ? ring_entry(s.rmin, hole, q, tol, leave) : infinity<Real>();
+    if (leave > 0 && enter > 0) return leave_wedge(s.wedge, p, v, tol, smaller(leave, enter));
+  }
   const Turns<Real> turns = turns_ahead(q, s.rtor + s.rmax);
   Real leave = leave_body(ring_spans(s.rmax, q, turns, tol), infinity<Real>());
   if (s.rmin > 0) leave = leave_into_holes(ring_spans(s.rmin, q, turns, tol), leave);
