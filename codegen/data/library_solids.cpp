@@ -27,6 +27,8 @@ using Orb = kernels::Orb<double>;
 using Sphere = kernels::Sphere<double>;
 using Polyhedra = kernels::Polyhedra<double>;
 using Polycone = kernels::Polycone<double>;
+using QuadricSolid = kernels::QuadricSolid<double>;
+using Torus = kernels::Torus<double>;
 template <class Solid>
 using Boxed = kernels::Boxed<double, Solid>;
 template <class Solid>
@@ -46,7 +48,8 @@ template <class... Lists>
 using Joined = decltype((List<>{} + ... + Lists{}));
 
 /// Solids that are not made of others. Boxes are asked without a call.
-using Plain = List<Tube, Cone, Trd, Trap, Hull, Prism, Orb, Sphere, Polyhedra, Polycone>;
+using Plain =
+    List<Tube, Cone, Trd, Trap, Hull, Prism, Orb, Sphere, Polyhedra, Polycone, QuadricSolid, Torus>;
 template <class Solid, class... Listed>
 constexpr bool is_listed(List<Listed...>) {
   return (std::is_same_v<Solid, Listed> || ...);
@@ -68,6 +71,13 @@ template <class Solid>
 using TwoHoles = Joined<HoleAndAnother<Solid, Box>, HoleAndAnother<Solid, Moved<Box>>,
                         HoleAndAnother<Solid, TurnedBox>, HoleAndAnother<Solid, Boxed<Tube>>,
                         HoleAndAnother<Solid, MovedTube>>;
+
+/// Organs of phantoms, and phototubes.
+using Ellipsoids =
+    List<Subtraction<QuadricSolid, Boxed<QuadricSolid>>,
+         Subtraction<QuadricSolid, Boxed<Moved<QuadricSolid>>>,
+         Union<Boxed<QuadricSolid>, Boxed<Moved<QuadricSolid>>>,
+         Union<Boxed<QuadricSolid>, MovedTube>, Union<Boxed<Tube>, Boxed<Moved<QuadricSolid>>>>;
 
 /// And what detectors that have nothing to do with one another have in common
 /// (docs/experiments.md).
@@ -114,9 +124,9 @@ using Others = List<
     Subtraction<Box, Boxed<Apart<Union<Moved<Box>, Boxed<TwoBoxes>>>>>,
     Subtraction<Box, Boxed<Apart<Union<Boxed<TwoBoxes>, Boxed<TwoBoxes>>>>>>;
 
-using Structures =
-    Joined<OneHole<Box>, OneHole<Tube>, OneHole<Cone>, OneHole<Trd>, OneHole<Trap>, OneHole<Hull>,
-           OneHole<Prism>, OneHole<Polycone>, TwoHoles<Box>, TwoHoles<Tube>, Others>;
+using Structures = Joined<OneHole<Box>, OneHole<Tube>, OneHole<Cone>, OneHole<Trd>, OneHole<Trap>,
+                          OneHole<Hull>, OneHole<Prism>, OneHole<Polycone>, OneHole<QuadricSolid>,
+                          TwoHoles<Box>, TwoHoles<Tube>, Ellipsoids, Others>;
 
 /// A type of these as Shapes::type() has it.
 template <class Solid>
@@ -136,6 +146,7 @@ NAVJIT_NAME(Prism)
 NAVJIT_NAME(Sphere)
 NAVJIT_NAME(Polyhedra)
 NAVJIT_NAME(Polycone)
+NAVJIT_NAME(QuadricSolid)
 #undef NAVJIT_NAME
 #define NAVJIT_NAME(Boolean)                                                  \
   template <class A, class B>                                                 \

@@ -44,7 +44,7 @@ Solid some_trap(std::mt19937_64& random) {
 /// Mostly boxes and tubes, as what is made of several mostly is.
 Solid some_operand(std::mt19937_64& random) {
   const auto size = [&] { return uniform(random, size_at_least, size_at_most); };
-  switch (random() % 17) {
+  switch (random() % 19) {
     case 0:
       return make_trd("s", size(), size(), size(), size(), size());
     case 1:
@@ -66,7 +66,11 @@ Solid some_operand(std::mt19937_64& random) {
     case 7:
       return some_prism(random);
     case 8:
+      return make_ellipsoid("s", size(), size(), 4, -size(), size());
     case 9:
+      return make_eltube("s", size(), size(), size());
+    case 16:
+    case 17:
     case 10:
     case 11:
       return make_tube("s", 0, size(), size(), 0, 7);
@@ -183,7 +187,9 @@ TEST(LibrarySolids, ArePlainOnesToo) {
   Arena arena;
   std::set<SolidKind> with, without;
   for (int n = 0; n < 2000; ++n) {
-    const Solid solid = n % 50 == 0 ? make_orb("s", 2) : some_operand(random);
+    const Solid solid = n % 50 == 0   ? make_orb("s", 2)
+                        : n % 50 == 1 ? make_torus("s", 0, 1, 3, 0, 7)
+                                      : some_operand(random);
     EXPECT_EQ(library_code(solid.any(), tolerance, arena), nullptr) << "made of several";
     const kernels::SolidCode* code = plain_code(solid.any(), tolerance, arena);
     (code != nullptr ? with : without).insert(solid.kind);
@@ -195,7 +201,7 @@ TEST(LibrarySolids, ArePlainOnesToo) {
                *start = static_cast<const char*>(code->data);
     EXPECT_TRUE(numbers > start && numbers < start + 256);
   }
-  EXPECT_EQ(with.size(), 10U);
+  EXPECT_EQ(with.size(), 13U);
   EXPECT_EQ(without, std::set{SolidKind::box});
 }
 
@@ -203,7 +209,7 @@ TEST(LibrarySolids, AreNoOthers) {
   Arena arena;
   const Solid box = make_box("box", 1, 2, 3);
   for (const Solid& solid :
-       {box, make_placed("moved", box, {}), make_ellipsoid("e", 1, 2, 3, -3, 3)}) {
+       {box, make_placed("moved", box, {}), make_twistedbox("t", 0.5, 1, 2, 3)}) {
     EXPECT_EQ(library_code(solid.any(), tolerance, arena), nullptr);
     EXPECT_EQ(plain_code(solid.any(), tolerance, arena), nullptr);
   }
