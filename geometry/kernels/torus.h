@@ -202,9 +202,9 @@ SpanPair<Real> ring_spans(Real r, const RingForm<Real>& q, const Turns<Real>& tu
 }
 
 /// The path out of the tube of radius r for a ray that is in it and either off its surface or on
-/// its way in: h bends upwards by no more than a plane's does, so that the way to where it could
-/// leave at the earliest is never too long, and those ways soon lead to where it does. Negative if
-/// that is a graze, or takes too many of them. `hole` is the least distance from the axis.
+/// its way in. In the tube h bends upwards by no more than at its outer edge: the way to where it
+/// could leave at the earliest is never too long, and a few of those lead to where it does.
+/// Negative if that is a graze, or takes too many. `hole` is the least distance from the axis.
 template <class Real>
 Real ring_exit(Real r, Real hole, const RingForm<Real>& q, Real tol) {
   Sample<Real> at = value_at(q, Real(0));
