@@ -4,8 +4,8 @@
 namespace navjit::jit {
 
 /// Whether the calling thread is inside exit(), be it by a return from main. False where that
-/// cannot be known: in programs that are linked with the C library statically. Takes
-/// microseconds: for destructors of objects of a thread, which exit() calls as the end of the
+/// cannot be known: in programs that are linked with the C library statically. It walks up the
+/// stack, and is for destructors of objects of a thread, which exit() calls as the end of the
 /// thread does.
 bool is_exiting() noexcept;
 
