@@ -40,6 +40,18 @@ inline double largest_lane(Doubles lanes) {
   return (two > other ? two : other)[0];
 }
 
+/// A number for each of four lanes.
+template <class Number>
+struct FourOf {
+  Number a, b, c, d;
+};
+
+inline Doubles lanes_from(const FourOf<double>& numbers) {
+  Doubles lanes;
+  __builtin_memcpy(&lanes, &numbers, sizeof lanes);
+  return lanes;
+}
+
 /// A number for each of eight lanes.
 template <class Number>
 struct EightOf {
@@ -56,6 +68,7 @@ inline EightLanes lanes_from(const EightOf<double>& numbers) {
   return lanes;
 }
 
+inline Doubles absolute(Doubles lanes) { return lanes < 0 ? -lanes : lanes; }
 inline EightLanes absolute(EightLanes lanes) { return lanes < 0 ? -lanes : lanes; }
 
 inline unsigned bits_of(EightWords set) {

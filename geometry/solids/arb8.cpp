@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <span>
 
 #include "geometry/solids/bodies.hpp"
@@ -50,6 +52,66 @@ kernels::TwistedFace<double> twisted_side(const SideCorners& s, double hz) {
           e.y * k,  -e.x * k,  cross(e, a) * k};
 }
 
+/// The plane that a side is near, and how near (SidePlanes) within |x| <= far.x and so on.
+struct NearPlane {
+  kernels::Plane<double> plane;
+  double reach, lean;
+};
+
+constexpr double unknown = std::numeric_limits<double>::infinity();
+
+/// The edge at z runs along E (1 + grows z) + turned(E) turns z, and its middle along C + z C', so
+/// that the side is where (1 + grows z) L + turns z M = 0: L is how far a point is beside the line
+/// through that middle along E, which makes a plane, and M how far it is along it.
+NearPlane plane_near(const SideCorners& s, double hz, const Vec3& far) {
+  const PlanarPoint low = minus(s.b, s.a), high = minus(s.d, s.c);
+  const double twice = length({low.x + high.x, low.y + high.y});
+  const PlanarPoint along{(low.x + high.x) / twice, (low.y + high.y) / twice};
+  const PlanarPoint change{(high.x - low.x) / (hz * twice), (high.y - low.y) / (hz * twice)};
+  const double grows = dot(along, change), turns = cross(along, change);
+  const PlanarPoint middle{(s.a.x + s.b.x + s.c.x + s.d.x) / 4,
+                           (s.a.y + s.b.y + s.c.y + s.d.y) / 4};
+  const PlanarPoint drift{(s.c.x + s.d.x - s.a.x - s.b.x) / (4 * hz),
+                          (s.c.y + s.d.y - s.a.y - s.b.y) / (4 * hz)};
+  const double steepness = std::hypot(1, cross(along, drift));
+  const double most_along = std::abs(along.x) * far.x + std::abs(along.y) * far.y +
+                            std::abs(dot(along, middle)) + std::abs(dot(along, drift)) * far.z;
+  const double least_growth = 1 - std::abs(grows) * far.z;
+  if (!(least_growth > 0)) return {{}, unknown, unknown};
+  const double twist = std::abs(turns) / (least_growth * steepness);
+  return {{along.y / steepness, -along.x / steepness, cross(along, drift) / steepness,
+           cross(along, middle) / steepness},
+          twist * far.z * most_along,
+          twist * (most_along * (1 + far.z * std::abs(grows) / least_growth) +
+                   far.z * std::hypot(1, dot(along, drift)))};
+}
+
+/// With room for rounding, here and where planes are asked; useless if the side twists too much, or
+/// if the solid is so small that it may be no larger than the tolerance.
+NearPlane made_safe(NearPlane near, const Vec3& far) {
+  const double size = far.x + far.y + far.z;
+  near.lean += 0x1p-40;
+  near.reach += 0x1p-20 * near.reach + 0x1p-43 * size;
+  constexpr double most_lean = 1.0 / 4, most_reach = 1.0 / 32, least_size = 1e-6;
+  if (!(near.lean <= most_lean && near.reach <= most_reach * size &&
+        std::min({far.x, far.y, far.z}) >= least_size)) {
+    near.reach = near.lean = unknown;
+  }
+  return near;
+}
+
+kernels::SidePlanes<double> planes_near(std::span<const NearPlane, 4> n) {
+  const auto four = [&](auto&& number) {
+    return kernels::FourOf<double>{number(n[0]), number(n[1]), number(n[2]), number(n[3])};
+  };
+  return {four([](const NearPlane& s) { return s.plane.a; }),
+          four([](const NearPlane& s) { return s.plane.b; }),
+          four([](const NearPlane& s) { return s.plane.c; }),
+          four([](const NearPlane& s) { return s.plane.d; }),
+          four([](const NearPlane& s) { return s.reach; }),
+          four([](const NearPlane& s) { return s.lean; })};
+}
+
 }  // namespace
 
 Solid make_arb8(std::string name, double hz, std::span<const PlanarPoint, 8> given) {
@@ -96,22 +158,24 @@ Solid make_arb8(std::string name, double hz, std::span<const PlanarPoint, 8> giv
     return detail::make_hull(std::move(name), std::move(planes), e);
   }
   kernels::TwistedFace<double> faces[4];
+  NearPlane planes[4];
+  const double hx = std::max(std::abs(e.min.x), std::abs(e.max.x));
+  const double hy = std::max(std::abs(e.min.y), std::abs(e.max.y));
+  constexpr double room = 1 + 1.0 / 32;
+  const Vec3 far{room * hx, room * hy, room * hz};
   for (std::size_t i = 0; i < 4; ++i) {
     const SideCorners& side = sides[std::min(i, sides.size() - 1)];
     if (side.flat(slight)) {
       const kernels::Plane<double> f = flat_side(side, hz);
       faces[i] = {0, 0, 0, f.c, f.a, f.b, f.d};
+      planes[i] = made_safe({f, 0, 0}, far);
     } else {
       faces[i] = twisted_side(side, hz);
+      planes[i] = made_safe(plane_near(side, hz, far), far);
     }
   }
-  const kernels::Arb8<double> shape{hz,
-                                    std::max(std::abs(e.min.x), std::abs(e.max.x)),
-                                    std::max(std::abs(e.min.y), std::abs(e.max.y)),
-                                    faces[0],
-                                    faces[1],
-                                    faces[2],
-                                    faces[3]};
+  const kernels::Arb8<double> shape{hz,       hx,       hy,       faces[0],
+                                    faces[1], faces[2], faces[3], planes_near(planes)};
   return detail::make_solid(std::move(name), SolidKind::arb8, shape, e);
 }
 

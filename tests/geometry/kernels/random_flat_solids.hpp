@@ -236,6 +236,28 @@ inline SolidCase random_arb8(Random& random) {
           arb8_distance(corners, hz), 2 * std::max(s, hz)};
 }
 
+/// As corners come that are given to a few digits: its sides twist a little.
+inline SolidCase random_nearly_flat_arb8(Random& random) {
+  const double s = random.scale(1e-3, 1e4), hz = s * random.scale(0.3, 5);
+  const double slack = s * random.scale(1e-12, 3e-2);
+  std::vector<Corner> corners;
+  const double narrow = random.uniform(0.3, 1), x = random.uniform(-0.3, 0.3) * s;
+  double phi[4], rho[4];
+  for (int i = 0; i < 4; ++i) {
+    phi[i] = (i + random.uniform(-0.2, 0.2)) * std::numbers::pi / 2;
+    rho[i] = s * random.uniform(0.8, 1);
+  }
+  for (const double scale : {1.0, narrow}) {
+    for (int i = 0; i < 4; ++i) {
+      const double slip = random.uniform(-slack, slack), slide = random.uniform(-slack, slack);
+      corners.push_back({scale * rho[i] * std::cos(phi[i]) + (1 - scale) * x + slip,
+                         scale * rho[i] * std::sin(phi[i]) + slide});
+    }
+  }
+  return {make_arb8("arb8", hz, std::span<const Corner, 8>(corners.data(), 8)),
+          arb8_distance(corners, hz), 2 * std::max(s, hz)};
+}
+
 inline SolidCase random_cut_tube(Random& random) {
   const double rmax = random.scale(1e-3, 1e4), hz = rmax * random.scale(1.5, 20);
   const double rmin = random.chance(0.4) ? 0 : rmax * random.uniform(0.1, 0.9);
@@ -318,6 +340,7 @@ constexpr Maker flat_makers[] = {{"extruded", random_extruded},
                                  {"para", random_para},
                                  {"tessellated", random_tessellated},
                                  {"arb8", random_arb8},
+                                 {"nearly_flat_arb8", random_nearly_flat_arb8},
                                  {"bent_trap", random_bent_trap},
                                  {"small_bent_trap", random_small_bent_trap},
                                  {"cut_tube", random_cut_tube},
