@@ -9,10 +9,10 @@ namespace navjit::codegen {
 namespace {
 
 constexpr std::array of_scenes{
-    "apart",      "grid",         "boxes",     "four_boxes",       "slabs",
-    "nest",       "rings",        "wires",     "navigation_stack", "navigation",
-    "frames",     "bound_solids", "constants", "daughters",        "classes",
-    "search_few", "searches",     "scan",      "constant_searches"};
+    "apart",      "grid",         "boxes",     "four_boxes",        "slabs",
+    "nest",       "rings",        "wires",     "navigation_stack",  "navigation",
+    "frames",     "bound_solids", "constants", "daughters",         "classes",
+    "search_few", "searches",     "scan",      "constant_searches", "neighbour_list"};
 
 }  // namespace
 

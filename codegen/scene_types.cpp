@@ -237,10 +237,8 @@ std::string enter_of(const Writer& w) {
 std::string listed_neighbours(Writer& w) {
   const NeighbourLists& from = w.scene.neighbour_lists;
   if (!w.parts.listed || from.of.empty()) return {};
-  Arena arena;
-  const std::span lists(make_neighbour_lists({w.geometry, w.plan, w.scene, arena}), from.of.size());
   std::string text;
-  for (const kernels::NeighbourList& l : lists) {
+  for (const kernels::NeighbourList& l : from.of) {
     text += (text.empty() ? "{" : ", {") + list(l.low) + ", " + list(l.high) + ", " +
             number(l.first) + ", " + number(unsigned{l.count}) + ", " +
             number(unsigned{l.mother_contains}) + ", " + number(l.block) + "}";

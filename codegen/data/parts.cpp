@@ -153,21 +153,11 @@ void make_solids(const Source& source, SolidDaughters<Solid>& daughters) {
 void make(const Source& source, AnyDaughters& daughters) { make_solids(source, daughters); }
 void make(const Source& source, TubeDaughters& daughters) { make_solids(source, daughters); }
 
-const kernels::NeighbourList* make_neighbour_lists(const Source& source) {
-  const NeighbourLists& from = source.scene.neighbour_lists;
-  auto* lists = source.arena.array<kernels::NeighbourList>(from.of.size());
-  for (std::size_t k = 0; k < from.of.size(); ++k) {
-    const NeighbourLists::Of& of = from.of[k];
-    const Extent& b = of.box;
-    lists[k] = {{b.min.x, b.min.y, b.min.z},
-                {b.max.x, b.max.y, b.max.z},
-                of.first,
-                of.listed() ? of.count : kernels::NeighbourList::unlisted,
-                of.mother_contains,
-                of.block,
-                of.margin};
-  }
-  return lists;
+bool reads_neighbour_lists(const Source& source) {
+  const NeighbourLists& lists = source.scene.neighbour_lists;
+  const Candidates search = source.plan.candidates;
+  const bool by_arithmetic = search == Candidates::layers || search == Candidates::wires;
+  return !lists.of.empty() && (lists.are_near() || !by_arithmetic);
 }
 
 }  // namespace navjit::codegen

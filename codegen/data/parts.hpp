@@ -86,8 +86,6 @@ void make(const Source& source, kernels::SearchWires<Index>& search);
 kernels::BoxBlock block_of(const std::function<const Extent*(std::size_t lane)>& box);
 /// Boxes, along the axes, in lanes of four; those for which there is none are empty.
 void fill_fours(std::span<const Daughter> daughters, std::span<kernels::FourBoxes> fours);
-/// The daughters' neighbour lists.
-const kernels::NeighbourList* make_neighbour_lists(const Source& source);
 /// Boxes of all daughters, by daughter, as the generic navigator has them.
 const kernels::FloatBox* make_float_boxes(const Source& source);
 /// Boxes of all daughters, for safety.
@@ -96,14 +94,18 @@ kernels::NearBoxes make_near_boxes(std::span<const Extent> boxes, Arena& arena);
 /// The box of a daughter's solid, in its own frame, with a margin.
 Extent box_with_margin(const Geometry& geometry, const Daughter& daughter);
 
-/// What all kinds of scenes have: neighbour lists and boxes.
+/// Whether what is next to a daughter that was left is read from its list. Where lists are in no
+/// cache what is found by arithmetic is found sooner: rows of slabs that are alike are there once.
+bool reads_neighbour_lists(const Source& source);
+
+/// What all kinds of scenes have: neighbour lists, which are the generic navigator's, and boxes.
 template <class Scene>
 void make_shared_tables(const Source& source, Scene& scene) {
-  const NeighbourLists& lists = source.scene.neighbour_lists;
-  if (!lists.of.empty()) {
-    scene.lists = make_neighbour_lists(source);
-    scene.neighbours = source.arena.copy(lists.neighbours);
-    scene.beside = source.arena.copy(lists.blocks);
+  if (reads_neighbour_lists(source)) {
+    const NeighbourLists& lists = source.scene.neighbour_lists;
+    scene.lists = lists.of.data();
+    scene.neighbours = lists.neighbours.data();
+    scene.beside = lists.blocks.data();
   }
   if (source.plan.safety == SafetyFrom::boxes) {
     scene.boxes = make_near_boxes(source.plan.tree_boxes, source.arena);

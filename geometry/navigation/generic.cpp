@@ -184,7 +184,7 @@ void relocate_after(const Geometry& geometry, NavigationStack& stack, const Vec3
     // Out of a daughter: the mother may end at the same place.
     for (;;) {
       around = scene->lists == nullptr ? nullptr : scene->lists + blocked;
-      if (around != nullptr && !around->is_there(p)) around = nullptr;
+      if (around != nullptr && !is_there(*around, p)) around = nullptr;
       if (around != nullptr && around->mother_contains) break;
       if (contains_here(scene->solid, p, heading, tolerance)) break;
       blocked = static_cast<int>(level->daughter);

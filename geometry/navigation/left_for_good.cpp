@@ -20,23 +20,13 @@ unsigned find_left_for_good(const Geometry& geometry, const NavigationStack& sta
   const Vec3 at = kernels::to_local(level, point.x, point.y, point.z);
   const Vec3 p = generic::local(daughter, at);
   if (inside(daughter.solid, p, tolerance) != Side::surface) return none;
-  const bool for_good = kernels::visit(daughter.solid, [&](const auto& shape) {
-    return is_left_for_good(shape, p, tolerance);
-  });
+  const bool for_good = kernels::visit(
+      daughter.solid, [&](const auto& shape) { return is_left_for_good(shape, p, tolerance); });
   if (for_good) return left;
-  if (scene.lists == nullptr || !scene.lists[left].is_there(at)) return none;
+  if (scene.lists == nullptr || !is_there(scene.lists[left], at)) return none;
   const double* const u = stack.ray.given;
   const Direction v = kernels::to_local_heading(level, u[0], u[1], u[2]);
-  const NeighbourLists::Of& of = scene.lists[left];
-  const Extent& box = of.box;
-  const kernels::NeighbourList list{{box.min.x, box.min.y, box.min.z},
-                                    {box.max.x, box.max.y, box.max.z},
-                                    of.first,
-                                    of.count,
-                                    of.mother_contains,
-                                    of.block,
-                                    of.margin};
-  return kernels::comes_out_of_box(list, at, v, tolerance) ? left : none;
+  return kernels::comes_out_of_box(scene.lists[left], at, v, tolerance) ? left : none;
 }
 
 }  // namespace navjit

@@ -16,6 +16,8 @@
 #include "geometry/navigation/box_blocks.hpp"
 #include "geometry/solids/solid.hpp"
 
+#include "geometry/kernels/neighbour_list.h"
+
 namespace navjit {
 
 namespace bvh {
@@ -23,34 +25,18 @@ class BoxTree;
 }
 
 struct NeighbourLists {
-  /// Of one daughter. A cache line.
-  struct alignas(64) Of {
-    Extent box;           ///< with the margin, in the mother's frame, mm
-    std::uint32_t first;  ///< into `neighbours`
-    std::uint16_t count;
-    bool mother_contains;  ///< the mother contains every point of the box
-    std::uint32_t block;   ///< into `blocks`; no_block: neighbours are asked one by one
-    float margin;          ///< by which the box is the larger, mm
-
-    static constexpr std::uint16_t unlisted = 0xffff;
-    static constexpr std::uint32_t no_block = 0xffffffff;
-    /// False if the neighbours are too many to be listed.
-    bool listed() const { return count != unlisted; }
-    /// Whether the point is in its box.
-    bool is_there(const Vec3& p) const {
-      return (p.x >= box.min.x) & (p.x <= box.max.x) & (p.y >= box.min.y) & (p.y <= box.max.y) &
-             (p.z >= box.min.z) & (p.z <= box.max.z);
-    }
-  };
+  using Of = kernels::NeighbourList;
   std::vector<Of> of;                     ///< by daughter; empty: unknown
   std::vector<std::uint32_t> neighbours;  ///< of one daughter: last in file order first
   std::vector<kernels::BoxBlock> blocks;  ///< of the neighbours, in that order
 
   /// Memory held.
   std::size_t bytes() const;
+  /// Whether a processor keeps all of it at hand.
+  bool are_near() const;
   /// Those of a daughter; null if they are unknown or the point is not in its box.
   const Of* at(unsigned daughter, const Vec3& p) const {
-    return daughter < of.size() && of[daughter].is_there(p) ? &of[daughter] : nullptr;
+    return daughter < of.size() && is_there(of[daughter], p) ? &of[daughter] : nullptr;
   }
   std::span<const std::uint32_t> neighbours_of(const Of& around) const {
     return std::span(neighbours).subspan(around.first, around.count);
@@ -58,7 +44,7 @@ struct NeighbourLists {
 };
 
 /// `boxes`: around the daughters in their mother's frame; `tree`: the same boxes, or null. Empty
-/// where they would be more than a processor keeps at hand.
+/// where a search reads less than what they hold.
 NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxes,
                                const bvh::BoxTree* tree, double tolerance);
 

@@ -1,7 +1,7 @@
 // The scene template and what it is made of (kernels/scene.h), for compiled-ahead code.
 #pragma once
 
-#include "geometry/navigation/box_blocks.hpp"
+#include "geometry/navigation/neighbours.hpp"
 
 // clang-format off
 #include "geometry/kernels/four_boxes.h"

@@ -65,7 +65,7 @@ double return_at_once(NavigationStack* stack, const Context* context, double x, 
   if (left >= scene.count || scene.lists == nullptr) return unknown;
   const Vec3 p = kernels::to_local(level, x, y, z);
   const NeighbourLists::Of& around = scene.lists[left];
-  if (!around.is_there(p) || !around.listed()) return unknown;
+  if (!is_there(around, p) || !around.listed()) return unknown;
   const double* const u = stack->ray.given;
   const Direction v = level.rotation == nullptr
                           ? stack->ray.direction

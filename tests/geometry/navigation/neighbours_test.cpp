@@ -224,5 +224,31 @@ TEST(NeighbourLists, AreNotMadeWhereNoCacheHoldsThem) {
   EXPECT_EQ(none.at(0, {0.5, 0.5, 0.5}), nullptr);
 }
 
+/// Boxes in a row, each of which touches two others.
+std::vector<Extent> row(std::size_t count) {
+  std::vector<Extent> boxes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto x = static_cast<double>(i);
+    boxes.push_back({{x, -1, -1}, {x + 1, 1, 1}});
+  }
+  return boxes;
+}
+
+TEST(NeighbourLists, OfFewNeighboursAreMadeUpToALimit) {
+  const auto lists = [](std::size_t count) {
+    const std::vector<Extent> boxes = row(count);
+    const bvh::BoxTree tree(boxes, tolerance, bvh::default_method(count));
+    const auto half = static_cast<double>(count);
+    return find_neighbours(make_box("mother", half, 9, 9), boxes, &tree, tolerance);
+  };
+  const NeighbourLists some = lists(20'000), more = lists(30'000);
+  EXPECT_EQ(some.of.size(), 20'000U);
+  EXPECT_TRUE(some.are_near());
+  EXPECT_EQ(more.of.size(), 30'000U);
+  EXPECT_FALSE(more.are_near());
+  EXPECT_EQ(more.at(7, {7.5, 0, 1})->count, 2U);
+  EXPECT_TRUE(lists(150'000).of.empty());
+}
+
 }  // namespace
 }  // namespace navjit

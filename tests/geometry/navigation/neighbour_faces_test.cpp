@@ -1,24 +1,20 @@
 // Where a track leaves a daughter, the daughter's list of neighbours serves.
 #include <gtest/gtest.h>
 
-#include "analysis/plan.hpp"
-#include "codegen/data/parts.hpp"
+#include "geometry/navigation/geometry.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace navjit {
 namespace {
 
-TEST(NeighbourListsBound, HoldThePointsOnTheFacesOfTheirDaughters) {
+TEST(NeighbourFaces, HoldThePointsOnTheFacesOfTheirDaughters) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
   const Geometry geometry(world);
-  const WorldFacts facts = analyse_world(geometry);
   int faces = 0;
   for (VolumeId v = 0; v < geometry.size(); ++v) {
     const Scene& scene = geometry.scene(v);
     if (scene.neighbour_lists.of.empty()) continue;
-    const ScenePlan plan = plan_scene(geometry, facts, v);
-    codegen::Arena arena;
-    const auto* lists = codegen::make_neighbour_lists({geometry, plan, scene, arena});
+    const auto& lists = scene.neighbour_lists.of;
     for (std::size_t k = 0; k < scene.daughters.size(); ++k) {
       const Daughter& d = scene.daughters[k];
       if (d.solid.kind != SolidKind::box || d.transformation.rotated) continue;
