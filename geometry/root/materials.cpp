@@ -7,6 +7,7 @@ namespace navjit::root {
 namespace {
 
 constexpr std::size_t most_components = 10'000;
+constexpr double density_of_space = 1e-25;  ///< between galaxies, g/cm3, as Geant4 has it
 
 /// Numbers that are none make a material less known, and no file unreadable.
 double or_zero(double value) { return std::isfinite(value) && value > 0 ? value : 0; }
@@ -90,6 +91,10 @@ Material make(Reading& reading, const Object& given) {
     material.temperature = kelvin;
   }
   material.elements = shares_of(reading, given);
+  // A vacuum. 0 would say that the density is not known.
+  if (material.density == 0 && given.number("fZ", 0) == 0 && !given.is("TGeoMixture")) {
+    material.density = density_of_space;
+  }
   const double per_area = navjit::radiation_length(reading.world, material.elements);
   constexpr double no_interaction = 1e20;  // ROOT's figure for a vacuum
   const double own = std::abs(given.number("fRadLen", 0));

@@ -1,6 +1,7 @@
 // Shapes of ROOT's that are made of numbers alone. Lengths are cm there, angles degrees.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <numbers>
 
@@ -13,6 +14,11 @@ constexpr double degree = std::numbers::pi / 180;
 
 double length(const Object& shape, std::string_view member) { return cm * shape.number(member); }
 double angle(const Object& shape, std::string_view member) { return degree * shape.number(member); }
+
+/// One of which only the tangent matters: less half turns. Files have 334 degrees for -26.
+double slant(const Object& shape, std::string_view member) {
+  return degree * std::remainder(shape.number(member), 180);
+}
 
 /// An azimuth from fPhi1 to fPhi2, which is beyond it.
 struct Azimuth {
@@ -99,9 +105,9 @@ Solid read_trap(const Object& s) {
   constexpr std::string_view edges[] = {"fH1", "fBl1", "fTl1", "fH2", "fBl2", "fTl2"};
   const auto is_none = [&](std::string_view edge) { return s.number(edge) == 0; };
   if (std::ranges::any_of(edges, is_none)) return read_arb8(s);
-  return make_trap(s.name, length(s, "fDz"), angle(s, "fTheta"), angle(s, "fPhi"), length(s, "fH1"),
-                   length(s, "fBl1"), length(s, "fTl1"), angle(s, "fAlpha1"), length(s, "fH2"),
-                   length(s, "fBl2"), length(s, "fTl2"), angle(s, "fAlpha2"));
+  return make_trap(s.name, length(s, "fDz"), slant(s, "fTheta"), angle(s, "fPhi"), length(s, "fH1"),
+                   length(s, "fBl1"), length(s, "fTl1"), slant(s, "fAlpha1"), length(s, "fH2"),
+                   length(s, "fBl2"), length(s, "fTl2"), slant(s, "fAlpha2"));
 }
 /// Its corners are turned already.
 Solid read_twisted_trap(const Object& s) {
@@ -109,8 +115,8 @@ Solid read_twisted_trap(const Object& s) {
 }
 
 Solid read_para(const Object& s) {
-  return make_para(s.name, length(s, "fX"), length(s, "fY"), length(s, "fZ"), angle(s, "fAlpha"),
-                   angle(s, "fTheta"), angle(s, "fPhi"));
+  return make_para(s.name, length(s, "fX"), length(s, "fY"), length(s, "fZ"), slant(s, "fAlpha"),
+                   slant(s, "fTheta"), angle(s, "fPhi"));
 }
 
 Solid read_sphere(const Object& s) {
@@ -164,7 +170,17 @@ constexpr struct {
     {"TGeoParaboloid", read_paraboloid},
 };
 
+bool is_primitive(const Object& shape) {
+  return std::ranges::any_of(readers, [&](const auto& r) { return shape.is(r.type); });
+}
+
 }  // namespace
+
+bool is_flat(const Object& shape) {
+  // Each class of shapes has the box around it as its base.
+  const auto is_none = [&](std::string_view half) { return shape.number(half, 1) == 0; };
+  return is_primitive(shape) && (is_none("fDX") || is_none("fDY") || is_none("fDZ"));
+}
 
 Solid read_primitive(const Object& shape) {
   const auto* reader =

@@ -65,6 +65,8 @@ Transformation transformation_of(const Frame& frame);
 const MadeSolid& read_solid(Reading& reading, Reference shape, std::size_t depth = 1);
 /// One that is made of numbers alone. Fails for one of another class.
 Solid read_primitive(const Object& shape);
+/// Whether one of these has no thickness along an axis: ROOT takes it, and nothing is ever in it.
+bool is_flat(const Object& shape);
 /// A TGeoXtru.
 MadeSolid read_extruded(Reading& reading, const Object& shape);
 /// A TGeoTessellated.

@@ -26,11 +26,22 @@ Frame frame_of(Reading& reading, const Object& node, const Object& mother) {
   return read_frame(reading, node.reference("fMatrix"));
 }
 
+/// A flat leaf: no point is in it.
+bool holds_nothing(Reading& reading, Reference volume) {
+  const Object& placed = reading.objects.at(volume);
+  const Reference shape = placed.reference("fShape");
+  return shape != 0 && is_flat(reading.objects.at(shape)) &&
+         reading.objects.list(placed.reference("fNodes")).empty();
+}
+
 void read_node(Reading& reading, Reference reference, const Object& mother, int depth,
                std::vector<Placement>& to) {
   const Object node = reading.objects.read(reference);
   const Reference below = node.reference("fVolume");
   if (below == 0) node.fail("it places no volume");
+  if (holds_nothing(reading, below)) {
+    return reading.notes.count("flat volumes, which hold nothing, are placed: left out");
+  }
   constexpr std::uint32_t may_overlap = 1U << 13 | 1U << 17;  // before 2010, and since
   if ((node.bits & may_overlap) != 0) {
     reading.notes.count(

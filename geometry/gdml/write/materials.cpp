@@ -32,6 +32,14 @@ bool is_own_element(const World& world, const Material& material) {
   return element.name == material.name && element.isotopes.empty();
 }
 
+/// One of no elements that is next to nothing. Geant4 takes no material without elements.
+bool is_vacuum(const Material& material) {
+  constexpr double most_density = 1e-9;  // g/cm3: a kilometre of it is nothing
+  return material.elements.empty() && material.density > 0 && material.density <= most_density;
+}
+/// What stands for a vacuum's element, as it does in Geant4's own: hydrogen.
+const Element thin_gas{.name = "H", .z = 1, .a = 1.00794};
+
 }  // namespace
 
 WrittenMaterials write_materials(const World& world) {
@@ -85,18 +93,20 @@ WrittenMaterials write_materials(const World& world) {
     const bool alone =
         is_own_element(world, material) && elements[material.elements[0].element] == made.names[m];
     out += "    <material" + attribute("name", made.names[m]) + state_text(material.state);
-    if (alone) {
-      const Element& element = world.elements[material.elements[0].element];
-      if (!element.formula.empty()) out += attribute("formula", element.formula);
-      out += attributes({{"Z", element.z}});
+    const Element* const element = alone ? &world.elements[material.elements[0].element]
+                                   : is_vacuum(material) ? &thin_gas
+                                                         : nullptr;
+    if (element != nullptr) {
+      if (!element->formula.empty()) out += attribute("formula", element->formula);
+      out += attributes({{"Z", element->z}});
     }
     out += '>';
     const Material usual{};
     if (material.temperature != usual.temperature) out += quantity("T", material.temperature, "K");
     if (material.pressure != usual.pressure) out += quantity("P", material.pressure, "pascal");
     out += quantity("D", material.density, "g/cm3");
-    if (alone) {
-      out += quantity("atom", world.elements[material.elements[0].element].a, "g/mole");
+    if (element != nullptr) {
+      out += quantity("atom", element->a, "g/mole");
     } else {
       for (const ElementShare& share : material.elements) {
         out += "<fraction" + attributes({{"n", share.fraction}}) +

@@ -209,6 +209,29 @@ TEST_F(GdmlWriter, WritesSolidsThatAreSeveralInGdml) {
   }
 }
 
+TEST_F(GdmlWriter, GivesAVacuumAnElement) {
+  // Geant4 ends a run where a material has none.
+  DetectorBuilder builder;
+  const auto in_a_box = [&](const char* name, double density) {
+    return builder.volume(name, make_box(name, 1, 1, 1),
+                          builder.material({.name = name, .density = density}));
+  };
+  const auto world =
+      builder.volume("world", make_box("hall", 9, 9, 9), builder.material({.name = "hall"}));
+  builder.place(in_a_box("space", 1e-25), world, placed_at({3, 0, 0}));
+  builder.place(in_a_box("unknown", 3), world, placed_at({-3, 0, 0}));
+  const Detector again = read_back(builder.build(world));
+  const auto material = [&](const char* name) {
+    return again.material(again.volume(*again.find_volume(name)));
+  };
+  ASSERT_EQ(material("space").elements.size(), 1U);
+  EXPECT_EQ(again.element(material("space").elements[0].element).z, 1);
+  EXPECT_EQ(material("space").density, 1e-25);
+  // What is of something is not said to be of hydrogen.
+  EXPECT_TRUE(material("unknown").elements.empty());
+  EXPECT_EQ(material("unknown").density, 3);
+}
+
 TEST_F(GdmlWriter, TellsThingsOfOneNameApart) {
   DetectorBuilder builder;
   const auto iron = builder.element({.name = "iron", .formula = "Fe", .z = 26, .a = 55.8});

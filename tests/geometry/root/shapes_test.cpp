@@ -104,6 +104,16 @@ TEST_F(RootShapes, FlatSides) {
                             {"fPhi", 90.0}})),
          SolidKind::trap, 48, {-1, -2 - 3 * lean, -3}, {1, 2 + 3 * lean, 3});
 
+  // Only tangents matter: 210 degrees lean as 30 do.
+  expect(solid(root_object("TGeoPara", "turned",
+                           {{"fX", 1.0},
+                            {"fY", 2.0},
+                            {"fZ", 3.0},
+                            {"fAlpha", 180.0},
+                            {"fTheta", 210.0},
+                            {"fPhi", 90.0}})),
+         SolidKind::trap, 48, {-1, -2 - 3 * lean, -3}, {1, 2 + 3 * lean, 3});
+
   // Corners are those of the base class; the trap's own numbers say the same.
   const auto arb8 = [](const Numbers& corners) {
     return root_object("TGeoArb8", "", {{"fDz", 3.0}, {"fXY", corners}});
@@ -197,7 +207,7 @@ TEST_F(RootShapes, ExtrudedOnesMayHaveSteps) {
 
 TEST_F(RootShapes, WhatCannotBeIsRefusedByName) {
   for (const auto& [shape, what] : std::initializer_list<std::pair<RootPointer, const char*>>{
-           {root_box("flat", 1, 0, 1), "TGeoBBox 'flat': "},
+           {root_box("inverted", 1, -2, 1), "TGeoBBox 'inverted': "},
            {root_box("endless", 1, INFINITY, 1), "fDY is no finite number"},
            {root_object("TGeoShapeOfOthers", "odd", {}), "TGeoShapeOfOthers 'odd': unsupported"},
            {root_object("TGeoTube", "pipe", {{"fRmin", 0.0}}), "it has no number f"},

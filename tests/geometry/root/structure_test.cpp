@@ -148,6 +148,32 @@ TEST_F(RootStructure, AssembliesAreDissolved) {
   EXPECT_NE(refusal(assembly("nothing", {})).find("it is empty"), std::string::npos);
 }
 
+TEST_F(RootStructure, FlatVolumesHoldNothing) {
+  const RootPointer leaf = root_volume("leaf", root_box("leafbox", 1, 1, 1));
+  const RootPointer flat = root_volume("flat", root_box("flatbox", 4, 0, 4));
+  GdmlReport report;
+  const Detector detector =
+      read(root_volume("world", root_box("hall", 50, 50, 50),
+                       {root_node("flat_1", flat, 1, root_translation(0, 3, 0)),
+                        root_node("leaf_1", leaf, 1, root_translation(0, 9, 0)),
+                        root_node("flat_2", flat, 2, root_translation(0, 12, 0))}),
+           &report);
+  EXPECT_EQ(detector.touchables(), 2U);
+  EXPECT_EQ(at(detector, {0, 30, 0}), "world");
+  EXPECT_EQ(at(detector, {0, 90, 0}), "world/leaf_1");
+  ASSERT_EQ(report.skipped.size(), 1U);
+  EXPECT_NE(report.skipped[0].find("flat volumes"), std::string::npos);
+  EXPECT_NE(report.skipped[0].find("(2)"), std::string::npos);
+  // What it would hold is not lost quietly, nor is a world without an inside read.
+  const RootPointer full = root_volume("full", root_box("fullbox", 4, 0, 4),
+                                       {root_node("leaf_1", leaf, 1, root_translation(0, 0, 0))});
+  EXPECT_NE(refusal(root_volume("world", root_box("hall", 50, 50, 50),
+                                {root_node("full_1", full, 1, root_translation(0, 0, 0))}))
+                .find("fullbox"),
+            std::string::npos);
+  EXPECT_NE(refusal(flat).find("flatbox"), std::string::npos);
+}
+
 TEST_F(RootStructure, DivisionsAreWrittenOut) {
   const auto divided = [&](const std::string& pattern, const RootPointer& mother_shape,
                            const RootPointer& slice_shape, double start, double step) {
@@ -264,6 +290,8 @@ TEST_F(RootStructure, MaterialsHaveElements) {
   EXPECT_NEAR(material("brick").radiation_length, 5.61, 0.02);
   EXPECT_EQ(material("world").name, "Vacuum");
   EXPECT_TRUE(material("world").elements.empty());
+  // 0 is what a density is that is not known.
+  EXPECT_EQ(material("world").density, 1e-25);
   EXPECT_EQ(material("bare").name, "");
   ASSERT_EQ(report.skipped.size(), 1U);
   EXPECT_NE(report.skipped[0].find("no medium"), std::string::npos);
