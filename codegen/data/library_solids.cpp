@@ -29,6 +29,7 @@ using Polyhedra = kernels::Polyhedra<double>;
 using Polycone = kernels::Polycone<double>;
 using QuadricSolid = kernels::QuadricSolid<double>;
 using Torus = kernels::Torus<double>;
+using Arb8 = kernels::Arb8<double>;
 template <class Solid>
 using Boxed = kernels::Boxed<double, Solid>;
 template <class Solid>
@@ -48,8 +49,8 @@ template <class... Lists>
 using Joined = decltype((List<>{} + ... + Lists{}));
 
 /// Solids that are not made of others. Boxes are asked without a call.
-using Plain =
-    List<Tube, Cone, Trd, Trap, Hull, Prism, Orb, Sphere, Polyhedra, Polycone, QuadricSolid, Torus>;
+using Plain = List<Tube, Cone, Trd, Trap, Hull, Prism, Orb, Sphere, Polyhedra, Polycone,
+                   QuadricSolid, Torus, Arb8>;
 template <class Solid, class... Listed>
 constexpr bool is_listed(List<Listed...>) {
   return (std::is_same_v<Solid, Listed> || ...);
@@ -93,6 +94,7 @@ using Others = List<
     Subtraction<Sphere, MovedTube>,            //
     Union<Box, Box>,                           //
     Union<Box, Moved<Box>>,                    //
+    TwoBoxes,                                  //
     Union<Box, TurnedBox>,                     //
     Union<Box, MovedTube>,                     //
     Union<Box, Boxed<Moved<Hull>>>,            //
@@ -112,6 +114,9 @@ using Others = List<
     Subtraction<Union<Box, Moved<Box>>, MovedTube>,                    //
     Subtraction<Union<Box, MovedTube>, MovedTube>,                     //
     Union<Box, Boxed<TwoBoxes>>,                                       //
+    Union<Moved<Box>, Boxed<TwoBoxes>>,                                //
+    Subtraction<Prism, Boxed<TwoBoxes>>,                               //
+    Subtraction<Hull, Boxed<TwoBoxes>>,                                //
     Union<Moved<Box>, Boxed<Union<Box, Moved<Box>>>>,                  //
     Union<Moved<Box>, Boxed<Union<Boxed<Tube>, Moved<Box>>>>,          //
     Union<TurnedBox, Boxed<Union<Boxed<Tube>, TurnedBox>>>,            //

@@ -5,6 +5,7 @@
 // a balanced tree of parts that are close together, where the boxes of operands leave out most of
 // the tree; and what is cut from a solid is cut from it as one union: ((A - B) - C) = A - (B + C).
 // Of more than a few parts the boxes lie beside the tree as well, to be looked at eight at once.
+// A union that is moved is the union of its parts, moved: so chains may be moved link by link.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "geometry/solids/extent.hpp"
 #include "geometry/solids/make.hpp"
 #include "geometry/solids/union_parts.hpp"
+#include "navjit/transformation.hpp"
 
 namespace navjit {
 namespace {
@@ -114,11 +116,56 @@ Solid balanced_union(std::string name, std::span<Solid> parts) {
                              true);
 }
 
+Solid union_of(std::string name, std::vector<Solid> parts) {
+  Solid tree = balanced_union(std::move(name), parts);
+  if (parts.size() < least_boxed_parts) return tree;
+  std::vector<kernels::AnyOperand<double>> operands;
+  for (const Solid& part : parts) operands.push_back(operand(part, true));
+  UnionHolder holder{holder_of<Union>(tree), kernels::make_union_parts(parts, std::move(operands))};
+  tree.shape = hold_union(std::move(holder));
+  return tree;
+}
+
+using Placed = kernels::AnyPlaced<double>;
+
+/// Of what `inner` places in what `outer` places.
+SolidFrame composed(const SolidFrame& outer, const SolidFrame& inner) {
+  const auto transformation = [](const SolidFrame& frame) {
+    Transformation t{{}, {}, !is_identity(frame.rotation)};
+    std::copy_n(frame.translation, 3, t.translation);
+    std::copy_n(frame.rotation, 9, t.rotation);
+    return t;
+  };
+  const Transformation both = compose(transformation(outer), transformation(inner));
+  SolidFrame frame;
+  std::copy_n(both.translation, 3, frame.translation);
+  if (both.rotated) std::copy_n(both.rotation, 9, frame.rotation);
+  return frame;
+}
+
+SolidFrame frame_of(const Placed& placed) {
+  SolidFrame frame;
+  std::copy_n(placed.translation, 3, frame.translation);
+  std::copy_n(placed.rotation, 9, frame.rotation);
+  return frame;
+}
+
 }  // namespace
 
 Solid make_placed(std::string name, const Solid& solid, const SolidFrame& frame) {
   for (const double x : frame.translation) detail::require_finite({x}, name);
   for (const double x : frame.rotation) detail::require_finite({x}, name);
+  // One level instead of two; and a union that is moved goes on to be part of the union it is in.
+  if (solid.kind == SolidKind::placed) {
+    const auto& inner = holder_of<Placed>(solid);
+    return make_placed(std::move(name), inner.a, composed(frame, frame_of(inner)));
+  }
+  if (solid.kind == SolidKind::union_of) {
+    std::vector<Solid> parts;
+    add_parts(solid, parts);
+    for (Solid& part : parts) part = make_placed(part.name, part, frame);
+    return union_of(std::move(name), std::move(parts));
+  }
   kernels::AnyPlaced<double> shape{solid.any(), is_identity(frame.rotation) ? 0 : 1, {}, {}};
   std::copy_n(frame.translation, 3, shape.translation);
   std::copy_n(frame.rotation, 9, shape.rotation);
@@ -146,13 +193,7 @@ Solid make_union(std::string name, const Solid& a, const Solid& b) {
   std::vector<Solid> parts;
   add_parts(a, parts);
   add_parts(b, parts);
-  Solid tree = balanced_union(std::move(name), parts);
-  if (parts.size() < least_boxed_parts) return tree;
-  std::vector<kernels::AnyOperand<double>> operands;
-  for (const Solid& part : parts) operands.push_back(operand(part, true));
-  UnionHolder holder{holder_of<Union>(tree), kernels::make_union_parts(parts, std::move(operands))};
-  tree.shape = hold_union(std::move(holder));
-  return tree;
+  return union_of(std::move(name), std::move(parts));
 }
 
 Solid make_intersection(std::string name, const Solid& a, const Solid& b) {

@@ -132,7 +132,7 @@ Solid some_row(std::mt19937_64& random) {
 std::optional<Solid> some_solid(std::mt19937_64& random) {
   try {
     if (random() % 8 == 0) return some_wall(random);
-    if (random() % 8 == 0) return some_row(random);
+    if (random() % 8 == 0) return somewhere(random, some_row(random));
     if (random() % 64 == 0) {
       return make_subtraction("s", some_hull(random),
                               make_union("s", some_hull(random), some_hull(random)));
@@ -141,7 +141,7 @@ std::optional<Solid> some_solid(std::mt19937_64& random) {
         some_boolean(random, some_operand(random), somewhere(random, some_operand(random)));
     switch (random() % 3) {
       case 0:
-        return two;
+        return somewhere(random, two);
       case 1:
         return some_boolean(random, two, somewhere(random, some_operand(random)));
       default:
