@@ -17,9 +17,10 @@ constexpr std::size_t most_neighbours = 32;
 /// without its lists, and one of 4096 (3.5 MB) 1.3 times as fast.
 constexpr std::size_t most_bytes = 1'500'000;
 /// Few neighbours are few lines to wait for, where a search reads several: detectors of 4800 to
-/// 42,000 daughters with 4 to 7 neighbours each (200 to 330 bytes, 1.6 to 8.5 MB) were 0.96 to 1.49
-/// times as fast with lists, an array of 60,000 (16 MB) 0.68 times.
-constexpr std::size_t most_bytes_each = 400, most_bytes_of_few = 10'000'000;
+/// 11,520 daughters with 4 to 7 neighbours each (200 to 330 bytes, 1.6 to 2.4 MB) were 1.08 to 1.44
+/// times as fast with lists. Those of 19,000 to 42,000 (4 to 8.5 MB) were so for some hours, and
+/// for others 0.6 to 0.9 times, when others used the cache that the processors share.
+constexpr std::size_t most_bytes_each = 400, most_bytes_of_few = 3'000'000;
 /// From this number on neighbours have blocks: a guess.
 constexpr std::size_t blocks_from = 3;
 

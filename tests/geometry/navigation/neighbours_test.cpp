@@ -247,7 +247,7 @@ TEST(NeighbourLists, OfFewNeighboursAreMadeUpToALimit) {
   EXPECT_EQ(more.of.size(), 30'000U);
   EXPECT_FALSE(more.are_near());
   EXPECT_EQ(more.at(7, {7.5, 0, 1})->count, 2U);
-  EXPECT_TRUE(lists(150'000).of.empty());
+  EXPECT_TRUE(lists(60'000).of.empty());
 }
 
 }  // namespace
