@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t most_components = 10'000;
 constexpr double density_of_space = 1e-25;  ///< between galaxies, g/cm3, as Geant4 has it
+constexpr double most_of_a_vacuum = 1e-9;   ///< g/cm3
 
 /// Numbers that are none make a material less known, and no file unreadable.
 double or_zero(double value) { return std::isfinite(value) && value > 0 ? value : 0; }
@@ -91,9 +92,17 @@ Material make(Reading& reading, const Object& given) {
     material.temperature = kelvin;
   }
   material.elements = shares_of(reading, given);
-  // A vacuum. 0 would say that the density is not known.
-  if (material.density == 0 && given.number("fZ", 0) == 0 && !given.is("TGeoMixture")) {
-    material.density = density_of_space;
+  // ROOT gives no radiation length to what has less of either, whatever its density: a vacuum. A
+  // density of 0 would say that it is not known.
+  constexpr double least = 0.9;
+  if (!given.is("TGeoMixture") &&
+      (given.number("fZ", 0) < least || given.number("fA", 0) < least)) {
+    if (material.density > most_of_a_vacuum) {
+      reading.notes.count("materials without charge or mass have a density: taken as a vacuum");
+    }
+    if (!(material.density > 0 && material.density <= most_of_a_vacuum)) {
+      material.density = density_of_space;
+    }
   }
   const double per_area = navjit::radiation_length(reading.world, material.elements);
   constexpr double no_interaction = 1e20;  // ROOT's figure for a vacuum

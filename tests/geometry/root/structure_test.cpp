@@ -268,11 +268,17 @@ TEST_F(RootStructure, MaterialsHaveElements) {
       root_volume("tank", root_box("tankbox", 1, 1, 1), {}, root_medium("w", water));
   const RootPointer bare = root_volume("bare", root_box("barebox", 1, 1, 1), {}, {});
   const RootPointer brick = root_volume("brick", root_box("brickbox", 1, 1, 1));
+  const auto empty = [&](const char* name, double density) {
+    return root_volume(name, root_box("emptybox", 1, 1, 1), {},
+                       root_medium("nothing", root_material("Vacuum", 0, 0, density)));
+  };
   GdmlReport report;
   const Detector detector = read(
       root_volume("world", root_box("hall", 50, 50, 50),
                   {root_node("a", tank, 1, {}), root_node("b", bare, 1, root_translation(5, 0, 0)),
-                   root_node("c", brick, 1, root_translation(9, 0, 0))},
+                   root_node("c", brick, 1, root_translation(9, 0, 0)),
+                   root_node("d", empty("bottle", 1e-16), 1, root_translation(13, 0, 0)),
+                   root_node("e", empty("odd", 1), 1, root_translation(17, 0, 0))},
                   vacuum),
       &report);
   const auto material = [&](const std::string& name) {
@@ -292,9 +298,12 @@ TEST_F(RootStructure, MaterialsHaveElements) {
   EXPECT_TRUE(material("world").elements.empty());
   // 0 is what a density is that is not known.
   EXPECT_EQ(material("world").density, 1e-25);
+  EXPECT_EQ(material("bottle").density, 1e-16);
+  EXPECT_EQ(material("odd").density, 1e-25);
   EXPECT_EQ(material("bare").name, "");
-  ASSERT_EQ(report.skipped.size(), 1U);
-  EXPECT_NE(report.skipped[0].find("no medium"), std::string::npos);
+  ASSERT_EQ(report.skipped.size(), 2U);
+  EXPECT_NE(report.skipped[0].find("without charge"), std::string::npos);
+  EXPECT_NE(report.skipped[1].find("no medium"), std::string::npos);
 }
 
 TEST_F(RootStructure, NamesCanBeWrittenAnywhere) {
