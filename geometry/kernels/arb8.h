@@ -84,7 +84,7 @@ Real distance_to_out(const Arb8<Real>& s, const Vec3<Real>& p, const Direction<R
 
 // The same, by planes that the sides are near. Only sides that these leave open are asked.
 
-/// Within a box somewhat larger than the solid's, across z?
+/// Is the point, seen along z, in a box somewhat larger than the one around the solid?
 inline bool is_near(const Arb8<double>& s, const Vec3<double>& p) {
   constexpr double room = 1.0 / 64;
   return (absolute(p.x) <= s.hx + room * s.hx) & (absolute(p.y) <= s.hy + room * s.hy);

@@ -32,7 +32,7 @@ inline FaceLanes<Doubles> planes_near(const SidePlanes<double>& s, const Vec3<do
   return {a * p.x + b * p.y + c * p.z + lanes_from(s.d), a * v.x + b * v.y + c * v.z};
 }
 
-/// How far from its plane a point is that is surely off the side, and on which side of it.
+/// A point that is farther from the planes than this is off the sides, and behind or before both.
 inline Doubles clear_of(const SidePlanes<double>& s, double tol) {
   return lanes_from(s.reach) + 2 * tol;
 }

@@ -17,9 +17,9 @@ constexpr std::size_t most_neighbours = 32;
 /// without its lists, and one of 4096 (3.5 MB) 1.3 times as fast.
 constexpr std::size_t most_bytes = 1'500'000;
 /// Few neighbours are few lines to wait for, where a search reads several: detectors of 4800 to
-/// 11,520 daughters with 4 to 7 neighbours each (200 to 330 bytes, 1.6 to 2.4 MB) were 1.08 to 1.44
-/// times as fast with lists. Those of 19,000 to 42,000 (4 to 8.5 MB) were so for some hours, and
-/// for others 0.6 to 0.9 times, when others used the cache that the processors share.
+/// 11,520 daughters with 4 to 7 neighbours each (200 to 330 bytes, 1.6 to 2.9 MB) were 1.03 to 1.41
+/// times as fast with lists, three arrays made for this 0.88 to 1.02. Those of 19,000 to 42,000 (4
+/// to 8.5 MB) had 0.96 to 1.11 once, and 0.59 to 0.91 an hour later: others use that cache, too.
 constexpr std::size_t most_bytes_each = 400, most_bytes_of_few = 3'000'000;
 /// From this number on neighbours have blocks: a guess.
 constexpr std::size_t blocks_from = 3;

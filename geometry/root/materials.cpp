@@ -1,6 +1,7 @@
 // ROOT's media, materials, elements and isotopes.
 #include <cmath>
 
+#include "geometry/model/vacuum.hpp"
 #include "geometry/root/reading.hpp"
 
 namespace navjit::root {
@@ -8,7 +9,6 @@ namespace {
 
 constexpr std::size_t most_components = 10'000;
 constexpr double density_of_space = 1e-25;  ///< between galaxies, g/cm3, as Geant4 has it
-constexpr double most_of_a_vacuum = 1e-9;   ///< g/cm3
 
 /// Numbers that are none make a material less known, and no file unreadable.
 double or_zero(double value) { return std::isfinite(value) && value > 0 ? value : 0; }
@@ -97,10 +97,10 @@ Material make(Reading& reading, const Object& given) {
   constexpr double least = 0.9;
   if (!given.is("TGeoMixture") &&
       (given.number("fZ", 0) < least || given.number("fA", 0) < least)) {
-    if (material.density > most_of_a_vacuum) {
+    if (material.density > most_density_of_vacuum) {
       reading.notes.count("materials without charge or mass have a density: taken as a vacuum");
     }
-    if (!(material.density > 0 && material.density <= most_of_a_vacuum)) {
+    if (!(material.density > 0 && material.density <= most_density_of_vacuum)) {
       material.density = density_of_space;
     }
   }

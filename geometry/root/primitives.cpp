@@ -145,10 +145,11 @@ Solid read_paraboloid(const Object& s) {
   return make_paraboloid(s.name, length(s, "fRlo"), length(s, "fRhi"), length(s, "fDz"));
 }
 
-constexpr struct {
+struct Reader {
   std::string_view type;
   Solid (*read)(const Object&);
-} readers[] = {
+};
+constexpr Reader readers[] = {
     {"TGeoBBox", read_box},
     {"TGeoTube", read_tube},
     {"TGeoTubeSeg", read_tube_segment},
@@ -170,8 +171,11 @@ constexpr struct {
     {"TGeoParaboloid", read_paraboloid},
 };
 
-bool is_primitive(const Object& shape) {
-  return std::ranges::any_of(readers, [&](const auto& r) { return shape.is(r.type); });
+/// Null for a class that has none.
+const Reader* reader_of(const Object& shape) {
+  const auto* found =
+      std::ranges::find_if(readers, [&](const Reader& r) { return shape.is(r.type); });
+  return found == std::end(readers) ? nullptr : found;
 }
 
 }  // namespace
@@ -179,13 +183,12 @@ bool is_primitive(const Object& shape) {
 bool is_flat(const Object& shape) {
   // Each class of shapes has the box around it as its base.
   const auto is_none = [&](std::string_view half) { return shape.number(half, 1) == 0; };
-  return is_primitive(shape) && (is_none("fDX") || is_none("fDY") || is_none("fDZ"));
+  return reader_of(shape) != nullptr && (is_none("fDX") || is_none("fDY") || is_none("fDZ"));
 }
 
 Solid read_primitive(const Object& shape) {
-  const auto* reader =
-      std::ranges::find_if(readers, [&](const auto& r) { return shape.is(r.type); });
-  if (reader == std::end(readers)) {
+  const Reader* const reader = reader_of(shape);
+  if (reader == nullptr) {
     shape.fail("unsupported kind of shape; docs/root.md has those that are read");
   }
   return reader->read(shape);

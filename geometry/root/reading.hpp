@@ -25,6 +25,7 @@ struct MadeSolid {
 /// Placements that go together: those of a volume, or of an assembly, which has no solid.
 struct MadeVolume {
   bool assembly = false;
+  bool empty = false;                   ///< a flat leaf: no point is in it, and it has no id
   VolumeId id = 0;                      ///< of a volume
   std::vector<Placement> placements{};  ///< of an assembly
 };

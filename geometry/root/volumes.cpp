@@ -26,22 +26,11 @@ Frame frame_of(Reading& reading, const Object& node, const Object& mother) {
   return read_frame(reading, node.reference("fMatrix"));
 }
 
-/// A flat leaf: no point is in it.
-bool holds_nothing(Reading& reading, Reference volume) {
-  const Object& placed = reading.objects.at(volume);
-  const Reference shape = placed.reference("fShape");
-  return shape != 0 && is_flat(reading.objects.at(shape)) &&
-         reading.objects.list(placed.reference("fNodes")).empty();
-}
-
 void read_node(Reading& reading, Reference reference, const Object& mother, int depth,
                std::vector<Placement>& to) {
   const Object node = reading.objects.read(reference);
   const Reference below = node.reference("fVolume");
   if (below == 0) node.fail("it places no volume");
-  if (holds_nothing(reading, below)) {
-    return reading.notes.count("flat volumes, which hold nothing, are placed: left out");
-  }
   constexpr std::uint32_t may_overlap = 1U << 13 | 1U << 17;  // before 2010, and since
   if ((node.bits & may_overlap) != 0) {
     reading.notes.count(
@@ -59,6 +48,9 @@ void read_node(Reading& reading, Reference reference, const Object& mother, int 
     node.fail(e.what());
   }
   const MadeVolume& made = read_volume(reading, below, depth + 1);
+  if (made.empty) {
+    return reading.notes.count("flat volumes, which hold nothing, are placed: left out");
+  }
   if (!made.assembly) {
     placement.volume = made.id;
     return add(reading, mother, to, std::move(placement));
@@ -80,6 +72,10 @@ MadeVolume make(Reading& reading, Reference reference, int depth) {
   if (shape == 0) volume.fail("it has no shape");
   MadeVolume made;
   made.assembly = reading.objects.at(shape).is("TGeoShapeAssembly");
+  // A world has to have an inside.
+  made.empty = depth > 0 && is_flat(reading.objects.at(shape)) &&
+               reading.objects.list(volume.reference("fNodes")).empty();
+  if (made.empty) return made;
   LogicalVolume logical;
   if (!made.assembly) {
     logical.name = volume.name;

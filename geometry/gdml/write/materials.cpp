@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "geometry/gdml/write/xml_text.hpp"
+#include "geometry/model/vacuum.hpp"
 
 namespace navjit::gdml {
 namespace {
@@ -32,10 +33,10 @@ bool is_own_element(const World& world, const Material& material) {
   return element.name == material.name && element.isotopes.empty();
 }
 
-/// One of no elements that is next to nothing. Geant4 takes no material without elements.
+/// Geant4 takes no material without elements, and this has none.
 bool is_vacuum(const Material& material) {
-  constexpr double most_density = 1e-9;  // g/cm3: a kilometre of it is nothing
-  return material.elements.empty() && material.density > 0 && material.density <= most_density;
+  return material.elements.empty() && material.density > 0 &&
+         material.density <= most_density_of_vacuum;
 }
 /// What stands for a vacuum's element, as it does in Geant4's own: hydrogen.
 const Element thin_gas{.name = "H", .z = 1, .a = 1.00794};
