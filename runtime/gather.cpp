@@ -42,13 +42,19 @@ double ticks_of(const Specialisation& spec, const Sample& sample,
   return static_cast<double>(sample.ticks) * (generic ? 1 : spec.shared->faults.specialised_lasts);
 }
 
+/// Relocations that were sampled, by volume.
+struct Relocations {
+  std::map<VolumeId, double> of{};
+  std::uint64_t samples = 0;  ///< of the questions at whose end they were
+};
+
 /// A mother that its daughters fill has no steps of its own, and is relocated in at the end of
 /// theirs, or of their daughters'.
-void note_relocations(Specialisation& spec, const Sample& sample,
-                      std::map<VolumeId, double>& relocations) {
+void note_relocations(Specialisation& spec, const Sample& sample, Relocations& relocations) {
+  ++relocations.samples;
   const std::span all(sample.relocations, sample.relocation_count);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    ++relocations[all[i].volume];
+    ++relocations.of[all[i].volume];
     // Out of one touchable of a volume and into another: one step all the same.
     const auto same = [&](const Sample::Relocation& r) { return r.volume == all[i].volume; };
     const bool met = std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i), same);
@@ -67,30 +73,45 @@ void gather(Specialisation& spec) {
     made += steps - spec.steps[v];
     spec.steps[v] = steps;
   }
-  spec.steps_made += static_cast<double>(made);
+  const std::uint64_t all_locations = counts.locations();
+  const std::uint64_t located = all_locations - spec.locations;
+  spec.locations = all_locations;
+  // A program that looks up points more often than it makes steps is judged by these. Where each
+  // ray is located once, to begin with, they would only make the times of trials differ more.
+  const bool locates = located > made;
+  spec.steps_made += static_cast<double>(locates ? made + located : made);
   spec.navigating_ns = 1e9 * (process_seconds() - spec.own_seconds());
-  spec.active = made > 0;
+  spec.active = made + located > 0;
   const double now = spec.seconds();
   if (spec.active) spec.active_s += now - spec.looked_at;
   spec.looked_at = now;
-  std::map<VolumeId, double> relocations;
-  std::uint64_t sampled = 0;
+  Relocations by_steps, by_locations;
   for (const auto& profile : counts.profiles) {
     for (Sample sample; profile->take(sample);) {
       if (sample.ticks > 0 && sample.used != nullptr) {
         spec.trials.record(sample.volume, sample.used, ticks_of(spec, sample, sample.used));
       }
-      if (sample.safety) continue;
-      ++sampled;
-      note_relocations(spec, sample, relocations);
-      keep(spec, sample);
+      switch (sample.question) {
+        case Question::step:
+          note_relocations(spec, sample, by_steps);
+          keep(spec, sample);
+          break;
+        case Question::location:
+          if (locates) note_relocations(spec, sample, by_locations);
+          break;
+        case Question::safety:
+          break;
+      }
     }
   }
   const std::lock_guard lock(spec.mutex);  // a profile may be asked for meanwhile
-  // Where a queue was full samples stand for more steps.
-  for (const auto& [volume, count] : relocations) {
-    spec.relocations[volume] += count * static_cast<double>(made) / static_cast<double>(sampled);
-  }
+  // Where a queue was full samples stand for more questions.
+  const auto add = [&](const Relocations& relocations, std::uint64_t asked) {
+    const double each = static_cast<double>(asked) / static_cast<double>(relocations.samples);
+    for (const auto& [volume, count] : relocations.of) spec.relocations[volume] += count * each;
+  };
+  add(by_steps, made);
+  add(by_locations, located);
 }
 
 void update_execution_counts(Specialisation& spec) {

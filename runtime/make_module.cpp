@@ -56,7 +56,7 @@ codegen::Leaves leaves_of(Specialisation& spec, const std::vector<VolumeId>& bat
     if (!spec.shared->geometry.scene(volume).daughters.empty()) continue;
     for (const VolumeId equal : spec.facts.equals[volume]) {
       for (const Sample& s : spec.samples[equal]) {
-        if (s.safety) continue;
+        if (s.question != Question::step) continue;
         ++all;
         crossing += s.relocation_count > 0 ? 1 : 0;
       }

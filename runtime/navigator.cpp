@@ -101,22 +101,54 @@ State Navigator::locate_in(NavigationStack& stack, const Vec3& point, const Vec3
     require_finite(point, "the point");
     require_finite(direction, "the direction");
   }
-  if (shadow_ || !detail::is_unit_vector(direction.x, direction.y, direction.z)) {
+  if (!locates_along(stack, direction)) {
     generic::locate(shared_->geometry, stack, point, direction);
-    return state_of(stack);
+  } else if (generic::enter(shared_->geometry, stack, point, direction)) {
+    relocate_within(stack, point);
   }
-  kernels::set_ray(stack, direction.x, direction.y, direction.z);
-  if (generic::enter(shared_->geometry, stack, point, direction)) relocate_within(stack, point);
   return state_of(stack);
 }
 
+bool Navigator::locates_along(NavigationStack& stack, const Vec3& direction) const {
+  if (shadow_ || !detail::is_unit_vector(direction.x, direction.y, direction.z)) return false;
+  kernels::set_ray(stack, direction.x, direction.y, direction.z);
+  return true;
+}
+
 void Navigator::relocate_within(NavigationStack& stack, const Vec3& point) {
+  if (own_->profile.location_due()) [[unlikely]] {
+    recorded_location(stack, point);
+    return;
+  }
   const VolumeId volume = stack.levels[stack.depth].volume;
   own_->read_side->enter();
   // Without negative zeros, as generic::locate.
   kernels::relocate_in_table(&stack, context_, volume, point.x + 0.0, point.y + 0.0, point.z + 0.0,
                              -1);
   own_->read_side->leave();
+}
+
+void Navigator::recorded_location(NavigationStack& stack, const Vec3& point) {
+  const int outermost = stack.depth;
+  const VolumeId volume = stack.levels[outermost].volume;
+  own_->read_side->enter();
+  const std::uint64_t start = ticks();
+  kernels::relocate_in_table(&stack, context_, volume, point.x + 0.0, point.y + 0.0, point.z + 0.0,
+                             -1);
+  const std::uint64_t taken = ticks() - start;
+  const kernels::StackLevel& level = stack.levels[stack.depth];
+  Sample sample{level.touchable, level.volume, point, {0, 0, 0}, 0};
+  for (int i = outermost; i <= stack.depth; ++i) {
+    const VolumeId mother = stack.levels[i].volume;
+    if (shared_->geometry.scene(mother).daughters.empty()) continue;
+    if (sample.relocation_count == Sample::most_relocations) break;
+    sample.relocations[sample.relocation_count++] = {mother,
+                                                     kernels::dispatch_entry_of(context_, mother)};
+  }
+  own_->read_side->leave();
+  sample.ticks = taken;
+  sample.question = Question::location;
+  own_->profile.record(sample);
 }
 
 void Navigator::require_numbers_of_safety(const Vec3& point, double enough) {
@@ -136,7 +168,7 @@ double Navigator::recorded_safety(const Vec3& point, double enough) {
   sample.ticks = ticks() - start;
   own_->read_side->leave();
   sample.used = &entry;
-  sample.safety = true;
+  sample.question = Question::safety;
   own_->profile.record(sample);
   return safety;
 }
@@ -167,13 +199,18 @@ std::span<Step> Navigator::steps(const State& from, Vec3& point, const Vec3& dir
 State Navigator::relocate(const State& hint, const Vec3& point, const Vec3& direction) {
   require_finite(point, "the point");
   require_finite(direction, "the direction");
-  if (hint.inside()) {
-    restore_unless_at(hint);
+  if (!hint.inside()) return locate(point, direction);
+  NavigationStack& stack = own_->stack;
+  restore_unless_at(hint);
+  if (!locates_along(stack, direction)) {
+    generic::locate_from(shared_->geometry, stack, point, direction);
   } else {
-    own_->stack.depth = -1;
+    // The point is another than where the ray was.
+    stack.left.daughter = kernels::LeftForGood::none;
+    stack.left.from = -1;
+    if (generic::ascend(shared_->geometry, stack, point, direction)) relocate_within(stack, point);
   }
-  generic::locate_from(shared_->geometry, own_->stack, point, direction);
-  return state_of(own_->stack);
+  return state_of(stack);
 }
 
 Transformation Navigator::frame(const State& state) {

@@ -23,6 +23,12 @@ std::uint64_t Counts::bail_outs(VolumeId volume) const {
   return sum;
 }
 
+std::uint64_t Counts::locations() const {
+  std::uint64_t sum = past_locations;
+  for (const auto& profile : profiles) sum += profile->locations();
+  return sum;
+}
+
 Shared::Shared(std::shared_ptr<const World> world, RuntimeOptions runtime_options, Faults to_try)
     : options(checked(std::move(runtime_options))),
       faults(std::move(to_try)),
@@ -42,6 +48,7 @@ void Shared::add(std::shared_ptr<Profile> profile) {
         counts_.past_steps[v] += old->steps(v);
         counts_.past_bail_outs[v] += old->bail_outs(v);
       }
+      counts_.past_locations += old->locations();
       return true;
     });
   }

@@ -16,9 +16,12 @@ namespace navjit::detail {
 struct Counts {
   std::vector<std::shared_ptr<Profile>> profiles;
   std::vector<std::uint64_t> past_steps, past_bail_outs;  ///< of profiles that are no more
+  std::uint64_t past_locations = 0;
 
   std::uint64_t steps(VolumeId volume) const;
   std::uint64_t bail_outs(VolumeId volume) const;
+  /// In all volumes.
+  std::uint64_t locations() const;
 };
 
 struct Shared {

@@ -105,12 +105,14 @@ struct Specialisation {
   ModuleList module_list;                ///< modules of this run
   std::string module_list_name;
   std::vector<std::uint64_t> steps;  ///< by volume, at the last look
-  double steps_made = 0;             ///< the sum of these
+  std::uint64_t locations = 0;       ///< in all volumes, likewise
+  double steps_made = 0;             ///< all of these that count
   double navigating_ns = 0;          ///< processor time of all threads but this one, at that look
-  bool active = false;               ///< steps were made between the last two looks
+  bool active = false;               ///< it was navigated between the last two looks
   double looked_at = 0;              ///< when, s
   double active_s = 0;               ///< between looks with steps: the clock of trials
-  /// By volume: relocations in it at the end of steps made elsewhere, as far as samples tell.
+  /// By volume: relocations in it at the end of steps made elsewhere, or where points are located,
+  /// as far as samples tell.
   /// Written by the thread alone, with the mutex locked.
   std::vector<double> relocations;
   std::vector<double> execution_counts;     ///< by volume; of all equal ones in the first

@@ -1,5 +1,6 @@
 #include "geometry/detector/touchables.hpp"
 
+#include "geometry/model/daughter_holding.hpp"
 #include "geometry/navigation/navigation_stack.hpp"
 #include "navjit/errors.hpp"
 

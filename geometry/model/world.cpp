@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/model/daughter_holding.hpp"
 #include "geometry/solids/extent.hpp"
 
 namespace navjit {

@@ -2,7 +2,6 @@
 // world volume. Immutable once built; shared by all threads.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -49,16 +48,6 @@ void finish(World& world);
 bool is_finished(const World& world);
 /// Throws GeometryError if there is no world, or if it is not finished.
 void require_finished(const World* world);
-
-/// The number of the daughter whose tree holds the touchable that is `below` > 0 after its mother:
-/// the last that starts at or before it.
-template <class Daughters>
-std::size_t daughter_holding(const Daughters& daughters, TouchableId below) {
-  const auto after = std::upper_bound(
-      daughters.begin(), daughters.end(), below,
-      [](TouchableId value, const auto& daughter) { return value < daughter.offset; });
-  return static_cast<std::size_t>(after - daughters.begin() - 1);
-}
 
 /// Of a mixture of the world's elements, g/cm2; 0 where it is not known.
 double radiation_length(const World& world, std::span<const ElementShare> shares);

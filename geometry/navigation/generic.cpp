@@ -9,7 +9,7 @@
 namespace navjit::generic {
 namespace {
 
-constexpr unsigned no_daughter = ~0U;
+constexpr unsigned no_daughter = ~0U;  ///< more than any number
 
 /// The daughter, other than `blocked`, with the local point. Where daughters overlap the last in
 /// file order wins, as in Geant4. Where `confirm(k)` fails there is none. `around`: the blocked
@@ -59,15 +59,21 @@ unsigned find_daughter(const PackedScene& scene, const Vec3& p, const Direction&
 unsigned find_daughter_undirected(const PackedScene& scene, const Vec3& p, double tolerance) {
   const Direction none = kernels::make_heading(0.0, 0.0, 0.0);
   unsigned on_face = no_daughter, within = no_daughter;
-  for (unsigned k = 0; k < scene.count; ++k) {
+  const auto test = [&](unsigned k) {
     const PackedDaughter& d = scene.daughters[k];
     const Vec3 q = local(d, p);
-    if (!contains(d.solid, q, none, tolerance)) continue;
-    if (inside(d.solid, q, tolerance) == Side::inside) {
+    if (!contains(d.solid, q, none, tolerance)) return true;
+    if (inside(d.solid, q, tolerance) != Side::inside) {
+      on_face = std::min(on_face, k);
+    } else if (within == no_daughter || k > within) {
       within = k;
-    } else if (on_face == no_daughter) {
-      on_face = k;
     }
+    return true;
+  };
+  if (scene.boxes != nullptr) {
+    scene.boxes->containing(p, test);
+  } else {
+    for (unsigned k = 0; k < scene.count; ++k) test(k);
   }
   return within != no_daughter ? within : on_face;
 }
@@ -134,12 +140,8 @@ void locate(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
   relocate(geometry, stack, {point.x + 0.0, point.y + 0.0, point.z + 0.0}, direction, -1);
 }
 
-void locate_from(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
-                 const Vec3& direction) {
-  if (stack.depth < 0) {
-    locate(geometry, stack, point, direction);
-    return;
-  }
+bool ascend(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
+            const Vec3& direction) {
   stack.boundary = 0;
   const Vec3 p{point.x + 0.0, point.y + 0.0, point.z + 0.0};
   for (;;) {
@@ -147,11 +149,19 @@ void locate_from(const Geometry& geometry, NavigationStack& stack, const Vec3& p
     if (contains_here(geometry.packed(level.volume).solid, kernels::to_local(level, p.x, p.y, p.z),
                       kernels::to_local_heading(level, direction.x, direction.y, direction.z),
                       geometry.tolerance())) {
-      break;
+      return true;
     }
-    if (--stack.depth < 0) return;
+    if (--stack.depth < 0) return false;
   }
-  relocate(geometry, stack, p, direction, -1);
+}
+
+void locate_from(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
+                 const Vec3& direction) {
+  if (stack.depth < 0) {
+    locate(geometry, stack, point, direction);
+  } else if (ascend(geometry, stack, point, direction)) {
+    relocate(geometry, stack, {point.x + 0.0, point.y + 0.0, point.z + 0.0}, direction, -1);
+  }
 }
 
 namespace {
@@ -317,10 +327,9 @@ void restore(const Geometry& geometry, NavigationStack& stack, TouchableId touch
   }
   while (stack.levels[stack.depth].touchable != touchable) {
     const StackLevel& level = stack.levels[stack.depth];
-    const PackedScene& scene = geometry.packed(level.volume);
-    const auto index = static_cast<unsigned>(
-        daughter_holding(std::span(scene.daughters, scene.count), touchable - level.touchable));
-    push(stack, scene.daughters[index], index);
+    const auto index =
+        static_cast<unsigned>(geometry.daughter_holding(level.volume, touchable - level.touchable));
+    push(stack, geometry.packed(level.volume).daughters[index], index);
   }
 }
 

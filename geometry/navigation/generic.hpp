@@ -26,6 +26,10 @@ double step(const Geometry&, NavigationStack&, const Vec3& point, const Vec3& di
 /// The first part of locate: into the world alone, or out of it. Whether the point is in it.
 bool enter(const Geometry&, NavigationStack&, const Vec3& point, const Vec3& direction);
 
+/// The first part of locate_from, for a stack that is in the world: out of all that does not hold
+/// the point. Whether anything does.
+bool ascend(const Geometry&, NavigationStack&, const Vec3& point, const Vec3& direction);
+
 /// Relocation after a crossing; see kernels::RelocateFunction.
 void relocate(const Geometry&, NavigationStack&, const Vec3& point, const Vec3& direction,
               int blocked);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/bvh/structure.hpp"
+#include "geometry/model/daughter_holding.hpp"
 #include "geometry/model/world.hpp"
 #include "geometry/navigation/navigation_stack.hpp"
 #include "geometry/navigation/neighbours.hpp"
@@ -56,6 +57,12 @@ class Geometry {
   const Scene& scene(VolumeId volume) const { return scenes_[volume]; }
   /// The same, as the generic navigator reads it.
   const PackedScene& packed(VolumeId volume) const { return packed_[volume]; }
+  /// The number of its daughter whose tree holds the touchable that is `below` > 0 after it.
+  std::size_t daughter_holding(VolumeId volume, TouchableId below) const {
+    const PackedScene& scene = packed_[volume];
+    return navjit::daughter_holding(std::span(scene.daughters, scene.count), below,
+                                    packed_.daughters_per_touchable(volume));
+  }
   std::size_t size() const { return scenes_.size(); }
   double tolerance() const { return world_->tolerance; }
   /// A box, mm, of which all is in the world, farther from its surface than the tolerance; empty

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "geometry/model/daughter_holding.hpp"
 #include "geometry/navigation/geometry.hpp"
 
 namespace navjit {
@@ -67,6 +68,7 @@ PackedScenes::PackedScenes(std::span<const Scene> scenes)
   for (const Scene& scene : scenes) total += scene.daughters.size();
   daughters_.reserve(total);  // pointers into it are taken below
   scenes_.reserve(scenes.size());
+  per_touchable_.reserve(scenes.size());
   for (const Scene& scene : scenes) {
     const PackedDaughter* const first = daughters_.data() + daughters_.size();
     for (const Daughter& d : scene.daughters) {
@@ -84,6 +86,7 @@ PackedScenes::PackedScenes(std::span<const Scene> scenes)
                        lists.of.empty() ? nullptr : lists.of.data(), lists.neighbours.data(),
                        lists.blocks.data(), static_cast<std::uint32_t>(scene.daughters.size()),
                        scene.search});
+    per_touchable_.push_back(navjit::daughters_per_touchable(scene.daughters));
   }
 }
 

@@ -56,10 +56,13 @@ class PackedScenes {
   explicit PackedScenes(std::span<const Scene> scenes);
 
   const PackedScene& operator[](VolumeId volume) const { return scenes_[volume]; }
+  /// For daughter_holding().
+  double daughters_per_touchable(VolumeId volume) const { return per_touchable_[volume]; }
 
  private:
   std::vector<PackedScene> scenes_;
   std::vector<PackedDaughter> daughters_;
+  std::vector<double> per_touchable_;
   /// Of shapes and rotations.
   std::unique_ptr<std::pmr::monotonic_buffer_resource> memory_;
 };

@@ -162,8 +162,13 @@ class Navigator {
   [[noreturn]] static void refuse_direction(const Vec3& direction);
   /// Steps of the stack will be along another direction. Throws as require_unit().
   static void begin_ray(kernels::NavigationStack& stack, const Vec3& direction);
+  /// Whether specialised navigators may locate a point that has this direction: they answer for
+  /// directions of unit length, which becomes the stack's ray.
+  bool locates_along(kernels::NavigationStack& stack, const Vec3& direction) const;
   /// The point is in the innermost level: into its daughters.
   void relocate_within(kernels::NavigationStack& stack, const Vec3& point);
+  /// The same, recorded for the specialiser.
+  void recorded_location(kernels::NavigationStack& stack, const Vec3& point);
   /// Throws UsageError if the world has no such state.
   void restore(kernels::NavigationStack& stack, const State& state);
   void restore_unless_at(const State& state) {

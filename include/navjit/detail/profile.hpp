@@ -1,4 +1,5 @@
-// What one thread's navigation tells the specialiser: steps per volume, and now and then a state.
+// What one thread's navigation tells the specialiser: steps per volume, how many points were
+// located, and now and then a question as it was asked.
 // Written by the navigating thread, read by one other; no locks.
 #pragma once
 
@@ -16,6 +17,8 @@ struct DispatchEntry;
 
 namespace NAVJIT_API navjit {
 
+enum class Question : std::uint8_t { step, safety, location };
+
 /// A recorded question.
 struct Sample {
   static constexpr VolumeId no_volume = ~VolumeId{0};
@@ -28,9 +31,9 @@ struct Sample {
   bool left_for_good = false;                    ///< that daughter, as kernels::LeftForGood has it
   const kernels::DispatchEntry* used = nullptr;  ///< what made the step, if it was timed
   std::uint64_t ticks = 0;                       ///< that it took
-  bool safety = false;                           ///< the safety was asked, and no step made
+  Question question = Question::step;            ///< of a location only what follows matters
 
-  /// A volume's part in a step that was not made in it.
+  /// A volume's part in a step that was not made in it, or in a location.
   struct Relocation {
     VolumeId volume = no_volume;
     const kernels::DispatchEntry* used = nullptr;
@@ -38,7 +41,8 @@ struct Sample {
   /// More volumes seldom take part.
   static constexpr unsigned most_relocations = 8;
   /// Those in which the track was relocated at the step's end, from the mother of what was left
-  /// outwards, then inwards; volumes without daughters are none.
+  /// outwards, then inwards, or in which the point was located, inwards; volumes without daughters
+  /// are none.
   Relocation relocations[most_relocations]{};
   unsigned relocation_count = 0;
 };
@@ -66,12 +70,17 @@ class Profile {
   void come_again() { countdown_ = 1; }
   /// By the owner, once a safety: true when it should be recorded.
   bool safety_due() { return --safety_countdown_ == 0; }
+  /// By the owner, once a location: counts it; true when it should be recorded.
+  bool location_due() {
+    locations_.store(locations_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+    return --location_countdown_ == 0;
+  }
   /// By the owner. A full queue drops the sample, and then few are made until there is room again:
   /// the reader says by how often it looks how many it wants.
   void record(const Sample& sample) {
     const std::uint32_t head = head_.load(std::memory_order_relaxed);
     const bool full = head - tail_.load(std::memory_order_acquire) == queue_.size();
-    (sample.safety ? safety_countdown_ : countdown_) = full ? period_when_full : period;
+    countdown_of(sample.question) = full ? period_when_full : period;
     if (full) return;
     queue_[head % queue_.size()] = sample;
     head_.store(head + 1, std::memory_order_release);
@@ -88,6 +97,7 @@ class Profile {
   std::uint64_t bail_outs(VolumeId volume) const {
     return bail_outs_[volume].load(std::memory_order_relaxed);
   }
+  std::uint64_t locations() const { return locations_.load(std::memory_order_relaxed); }
   std::size_t size() const { return size_; }
   /// By the reader: takes the oldest sample; false if there is none.
   bool take(Sample& sample) {
@@ -105,9 +115,22 @@ class Profile {
   static constexpr std::uint32_t period_when_full = 2039;
 
  private:
+  std::uint32_t& countdown_of(Question question) {
+    switch (question) {
+      case Question::safety:
+        return safety_countdown_;
+      case Question::location:
+        return location_countdown_;
+      case Question::step:
+        break;
+    }
+    return countdown_;
+  }
+
   std::size_t size_;
   std::unique_ptr<std::atomic<std::uint64_t>[]> steps_, bail_outs_;
-  std::uint32_t countdown_ = 1, safety_countdown_ = 1;
+  std::atomic<std::uint64_t> locations_{0};
+  std::uint32_t countdown_ = 1, safety_countdown_ = 1, location_countdown_ = 1;
   std::array<Sample, 1024> queue_;
   std::atomic<std::uint32_t> head_{0}, tail_{0};
   std::atomic<bool> finished_{false};

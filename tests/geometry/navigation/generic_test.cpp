@@ -91,6 +91,15 @@ TEST(GenericNavigator, AnswersDoNotDependOnTheBoxStructure) {
         EXPECT_EQ(trace(all, p, v), trace(other, p, v)) << to_string(structure);
         generic::locate(all, *a, p, v);
         generic::locate(other, *b, p, v);
+        for (const Vec3& heading : {v, Vec3{0, 0, 0}}) {
+          // Anywhere, and on a face.
+          const double length = a->depth < 0 ? 0 : generic::step(all, *a, p, v, unlimited);
+          for (const Vec3& q : {p + length * v, p}) {
+            generic::locate(all, *a, q, heading);
+            generic::locate(other, *b, q, heading);
+            EXPECT_TRUE(identical(*a, *b)) << to_string(structure);
+          }
+        }
         const double safety = generic::safety(other, *b, p);
         EXPECT_EQ(safety, generic::safety(linear, *b, p)) << to_string(structure);
         // The distance of a box may be the better bound.
