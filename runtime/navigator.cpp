@@ -68,6 +68,7 @@ void note_relocations(Sample& sample, const Above& above, const NavigationStack&
 
 Navigator::Own::Own(std::size_t volumes) : profile(volumes) {
   stack.depth = -1;
+  aside.depth = -1;
   stack.boxes_ahead = boxes_ahead;
   // No step has this direction, so that even the first one's is looked at.
   for (double& given : stack.ray.given) given = std::numeric_limits<double>::signaling_NaN();
@@ -213,18 +214,28 @@ State Navigator::relocate(const State& hint, const Vec3& point, const Vec3& dire
   return state_of(stack);
 }
 
-Transformation Navigator::frame(const State& state) {
-  restore_unless_at(state);
-  return frame_of(own_->stack.levels[own_->stack.depth]);
+std::span<const StackLevel> Navigator::levels_of(const State& state) {
+  const NavigationStack& stack = own_->stack;
+  // Numbers ascend from level to level.
+  for (int i = stack.depth; i >= 0 && stack.levels[i].touchable >= state.touchable(); --i) {
+    if (stack.levels[i].touchable != state.touchable()) continue;
+    if (stack.levels[i].volume != state.volume()) throw_other_world();
+    return {stack.levels, static_cast<std::size_t>(i) + 1};
+  }
+  NavigationStack& aside = own_->aside;
+  if (!is_at(aside, state)) bring(aside, state);
+  return {aside.levels, static_cast<std::size_t>(aside.depth) + 1};
 }
 
+Transformation Navigator::frame(const State& state) { return frame_of(levels_of(state).back()); }
+
 Transformation Navigator::frame(const State& state, int depth) {
-  restore_unless_at(state);
-  if (depth < 0 || depth > own_->stack.depth) {
+  const std::span<const StackLevel> levels = levels_of(state);
+  if (depth < 0 || static_cast<std::size_t>(depth) >= levels.size()) {
     throw UsageError("the state has no ancestor at depth " + std::to_string(depth) +
-                     ": its own is " + std::to_string(own_->stack.depth));
+                     ": its own is " + std::to_string(levels.size() - 1));
   }
-  return frame_of(own_->stack.levels[depth]);
+  return frame_of(levels[static_cast<std::size_t>(depth)]);
 }
 
 Vec3 Navigator::to_local(const State& state, const Vec3& point) {
@@ -243,27 +254,30 @@ Vec3 Navigator::direction_to_global(const State& state, const Vec3& local_direct
   return direction_to_outer(frame(state), local_direction);
 }
 
-Vec3 Navigator::normal(const State& state, const Vec3& point) {
-  require_finite(point, "the point");
-  const Transformation at = frame(state);
+Vec3 Navigator::normal_in(const StackLevel& level, const Vec3& point) const {
+  const Transformation at = frame_of(level);
   const Geometry& geometry = shared_->geometry;
-  return direction_to_outer(at, navjit::normal(geometry.scene(state.volume()).solid,
+  return direction_to_outer(at, navjit::normal(geometry.scene(level.volume).solid,
                                                navjit::to_local(at, point), geometry.tolerance()));
 }
 
+Vec3 Navigator::normal(const State& state, const Vec3& point) {
+  require_finite(point, "the point");
+  return normal_in(levels_of(state).back(), point);
+}
+
 Vec3 Navigator::boundary_normal(const State& from, const State& next, const Vec3& point) {
-  restore_unless_at(from);
-  const int depth = own_->stack.depth;
-  if (next.inside()) {
-    restore_unless_at(next);
-    const NavigationStack& stack = own_->stack;
-    if (stack.depth > depth && stack.levels[depth].touchable == from.touchable()) {
+  require_finite(point, "the point");
+  if (from.inside() && next.inside() && from.touchable() < next.touchable()) {
+    const std::span<const StackLevel> levels = levels_of(next);
+    for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
+      if (levels[i].touchable != from.touchable()) continue;
+      if (levels[i].volume != from.volume()) throw_other_world();
       // A daughter was entered, and maybe more that are flush with it.
-      const StackLevel& entered = stack.levels[depth + 1];
-      return -1.0 * normal({entered.touchable, entered.volume}, point);
+      return -1.0 * normal_in(levels[i + 1], point);
     }
   }
-  return normal(from, point);
+  return normal_in(levels_of(from).back(), point);
 }
 
 void Navigator::require_numbers(const Vec3& point, double limit) {
@@ -282,13 +296,17 @@ void Navigator::begin_ray(NavigationStack& stack, const Vec3& direction) {
   kernels::set_ray(stack, direction.x, direction.y, direction.z);
 }
 
-void Navigator::restore(NavigationStack& stack, const State& from) {
-  if (!from.inside()) throw UsageError("the state is outside the world");
+void Navigator::bring(NavigationStack& stack, const State& state) const {
+  if (!state.inside()) throw UsageError("the state is outside the world");
   const World& world = shared_->geometry.world();
-  if (from.touchable() >= world.volumes[world.top].touchables) throw_other_world();
+  if (state.touchable() >= world.volumes[world.top].touchables) throw_other_world();
+  generic::restore(shared_->geometry, stack, state.touchable());
+  if (!is_at(stack, state)) throw_other_world();
+}
+
+void Navigator::restore(NavigationStack& stack, const State& state) {
   ++own_->counts.restored;
-  generic::restore(shared_->geometry, stack, from.touchable());
-  if (!is_at(stack, from)) throw_other_world();
+  bring(stack, state);
 }
 
 double Navigator::recorded_step(NavigationStack& stack, const Vec3& point, const Vec3& direction,

@@ -142,6 +142,8 @@ class Navigator {
   friend class Basket;
   struct Own {
     kernels::NavigationStack stack{};
+    /// Where questions about another state are answered, so that the track stays where it is.
+    kernels::NavigationStack aside{};
     kernels::BoxesAhead boxes_ahead[2]{};  ///< of the stack
     Profile profile;
     std::shared_ptr<ReadSide> read_side;
@@ -169,8 +171,15 @@ class Navigator {
   void relocate_within(kernels::NavigationStack& stack, const Vec3& point);
   /// The same, recorded for the specialiser.
   void recorded_location(kernels::NavigationStack& stack, const Vec3& point);
-  /// Throws UsageError if the world has no such state.
+  /// Brings the stack to the state. Throws UsageError if the world has no such state.
+  void bring(kernels::NavigationStack& stack, const State& state) const;
+  /// The same, counted.
   void restore(kernels::NavigationStack& stack, const State& state);
+  /// The levels from the world volume down to the state; good until the next call. The track stays
+  /// where it is. Throws as bring().
+  std::span<const kernels::StackLevel> levels_of(const State& state);
+  /// Of the level's volume, in the world's frame.
+  Vec3 normal_in(const kernels::StackLevel& level, const Vec3& point) const;
   void restore_unless_at(const State& state) {
     if (!is_at(own_->stack, state)) restore(own_->stack, state);
   }

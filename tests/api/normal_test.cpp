@@ -60,6 +60,33 @@ TEST(Normal, IsThatOfTheSolidTurnedIntoTheWorld) {
   }
 }
 
+TEST(Normal, AsTheTrackGoesOnWhereItIs) {
+  for (const JitMode jit : {JitMode::off, JitMode::wait}) {
+    const Detector detector{tests::mixed_world()};
+    Runtime runtime{detector, {.jit = jit}};
+    Navigator navigator = runtime.navigator(), other = runtime.navigator();
+    for (const Ray& ray : tests::rays_through(*detector.model(), 42, 300)) {
+      Vec3 point = ray.position;
+      for (State state = navigator.locate(point, ray.direction); state.inside();) {
+        const Step step = navigator.step(state, point, ray.direction);
+        point += step.length * ray.direction;
+        // The other one has to be brought to each of them.
+        EXPECT_EQ(navigator.boundary_normal(state, step.next, point),
+                  other.boundary_normal(state, step.next, point));
+        EXPECT_EQ(navigator.normal(state, point), other.normal(state, point));
+        EXPECT_EQ(navigator.to_local(state, point), other.to_local(state, point));
+        EXPECT_EQ(navigator.frame(state, 0).translation[0], 0);
+        state = step.next;
+        EXPECT_EQ(navigator.levels().empty(), !state.inside());
+        if (state.inside()) {
+          EXPECT_EQ(navigator.levels().back().touchable, state.touchable());
+        }
+      }
+    }
+    EXPECT_EQ(navigator.counts().restored, 0U);
+  }
+}
+
 TEST(Normal, RefusesBadArguments) {
   Runtime runtime{tests::mixed_world(), {.jit = JitMode::off}};
   Navigator navigator = runtime.navigator();
@@ -69,6 +96,9 @@ TEST(Normal, RefusesBadArguments) {
                UsageError);
   EXPECT_THROW(navigator.boundary_normal(State{}, state, {0, 0, 0}), UsageError);
   EXPECT_THROW(navigator.boundary_normal(state, State{1'000'000, 0}, {0, 0, 0}), UsageError);
+  EXPECT_THROW(navigator.normal(State{state.touchable(), state.volume() + 1}, {0, 0, 0}),
+               UsageError);
+  EXPECT_NO_THROW(navigator.normal(state, {0, 0, 0}));
 }
 
 }  // namespace
