@@ -1,6 +1,9 @@
 // Questions that follow no track: where a point is, where one is after a displacement, a step from
 // any touchable, tracks that take turns. A program that asks nothing else, with navjit's generic
 // and its specialised navigators, in one process, in turn.
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -152,7 +155,11 @@ int main(int argc, char** argv) try {
   app.add_option("--tracks", tracks, "that take turns")->check(CLI::PositiveNumber);
   app.add_option("--warm-up", warm_s, "s of processor time for each question")
       ->check(CLI::NonNegativeNumber);
+  bool verbose = false;
+  app.add_flag("--verbose", verbose, "log what is specialised, and what is judged how");
   CLI11_PARSE(app, argc, argv);
+  spdlog::set_default_logger(spdlog::stderr_color_mt("navjit"));
+  spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
   std::printf(
       "| detector | question | generic, ns | specialised, ns | speed-up |\n"
       "|---|---|--:|--:|--:|\n");

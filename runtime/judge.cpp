@@ -51,6 +51,17 @@ void install_winner(Specialisation& spec, VolumeId volume, Trial& trial) {
   }
 }
 
+/// The winner over what was not judged itself is tried against what that was on trial against.
+void try_against_earlier(Specialisation& spec, VolumeId volume, const Trial& trial) {
+  const bool goes = trial.verdict == Verdict::goes;
+  const Trial::Earlier& earlier = trial.earlier.front();
+  Trial next{goes ? trial.before : trial.candidate, earlier.entry,
+             goes ? trial.before_owner : trial.candidate_owner, earlier.owner};
+  next.earlier.assign(trial.earlier.begin() + 1, trial.earlier.end());
+  next.allowed = next.candidate_owner == spec.arena ? 0 : unforeseen_ticks;
+  spec.trials.begin(volume, std::move(next), spec.active_s);
+}
+
 /// Where the trial's winner is not compiled, it is what there is without code.
 void note_without_code(Specialisation& spec, VolumeId volume, const Trial& trial) {
   const bool goes = trial.verdict == Verdict::goes;
@@ -72,6 +83,10 @@ void conclude(Specialisation& spec, VolumeId volume, Trial& trial) {
   install_winner(spec, volume, trial);
   if (trial.verdict == Verdict::goes) have_bound(spec, volume);
   note_without_code(spec, volume, trial);
+  if (!trial.earlier.empty() && !spec.stopping()) {
+    try_against_earlier(spec, volume, trial);
+    return;
+  }
   // Another way to bind the scene's data has its turn.
   const auto second = spec.second_choices.find(volume);
   if (second == spec.second_choices.end() || spec.stopping()) return;
@@ -104,6 +119,13 @@ void try_out(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry
     if (best != nullptr && holds_no_constants(spec, best)) {
       trial.before = lost ? earlier.before : earlier.candidate;
       trial.before_owner = best;
+      // Steps that were recorded would have told whether it is any good.
+      const bool unknown =
+          earlier.verdict == Verdict::open && spec.samples[volume].size() < few_recorded;
+      if (unknown) {
+        trial.earlier = {{earlier.before, earlier.before_owner}};
+        trial.earlier.insert(trial.earlier.end(), earlier.earlier.begin(), earlier.earlier.end());
+      }
     }
   }
   if (owner != spec.arena) trial.allowed = unforeseen_ticks;

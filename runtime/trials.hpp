@@ -52,6 +52,13 @@ struct Trial {
   const kernels::DispatchEntry* candidate = nullptr;
   const kernels::DispatchEntry* before = nullptr;
   std::shared_ptr<const void> candidate_owner{}, before_owner{};  ///< null: nobody need keep it
+  /// What `before` itself was still on trial against, with little known of it, the latest first:
+  /// the winner is tried against these, one after the other.
+  struct Earlier {
+    const kernels::DispatchEntry* entry;
+    std::shared_ptr<const void> owner;
+  };
+  std::vector<Earlier> earlier{};
   Verdict verdict = Verdict::open;
   bool out = false;  ///< what was there before is installed
   double began = 0;  ///< s

@@ -6,8 +6,11 @@
 #include <cstdlib>
 #include <mutex>
 
+#include "geometry/navigation/generic.hpp"
+#include "runtime/judge.hpp"
 #include "tests/support/sanitizers.hpp"
 #include "tests/support/traces.hpp"
+#include "tests/support/worlds.hpp"
 
 namespace navjit {
 namespace {
@@ -130,6 +133,44 @@ FaultyOptions bound_alone(Faults faults, double lasts) {
   faults.specialised_lasts = lasts;
   options.faults = std::make_shared<Faults>(std::move(faults));
   return options;
+}
+
+/// A candidate that is bound to data is replaced by code while it is on trial itself. So many
+/// states of the volume were recorded.
+struct Replaced {
+  static constexpr VolumeId volume = 0;
+  std::shared_ptr<detail::Shared> shared;
+  Specialisation spec;
+  kernels::DispatchEntry data = generic::dispatch_entry, code = generic::dispatch_entry;
+
+  Replaced(const Faults& faults, std::size_t recorded)
+      : shared(std::make_shared<detail::Shared>(std::make_shared<const World>(tests::mixed_world()),
+                                                RuntimeOptions{}, faults)),
+        spec(shared) {
+    spec.samples[volume].resize(recorded);
+    try_out(spec, volume, &data, spec.arena);
+    try_out(spec, volume, &code, std::make_shared<int>());
+    EXPECT_EQ(trial().before, &data);
+    spec.active = true;
+    spec.active_s = 1e9;  // time enough
+    judge(spec);
+    judge(spec);
+  }
+  const Trial& trial() const { return spec.trials.all().at(volume); }
+};
+
+TEST(Judge, WhatWinsOverWhatWasNeverJudgedIsTriedAgainstWhatCameBefore) {
+  const Replaced won({.pass_trials = true}, few_recorded - 1);
+  EXPECT_EQ(won.trial().candidate, &won.code);
+  EXPECT_EQ(won.trial().before, &generic::dispatch_entry);
+  EXPECT_EQ(won.trial().verdict, Verdict::open);
+  const Replaced lost({.lose_trials = true}, few_recorded - 1);
+  EXPECT_EQ(lost.trial().candidate, &lost.data);
+  EXPECT_EQ(lost.trial().before, &generic::dispatch_entry);
+  EXPECT_EQ(lost.trial().verdict, Verdict::open);
+  const Replaced recorded({.pass_trials = true}, few_recorded);
+  EXPECT_EQ(recorded.trial().before, &recorded.data) << "it was fast enough on these";
+  EXPECT_EQ(recorded.trial().verdict, Verdict::stays);
 }
 
 TEST(Judge, AllThatIsNotGenericIsTriedAgainstTheGenericNavigator) {
