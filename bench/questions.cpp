@@ -1,6 +1,6 @@
 // Questions that follow no track: where a point is, where one is after a displacement, a step from
-// any touchable, tracks that take turns. A program that asks nothing else, with navjit's generic
-// and its specialised navigators, in one process, in turn.
+// any touchable, tracks that take turns, with one navigator or in a basket. A program that asks
+// nothing else, with navjit's generic and its specialised navigators, in one process, in turn.
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -51,60 +51,107 @@ std::vector<Place> places_on(Navigator& navigator, const std::vector<Ray>& rays,
   return places;
 }
 
-using Ask = std::function<double(Navigator&, const Place&)>;
+/// What one call of Basket::step gets: the next steps of tracks that keep their places in the
+/// arrays. Those that have left the world stay outside.
+struct Row {
+  std::vector<State> state;
+  std::vector<double> x, y, z, u, v, w;
+
+  void add(const Place& place, bool ended) {
+    state.push_back(ended ? State{} : place.state);
+    x.push_back(place.point.x), y.push_back(place.point.y), z.push_back(place.point.z);
+    u.push_back(place.direction.x), v.push_back(place.direction.y), w.push_back(place.direction.z);
+  }
+};
+
+/// The first steps of so many rays, then their second ones, and so on, until all have ended; then
+/// those of the next rays.
+std::vector<Row> rows_of(const std::vector<Place>& places, std::size_t tracks) {
+  std::vector<std::size_t> begins;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (i == 0 || places[i].ray != places[i - 1].ray) begins.push_back(i);
+  }
+  begins.push_back(places.size());
+  std::vector<Row> rows;
+  for (std::size_t first = 0; first + 1 < begins.size(); first += tracks) {
+    const std::size_t last = std::min(first + tracks, begins.size() - 1);
+    std::size_t longest = 0;
+    for (std::size_t t = first; t < last; ++t)
+      longest = std::max(longest, begins[t + 1] - begins[t]);
+    for (std::size_t n = 0; n < longest; ++n) {
+      Row& row = rows.emplace_back();
+      for (std::size_t t = first; t < last; ++t) {
+        const bool ended = begins[t] + n >= begins[t + 1];
+        row.add(places[ended ? begins[t] : begins[t] + n], ended);
+      }
+    }
+  }
+  return rows;
+}
+
+/// All of the places in turn; the sum of the answers.
+using AskAll = std::function<double(Runtime&, Navigator&)>;
 
 struct Asked {
   std::string name;
-  std::vector<Place> places;
-  Ask ask;
+  std::size_t count;
+  AskAll ask_all;
 };
 
-double number(const State& state) { return state.inside() ? 1.0 : 0.0; }
+template <class Ask>
+Asked one_by_one(std::string name, std::vector<Place> places, const Ask& ask) {
+  const std::size_t count = places.size();
+  return {std::move(name), count,
+          [places = std::move(places), ask](Runtime&, Navigator& navigator) {
+            double sum = 0;
+            for (const Place& place : places) sum += ask(navigator, place);
+            return sum;
+          }};
+}
+
+double step_of(Navigator& navigator, const Place& p) {
+  return navigator.step(p.state, p.point, p.direction).length;
+}
 
 std::vector<Asked> questions_at(const std::vector<Place>& places, std::size_t tracks,
                                 std::uint64_t seed) {
-  std::vector<Place> anywhere = places;
+  std::vector<Place> anywhere = places, in_turn;
   std::shuffle(anywhere.begin(), anywhere.end(), std::mt19937_64(seed));
-  // The first steps of so many rays, then their second ones, and so on.
-  std::vector<Place> in_turn;
-  for (std::size_t from = 0; from < places.size();) {
-    std::vector<std::size_t> begins;
-    std::size_t to = from;
-    for (; to < places.size(); ++to) {
-      if (to > from && places[to].ray == places[to - 1].ray) continue;
-      if (begins.size() == tracks) break;
-      begins.push_back(to);
+  std::vector<Row> rows = rows_of(places, tracks);
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.state.size(); ++i) {
+      if (!row.state[i].inside()) continue;
+      in_turn.push_back(
+          {row.state[i], {row.x[i], row.y[i], row.z[i]}, {row.u[i], row.v[i], row.w[i]}});
     }
-    for (std::size_t n = 0, before = in_turn.size() + 1; before != in_turn.size(); ++n) {
-      before = in_turn.size();
-      for (const std::size_t begin : begins) {
-        if (begin + n < to && places[begin + n].ray == places[begin].ray) {
-          in_turn.push_back(places[begin + n]);
-        }
-      }
-    }
-    from = to;
   }
-  const Ask step = [](Navigator& navigator, const Place& p) {
-    return navigator.step(p.state, p.point, p.direction).length;
+  const auto found = [](const State& state) { return state.inside() ? 1.0 : 0.0; };
+  const auto by_basket = [rows = std::move(rows), tracks](Runtime& runtime, Navigator&) {
+    Basket basket = runtime.basket(tracks);
+    std::vector<double> length(tracks);
+    std::vector<std::uint8_t> boundary(tracks);
+    std::vector<State> next(tracks);
+    double sum = 0;
+    for (const Row& r : rows) {
+      const std::size_t n = r.state.size();
+      basket.step(
+          {r.state, r.x, r.y, r.z, r.u, r.v, r.w},
+          {std::span(length).first(n), std::span(boundary).first(n), std::span(next).first(n)});
+      for (std::size_t i = 0; i < n; ++i) sum += length[i];
+    }
+    return sum;
   };
-  return {{"locate, any point", anywhere,
-           [](Navigator& navigator, const Place& p) {
-             return number(navigator.locate(p.point, p.direction));
-           }},
-          {"relocate, displaced", places,
-           [](Navigator& navigator, const Place& p) {
-             return number(navigator.relocate(p.state, p.displaced, p.direction));
-           }},
-          {"step, any state", std::move(anywhere), step},
-          {"step, tracks in turn", std::move(in_turn), step}};
-}
-
-/// All of them; the sum of the answers.
-double ask_all(Navigator& navigator, const Asked& asked) {
-  double sum = 0;
-  for (const Place& place : asked.places) sum += asked.ask(navigator, place);
-  return sum;
+  return {one_by_one("locate, any point", anywhere,
+                     [found](Navigator& navigator, const Place& p) {
+                       return found(navigator.locate(p.point, p.direction));
+                     }),
+          one_by_one("relocate, displaced", places,
+                     [found](Navigator& navigator, const Place& p) {
+                       return found(navigator.relocate(p.state, p.displaced, p.direction));
+                     }),
+          one_by_one("step, any state", anywhere, step_of),
+          one_by_one("step, tracks in turn", std::move(in_turn), step_of),
+          {"step, tracks in a basket", places.size(), by_basket}};
 }
 
 struct Gain {
@@ -120,18 +167,19 @@ Gain measure(const std::shared_ptr<const World>& world, const Asked& asked, int 
   };
   Runtime generic(world, mode(JitMode::off)), specialised(world, mode(JitMode::on));
   Navigator navigators[] = {generic.navigator(), specialised.navigator()};
-  bench::warm_up(specialised, warm_s, [&] { ask_all(navigators[1], asked); });
+  Runtime* runtimes[] = {&generic, &specialised};
+  bench::warm_up(specialised, warm_s, [&] { asked.ask_all(specialised, navigators[1]); });
   std::vector<double> ns[2];
   double sums[2] = {0, 0};
   for (int r = -1; r < repetitions; ++r) {  // the first one is not counted
     for (int which : {0, 1}) {
       const double start = common::thread_ns();
-      sums[which] = ask_all(navigators[which], asked);
+      sums[which] = asked.ask_all(*runtimes[which], navigators[which]);
       if (r >= 0) ns[which].push_back(common::thread_ns() - start);
     }
   }
   if (sums[0] != sums[1]) throw Error("the navigators do not agree: " + asked.name);
-  const auto each = static_cast<double>(asked.places.size());
+  const auto each = static_cast<double>(asked.count);
   return {common::summarise(ns[0]).median / each, common::summarise(ns[1]).median / each,
           common::ratio(ns[0], ns[1]).median};
 }

@@ -24,6 +24,21 @@ bool holds_no_constants(const Specialisation& spec, const std::shared_ptr<const 
   return owner == spec.arena || spec.structures.contains(owner);
 }
 
+/// Of the generic navigator's time on recorded states: what took no more will hardly lose in the
+/// run. A guess.
+constexpr double convincing_share = 0.9;
+
+/// Whether what is installed in the volume was that much faster on states of this run.
+bool replayed_faster(const Specialisation& spec, VolumeId volume) {
+  const auto samples = spec.samples.find(volume);
+  if (samples == spec.samples.end() || samples->second.size() < few_recorded) return false;
+  const std::lock_guard lock(spec.mutex);
+  const auto scene = spec.scenes.find(volume);
+  if (scene == spec.scenes.end()) return false;
+  const double ns = scene->second.specialised_ns_per_step;
+  return ns > 0 && ns <= convincing_share * scene->second.generic_ns_per_step;
+}
+
 /// Installs what was there before the trial, or its candidate, and writes down what it is.
 void install_side(Specialisation& spec, VolumeId volume, Trial& trial, bool goes) {
   trial.out = goes;
@@ -119,10 +134,7 @@ void try_out(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry
     if (best != nullptr && holds_no_constants(spec, best)) {
       trial.before = lost ? earlier.before : earlier.candidate;
       trial.before_owner = best;
-      // Steps that were recorded would have told whether it is any good.
-      const bool unknown =
-          earlier.verdict == Verdict::open && spec.samples[volume].size() < few_recorded;
-      if (unknown) {
+      if (earlier.verdict == Verdict::open && !replayed_faster(spec, volume)) {
         trial.earlier = {{earlier.before, earlier.before_owner}};
         trial.earlier.insert(trial.earlier.end(), earlier.earlier.begin(), earlier.earlier.end());
       }

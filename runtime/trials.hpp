@@ -52,7 +52,7 @@ struct Trial {
   const kernels::DispatchEntry* candidate = nullptr;
   const kernels::DispatchEntry* before = nullptr;
   std::shared_ptr<const void> candidate_owner{}, before_owner{};  ///< null: nobody need keep it
-  /// What `before` itself was still on trial against, with little known of it, the latest first:
+  /// What `before` itself was still on trial against, and may well lose to, the latest first:
   /// the winner is tried against these, one after the other.
   struct Earlier {
     const kernels::DispatchEntry* entry;

@@ -136,19 +136,21 @@ FaultyOptions bound_alone(Faults faults, double lasts) {
 }
 
 /// A candidate that is bound to data is replaced by code while it is on trial itself. So many
-/// states of the volume were recorded.
+/// states of the volume were recorded, on which it took that share of the generic time.
 struct Replaced {
   static constexpr VolumeId volume = 0;
   std::shared_ptr<detail::Shared> shared;
   Specialisation spec;
   kernels::DispatchEntry data = generic::dispatch_entry, code = generic::dispatch_entry;
 
-  Replaced(const Faults& faults, std::size_t recorded)
+  Replaced(const Faults& faults, std::size_t recorded, double share)
       : shared(std::make_shared<detail::Shared>(std::make_shared<const World>(tests::mixed_world()),
                                                 RuntimeOptions{}, faults)),
         spec(shared) {
     spec.samples[volume].resize(recorded);
     try_out(spec, volume, &data, spec.arena);
+    spec.scenes[volume].generic_ns_per_step = 100;
+    spec.scenes[volume].specialised_ns_per_step = 100 * share;
     try_out(spec, volume, &code, std::make_shared<int>());
     EXPECT_EQ(trial().before, &data);
     spec.active = true;
@@ -160,17 +162,20 @@ struct Replaced {
 };
 
 TEST(Judge, WhatWinsOverWhatWasNeverJudgedIsTriedAgainstWhatCameBefore) {
-  const Replaced won({.pass_trials = true}, few_recorded - 1);
-  EXPECT_EQ(won.trial().candidate, &won.code);
-  EXPECT_EQ(won.trial().before, &generic::dispatch_entry);
-  EXPECT_EQ(won.trial().verdict, Verdict::open);
-  const Replaced lost({.lose_trials = true}, few_recorded - 1);
-  EXPECT_EQ(lost.trial().candidate, &lost.data);
-  EXPECT_EQ(lost.trial().before, &generic::dispatch_entry);
-  EXPECT_EQ(lost.trial().verdict, Verdict::open);
-  const Replaced recorded({.pass_trials = true}, few_recorded);
-  EXPECT_EQ(recorded.trial().before, &recorded.data) << "it was fast enough on these";
-  EXPECT_EQ(recorded.trial().verdict, Verdict::stays);
+  for (const auto& [recorded, share] :
+       {std::pair{few_recorded - 1, 0.5}, std::pair{few_recorded, 0.95}}) {
+    const Replaced won({.pass_trials = true}, recorded, share);
+    EXPECT_EQ(won.trial().candidate, &won.code);
+    EXPECT_EQ(won.trial().before, &generic::dispatch_entry);
+    EXPECT_EQ(won.trial().verdict, Verdict::open);
+    const Replaced lost({.lose_trials = true}, recorded, share);
+    EXPECT_EQ(lost.trial().candidate, &lost.data);
+    EXPECT_EQ(lost.trial().before, &generic::dispatch_entry);
+    EXPECT_EQ(lost.trial().verdict, Verdict::open);
+  }
+  const Replaced known({.pass_trials = true}, few_recorded, 0.5);
+  EXPECT_EQ(known.trial().before, &known.data) << "it was fast on the states of this run";
+  EXPECT_EQ(known.trial().verdict, Verdict::stays);
 }
 
 TEST(Judge, AllThatIsNotGenericIsTriedAgainstTheGenericNavigator) {
