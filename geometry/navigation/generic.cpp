@@ -54,9 +54,10 @@ unsigned find_daughter(const PackedScene& scene, const Vec3& p, const Direction&
   return found;
 }
 
-/// The same for a point without a direction: on a face that daughters share, the first in file
-/// order wins; well inside, the rule is that of find_daughter.
-unsigned find_daughter_undirected(const PackedScene& scene, const Vec3& p, double tolerance) {
+/// The same for a point without a direction, out of the way of those that have one: on a face that
+/// daughters share, the first in file order wins; well inside, the rule is that of find_daughter.
+[[gnu::noinline]] unsigned find_daughter_undirected(const PackedScene& scene, const Vec3& p,
+                                                    double tolerance) {
   const Direction none = kernels::make_heading(0.0, 0.0, 0.0);
   unsigned on_face = no_daughter, within = no_daughter;
   const auto test = [&](unsigned k) {
