@@ -64,28 +64,29 @@ struct Row {
   }
 };
 
-/// The first steps of so many rays, then their second ones, and so on, until all have ended; then
-/// those of the next rays.
+/// Steps of so many rays in turn: whenever one has ended the next takes its place.
 std::vector<Row> rows_of(const std::vector<Place>& places, std::size_t tracks) {
-  std::vector<std::size_t> begins;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (i == 0 || places[i].ray != places[i - 1].ray) begins.push_back(i);
-  }
-  begins.push_back(places.size());
+  std::vector<std::size_t> at(tracks, places.size());  // of each track, its next step
+  std::size_t next = 0;                                // where the next ray begins
+  const auto begin = [&](std::size_t& track) {
+    track = next;
+    while (next < places.size() && places[next].ray == places[track].ray) ++next;
+  };
+  for (std::size_t& track : at) begin(track);
   std::vector<Row> rows;
-  for (std::size_t first = 0; first + 1 < begins.size(); first += tracks) {
-    const std::size_t last = std::min(first + tracks, begins.size() - 1);
-    std::size_t longest = 0;
-    for (std::size_t t = first; t < last; ++t)
-      longest = std::max(longest, begins[t + 1] - begins[t]);
-    for (std::size_t n = 0; n < longest; ++n) {
-      Row& row = rows.emplace_back();
-      for (std::size_t t = first; t < last; ++t) {
-        const bool ended = begins[t] + n >= begins[t + 1];
-        row.add(places[ended ? begins[t] : begins[t] + n], ended);
-      }
+  for (bool any = true; any;) {
+    Row& row = rows.emplace_back();
+    any = false;
+    for (std::size_t& track : at) {
+      const bool ended = track == places.size();
+      row.add(ended ? Place{} : places[track], ended);
+      if (ended) continue;
+      any = true;
+      const std::size_t ray = places[track].ray;
+      if (++track == places.size() || places[track].ray != ray) begin(track);
     }
   }
+  rows.pop_back();  // of tracks that have all ended
   return rows;
 }
 

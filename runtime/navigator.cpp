@@ -214,7 +214,7 @@ State Navigator::relocate(const State& hint, const Vec3& point, const Vec3& dire
   return state_of(stack);
 }
 
-std::span<const StackLevel> Navigator::levels_of(const State& state) {
+std::span<const StackLevel> Navigator::levels(const State& state) {
   const NavigationStack& stack = own_->stack;
   // Numbers ascend from level to level.
   for (int i = stack.depth; i >= 0 && stack.levels[i].touchable >= state.touchable(); --i) {
@@ -227,15 +227,15 @@ std::span<const StackLevel> Navigator::levels_of(const State& state) {
   return {aside.levels, static_cast<std::size_t>(aside.depth) + 1};
 }
 
-Transformation Navigator::frame(const State& state) { return frame_of(levels_of(state).back()); }
+Transformation Navigator::frame(const State& state) { return frame_of(levels(state).back()); }
 
 Transformation Navigator::frame(const State& state, int depth) {
-  const std::span<const StackLevel> levels = levels_of(state);
-  if (depth < 0 || static_cast<std::size_t>(depth) >= levels.size()) {
+  const std::span<const StackLevel> path = levels(state);
+  if (depth < 0 || static_cast<std::size_t>(depth) >= path.size()) {
     throw UsageError("the state has no ancestor at depth " + std::to_string(depth) +
-                     ": its own is " + std::to_string(levels.size() - 1));
+                     ": its own is " + std::to_string(path.size() - 1));
   }
-  return frame_of(levels[static_cast<std::size_t>(depth)]);
+  return frame_of(path[static_cast<std::size_t>(depth)]);
 }
 
 Vec3 Navigator::to_local(const State& state, const Vec3& point) {
@@ -263,21 +263,21 @@ Vec3 Navigator::normal_in(const StackLevel& level, const Vec3& point) const {
 
 Vec3 Navigator::normal(const State& state, const Vec3& point) {
   require_finite(point, "the point");
-  return normal_in(levels_of(state).back(), point);
+  return normal_in(levels(state).back(), point);
 }
 
 Vec3 Navigator::boundary_normal(const State& from, const State& next, const Vec3& point) {
   require_finite(point, "the point");
   if (from.inside() && next.inside() && from.touchable() < next.touchable()) {
-    const std::span<const StackLevel> levels = levels_of(next);
-    for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
-      if (levels[i].touchable != from.touchable()) continue;
-      if (levels[i].volume != from.volume()) throw_other_world();
+    const std::span<const StackLevel> path = levels(next);
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      if (path[i].touchable != from.touchable()) continue;
+      if (path[i].volume != from.volume()) throw_other_world();
       // A daughter was entered, and maybe more that are flush with it.
-      return -1.0 * normal_in(levels[i + 1], point);
+      return -1.0 * normal_in(path[i + 1], point);
     }
   }
-  return normal_in(levels_of(from).back(), point);
+  return normal_in(levels(from).back(), point);
 }
 
 void Navigator::require_numbers(const Vec3& point, double limit) {

@@ -27,12 +27,7 @@ void set_up_copy(const Placed& placed, const G4NavigationHistory& mother) {
 }  // namespace
 
 std::span<const kernels::StackLevel> Navigator::path(const State& state) {
-  auto levels = navigator_->levels();
-  if (levels.empty() || levels.back().touchable != state.touchable()) {
-    navigator_->frame(state);  // it is there now
-    levels = navigator_->levels();
-  }
-  return levels;
+  return navigator_->levels(state);
 }
 
 void Navigator::enter_level(const Placed& placed, const kernels::StackLevel& level) {

@@ -134,6 +134,10 @@ class Navigator {
     return {own_->stack.levels, static_cast<std::size_t>(own_->stack.depth + 1)};
   }
 
+  /// The same of any state. The track stays where it is. Throws UsageError if the state is outside
+  /// the world or of another world.
+  std::span<const kernels::StackLevel> levels(const State& state);
+
   /// What this navigator did so far.
   const NavigatorCounts& counts() const { return own_->counts; }
 
@@ -175,9 +179,6 @@ class Navigator {
   void bring(kernels::NavigationStack& stack, const State& state) const;
   /// The same, counted.
   void restore(kernels::NavigationStack& stack, const State& state);
-  /// The levels from the world volume down to the state; good until the next call. The track stays
-  /// where it is. Throws as bring().
-  std::span<const kernels::StackLevel> levels_of(const State& state);
   /// Of the level's volume, in the world's frame.
   Vec3 normal_in(const kernels::StackLevel& level, const Vec3& point) const;
   void restore_unless_at(const State& state) {

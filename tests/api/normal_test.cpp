@@ -76,6 +76,8 @@ TEST(Normal, AsTheTrackGoesOnWhereItIs) {
         EXPECT_EQ(navigator.normal(state, point), other.normal(state, point));
         EXPECT_EQ(navigator.to_local(state, point), other.to_local(state, point));
         EXPECT_EQ(navigator.frame(state, 0).translation[0], 0);
+        EXPECT_EQ(navigator.levels(state).back().touchable, state.touchable());
+        EXPECT_EQ(navigator.levels(state).size(), detector.depth(state) + 1U);
         state = step.next;
         EXPECT_EQ(navigator.levels().empty(), !state.inside());
         if (state.inside()) {
