@@ -107,6 +107,35 @@ TEST(MeasuredSearch, MayBeByTheSectorsOfARing) {
   }
 }
 
+/// Three shells, each a ring as well: the analysis spells them out.
+std::shared_ptr<const World> shells() {
+  World world;
+  world.top = tests::add_volume(world, "world", make_tube("world", 0, 200, 60, 0, 7));
+  for (const double r : {50.0, 100.0, 150.0}) {
+    const std::string name = "shell" + std::to_string(static_cast<int>(r));
+    const VolumeId shell = tests::add_volume(world, name, make_tube(name, r, r + 10, 50, 0, 7));
+    tests::place(world, world.top, shell, {0, 0, 0});
+  }
+  finish(world);
+  return std::make_shared<const World>(std::move(world));
+}
+
+TEST(MeasuredSearch, IsNotThatOfCodeThatSpellsOutEveryDaughter) {
+  for (const Candidates fastest : {Candidates::scan, Candidates::rings}) {
+    const tests::TemporaryFolder folder;
+    const auto sources = std::make_shared<Sources>();
+    FaultyRuntime runtime(shells(), options_with(folder.path(), fastest, sources));
+    for (int pass = 0; pass < 4; ++pass) {
+      expect_right(runtime);
+      runtime.wait_until_idle();
+    }
+    EXPECT_GE(specialised(runtime), 1U);
+    EXPECT_NE(sources->text, "");
+    EXPECT_EQ(sources->text.find("constexpr SearchScan "), std::string::npos);
+    EXPECT_EQ(sources->text.find("constexpr SearchRings<"), std::string::npos);
+  }
+}
+
 TEST(MeasuredSearch, IsRememberedByTheNextRun) {
   const std::shared_ptr<const World> world = plates();
   const tests::TemporaryFolder folder;
