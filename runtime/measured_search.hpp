@@ -2,7 +2,8 @@
 // the fastest depends on the rays: slabs that each of them meets are walked in no time, and the
 // same slabs in a hall that most rays pass beside them are walked to the end for nothing. So a
 // scene is bound to data in several ways, which are timed (runtime/bind_to_data.hpp), and code for
-// it finds daughters as the fastest of them does. Private to runtime/.
+// it finds daughters as the fastest of them does, but where it spells out every daughter. Private
+// to runtime/.
 #pragma once
 
 #include "runtime/specialisation.hpp"
@@ -13,7 +14,8 @@ namespace navjit {
 ScenePlan plan_without_measurement(Specialisation& spec, VolumeId volume);
 
 /// To be called where what is bound to data in a volume was chosen, or chosen anew: code for the
-/// volume, and for all equal ones, is to find daughters in the same way, if it can.
+/// volume, and for all equal ones, is to find daughters in the same way, if it can and does not
+/// spell them out.
 void search_as_bound(Specialisation& spec, VolumeId volume);
 
 /// The same as an earlier run measured it, until something is bound.
