@@ -16,7 +16,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Solids whose own axis is inclined by more than this (rad) are taken by their boxes. Up to it,
+/// For solids whose own axis is inclined by more than this (rad) the box is used instead. Up to it,
 /// inclination shortens a radius by less than 1e-12 of itself.
 constexpr double most_inclined = 1e-6;
 
@@ -51,7 +51,7 @@ std::array<Vec3, 8> corners(const Extent& e, const Transformation& t) {
   return result;
 }
 
-/// The least that holds all of these azimuths, rad.
+/// The smallest range that holds all of these azimuths, rad.
 struct Span {
   double first, span;
 };
@@ -66,7 +66,8 @@ Span span_of(std::array<double, 8> azimuths) {
   }
   return {first, 2 * pi - gap};
 }
-/// Seen from outside a convex body fills less than half a turn.
+/// Whether a convex body that spans this may be seen from outside: then it fills less than half a
+/// turn.
 bool may_be_outside(const Span& span) { return span.span < pi - 1e-6; }
 
 /// How near the convex hull of points comes to the origin, which is outside of it.
@@ -105,9 +106,10 @@ AxialExtent by_box(const Solid& solid, const Transformation& t, int axis) {
   return result;
 }
 
-/// Tangents are told from one another where their length is not small beside the circle's radius.
+/// The circle's largest radius, as a share of the distance to the daughter: with a larger one it is
+/// hardly known which tangent a point is on.
 constexpr double farthest_lean = 0.99;
-/// Tangents have to tell a daughter that much better than radii. A guess.
+/// Leaning is worth it if the daughter spans at most this share of its radii's span. A guess.
 constexpr double worth_leaning = 0.5;
 
 std::array<Planar, 8> box_across(const Solid& solid, const Transformation& t, int axis) {
@@ -120,8 +122,8 @@ std::array<Planar, 8> box_across(const Solid& solid, const Transformation& t, in
 
 std::optional<TangentSpan> tangents_through(const std::array<Planar, 8>& points, double lean) {
   if (!(std::abs(lean) < farthest_lean * nearest(points))) return {};
-  // A segment outside of the circle goes from tangent to tangent one way: its ends, and so a convex
-  // body's corners, tell.
+  // Along a segment outside of the circle the tangent turns one way only. So the extremes are at
+  // ends of segments, and for a convex body at its corners.
   std::array<double, 8> azimuths;
   std::transform(points.begin(), points.end(), azimuths.begin(), [&](const Planar& p) {
     return std::remainder(std::atan2(p.y, p.x) - std::asin(lean / radius(p)), 2 * pi);

@@ -19,49 +19,51 @@ namespace {
 /// Up to this many daughters every one is spelled out and tested.
 constexpr std::size_t spell_out_limit = 4;
 
-/// So many boxes at the most are all tested, four at once.
+/// At most this many boxes are all tested, four at once.
 constexpr std::size_t most_lanes = 8;
 
-/// With 20,000 daughters boxes are 1.5 times as fast as the hierarchy of boxes (docs/scenes.md);
+/// With 20,000 daughters `boxes` is 1.5 times as fast as the hierarchy of boxes (docs/scenes.md);
 /// beyond this nothing was measured.
 constexpr std::size_t most_boxes = 32768;
 
-/// Planes between more daughters than these four million are not looked for: to put the boxes of so
-/// many in order takes seconds.
+/// Scenes with more daughters than this, four million, are not divided by planes: to put the boxes
+/// of so many in order takes seconds.
 constexpr std::size_t most_in_planes = std::size_t{1} << 22;
 
 /// Among more daughters no rings are looked for; beyond this nothing was measured.
 constexpr std::size_t most_about_an_axis = 4096;
 
-/// All boxes are looked at for safety. With 65 to 70 daughters that takes as long as the generic
-/// navigator's tree (docs/scenes.md); up to where it may is a guess.
+/// Up to this many daughters all boxes are looked at for the safety. With 65 to 70 daughters that
+/// takes as long as the generic navigator's tree (docs/scenes.md); up to where it may is a guess.
 constexpr std::size_t most_boxes_near = 128;
 
 /// Single precision tells boxes apart in scenes that are not larger than this, mm.
 constexpr double largest_float_scene = 1e7;
 
-/// A nest is walked where there is at most one other daughter for so many shells: with three for
-/// four shells that was no faster than boxes, with none two to five times (docs/scenes.md).
+/// A nest is searched by its shells if it has at least this many for each other daughter. With
+/// three others for four shells that was no faster than boxes, with none two to five times
+/// (docs/scenes.md).
 constexpr std::size_t most_others = 3;
 
-/// Each ring is a walk of its own. Two were measured to pay and 26 not; what is between is a guess,
-/// and so is how many daughters there may be besides.
+/// A ray is walked through each ring separately. Two rings were measured to pay and 26 not; what is
+/// between is a guess, and so is how many daughters there may be besides.
 constexpr std::size_t most_rings = 4;
 constexpr std::size_t most_beside_rings = 4;
 
-/// So little more than one daughter a cell, and of one solid, is what grids have: there no box
+/// Grids have at most this many daughters in a cell on average, all of one solid: there no box
 /// needs a test.
 constexpr double about_one = 1.05;
 
-/// Slabs that take less of the mother's cross-section are missed by most rays, which are walked
-/// past one slab after the other; then boxes are looked at first. A guess: runs in halls of
-/// trackers were 1.2 to 1.8 times as fast with scans, those in stacks of full plates 0.9 times.
+/// Slabs that take less than this share of the mother's cross-section are missed by most rays,
+/// which are walked past one slab after the other; then boxes are looked at first. A guess: runs in
+/// halls of trackers were 1.2 to 1.8 times as fast with scans, those in stacks of full plates 0.9
+/// times.
 constexpr double least_met = 0.5;
 
 /// What single precision loses of a position, twice over.
 double float_margin(double largest) { return largest * 0x1p-21; }
 
-/// Of the boxes across an axis, in parts of the mother's.
+/// The mean cross-section of the boxes across an axis, as a share of the mother's.
 double mean_cross_section(const Extent& mother, const std::vector<Extent>& boxes, int axis) {
   const auto across = [&](const Extent& e) {
     const Vec3 size = e.max - e.min;
@@ -72,7 +74,7 @@ double mean_cross_section(const Extent& mother, const std::vector<Extent>& boxes
   return sum / (across(mother) * static_cast<double>(boxes.size()));
 }
 
-/// What is_regular_grid() asks that is known before the cells are made.
+/// What of is_regular_grid() is known before the cells are made.
 bool may_be_grid(const ScenePlan& plan) {
   return plan.classes.size() == 1 && !plan.classes[0].rotated;
 }
@@ -96,23 +98,25 @@ bool sectors_may_pay(const Rings& rings) {
   return rings.rings.size() <= most_rings && rings.others.size() <= most_beside_rings;
 }
 
-/// Where daughters are segments about the axis, each fills its sector, and boxes tell little: 1.2
-/// and 1.4 times faster than these. With what is only placed in a ring (boxes, trapezoids) sectors
-/// are 0.8 to 1.1 times as fast as boxes for 12 to 64 of them, and much faster for 1200 thin
-/// blades, whose boxes overlap: that is measured (runtime/bind_to_data.cpp).
+/// Whether sectors are chosen without measurement: where daughters are segments about the axis.
+/// Each of these fills its sector, and boxes tell little; sectors are 1.2 and 1.4 times as fast as
+/// boxes. With what is only placed in a ring (boxes, trapezoids) they are 0.8 to 1.1 times as fast
+/// for 12 to 64 daughters, and much faster for 1200 thin blades, whose boxes overlap: such scenes
+/// are measured with both (runtime/bind_to_data.cpp).
 bool sectors_pay(const Rings& rings) {
   return sectors_may_pay(rings) && std::all_of(rings.rings.begin(), rings.rings.end(),
                                                [](const Ring& ring) { return ring.segments; });
 }
 
-/// Slabs and grids are called just that.
+/// Whether the pattern is described as slabs or a grid.
 bool is_regular(const std::string& pattern) {
   return pattern.find(" slabs along ") != std::string::npos || pattern.starts_with("grid");
 }
 
-/// Slabs have a shorter walk for boxes along the axes, and steps of wires in one plane are as fast
-/// as with rows of wires, whose safety is faster where there are too many to look at all. Grids go
-/// to the cell straight away.
+/// Whether slabs or a grid serve wires no worse than rows do. Slabs have a shorter walk for boxes
+/// along the axes, and steps among wires in one plane are as fast with slabs as with rows; but rows
+/// have a faster safety where there are too many wires to look at all. Grids lead to the cell
+/// straight away.
 bool slabs_or_grid_serve(const Geometry& geometry, const ScenePlan& plan) {
   const bool plain = may_be_grid(plan), boxes = plan.classes[0].kind() == SolidKind::box;
   if (plan.pattern.starts_with("grid")) return plain;
@@ -120,7 +124,7 @@ bool slabs_or_grid_serve(const Geometry& geometry, const ScenePlan& plan) {
          ((plain && boxes) || geometry.scene(plan.volume).daughters.size() <= most_boxes_near);
 }
 
-/// Patterns about an axis or a centre.
+/// Chooses a pattern about an axis or a centre: a nest, or rings. False if there is none.
 bool choose_round(const Geometry& geometry, std::optional<Candidates> forced, double margin,
                   ScenePlan& plan) {
   const World& world = geometry.world();
@@ -188,7 +192,7 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     plan.candidates = Candidates::scan;
     plan.mean_candidates = static_cast<double>(boxes.size());
   };
-  // Data may be scanned, whatever is chosen here.
+  // What is bound to data may use a scan, whatever is chosen here.
   if (scan || groups) make_boxes();
   if (scan && forced == Candidates::scan) {
     use_scan();
@@ -216,7 +220,7 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     if (layers) plan.layers = std::move(*layers);
     return plan.layers.found();
   };
-  // Where there are too many to look at all for the safety, layers may tell it.
+  // Where there are too many daughters to look at all for the safety, layers may give it.
   const auto make_layers_for_safety = [&] {
     if (!forced && boxes.size() > most_boxes_near) make_layers();
   };
@@ -275,7 +279,7 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     use_lanes();
     return;
   }
-  // Beside what code has: data alone walks slabs within slabs.
+  // Layers are walked by what is bound to data alone; code gets another search beside them.
   if ((!forced || *forced == Candidates::layers) && make_layers() &&
       (forced || boxes.size() > most_boxes)) {
     plan.candidates = Candidates::layers;
@@ -287,7 +291,8 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     plan.mean_candidates = static_cast<double>(boxes.size());
     return;
   }
-  // What is in a hole of a daughter, or beside what its box holds of it, is not its own.
+  // A daughter is not listed in cells that lie in a hole of it, or in a part of its box that it
+  // does not fill.
   const auto apart = [&](std::uint32_t k, const Extent& box) {
     const Daughter& d = scene.daughters[k];
     return safety_to_in(d.solid, to_local(d.transformation, 0.5 * (box.min + box.max))) >

@@ -8,7 +8,7 @@
 namespace navjit {
 
 /// Fills in the plan's `candidates` and what they need; its classes have to be there. `forced`: the
-/// kind that somebody outside wants.
+/// search that the environment or a measurement asks for.
 void choose_candidates(const Geometry& geometry, std::optional<Candidates> forced, ScenePlan& plan);
 
 /// Whether the plan's cells have one daughter each, all of them with the same solid.

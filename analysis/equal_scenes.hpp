@@ -9,10 +9,11 @@
 
 namespace navjit {
 
-/// By volume: the lowest-numbered of those that code is shared with. They have the same solid and,
+/// By volume: the lowest-numbered of those that it shares code with. They have the same solid and,
 /// at the same places, daughters that share code themselves. What else code may know of a volume,
 /// its frame and its mother, is the same for all of them too, unless there are many cases of it:
-/// then code for any of them takes them all. Volumes outside the tree are alone.
+/// then one code takes all cases. Volumes outside the tree are alone.
+///
 /// `mothers_first`: the volumes in the tree, each after all that it is placed in.
 std::vector<VolumeId> equal_scenes(const Geometry& geometry, const WorldFacts& facts,
                                    std::span<const VolumeId> mothers_first);

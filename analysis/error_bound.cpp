@@ -70,7 +70,7 @@ FrameError into_daughter(const FrameError& mother, const Transformation& t, doub
   return inner;
 }
 
-/// Applying a rotation and the difference before it.
+/// Rounding of a position in applying a frame: the difference, and a rotation behind it.
 double applied(bool rotated, double skew, double reach) {
   return (rotated ? rounding(4) * root3 * (1 + skew) : rounding(1)) * reach;
 }
@@ -125,7 +125,8 @@ ErrorBound bound_of(const World& world, VolumeId volume, const Extent& box,
       frame.position + applied(frame.rotated, frame.skew, reach) +
       path * (frame.direction * longest_direction + turned(frame.rotated, frame.skew));
   ErrorBound bound;
-  // A start within the tolerance of a face is on it, and a corner or a graze less deep is passed.
+  // A start within the tolerance of a face counts as on it, and a corner or a grazed part that is
+  // less deep than that is passed over.
   bound.tolerance = 2 * world.tolerance;
   const auto add = [&](const Solid& solid, double displaced, double from) {
     const auto kernel = kernel_error(solid.any(), {from, path, world.tolerance});

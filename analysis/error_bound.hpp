@@ -9,15 +9,15 @@
 
 namespace navjit {
 
-/// Of the steps made in a volume, by the generic navigator and by any of level `exact`: how far
-/// from the surface of the exact detector that ends it a step may end, measured across the surface,
-/// mm. For starts in the volume, directions of unit length to 1e-5 and anything that the file
-/// places.
+/// How far from the surface of the exact detector that ends it a step made in a volume may end,
+/// measured across the surface, mm. Holds for all navigators, for starts in the volume, directions
+/// of unit length to 1e-5 and anything that the file places.
 struct ErrorBound {
   double tolerance = 0;  ///< what counts as on a face (docs/tolerance.md)
   double frame = 0;      ///< frames composed and applied, directions turned
   double kernel = 0;     ///< distances to the surfaces
-  /// Where no bound is known: of which solid. The parts that are known are given all the same.
+  /// The kind of solid for which no bound is known; empty if there is none. The parts that are
+  /// known are given all the same.
   std::string unknown{};
 
   bool known() const { return unknown.empty(); }

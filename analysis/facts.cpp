@@ -59,7 +59,7 @@ StackLevel level_of(const std::array<double, 9>& rotation,
   return level;
 }
 
-/// The daughter's frame by the canonical composition itself, so that constants carry its bits.
+/// The daughter's frame by navigation's own composition, so that constants have its bits.
 void compose(const std::array<double, 9>& rotation, const std::array<double, 3>& translation,
              const Transformation& t, std::array<double, 9>& out_rotation,
              std::array<double, 3>& out_translation) {

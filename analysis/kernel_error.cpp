@@ -33,8 +33,8 @@ struct ErrorOf {
   }
 
   /// A crossing of an operand's surface, seen from a point on the ray that is computed from the
-  /// start. From which operand to which is told by containment, which forgives the tolerance: that
-  /// has to be more than any rounding.
+  /// start. Which operand the ray is in is decided by containment, which allows for the tolerance:
+  /// so the tolerance has to exceed any rounding.
   template <class Boolean>
   Bound boolean(const Boolean& s) const {
     const KernelUse along{use.reach + use.path, use.path, use.tolerance};

@@ -8,7 +8,8 @@
 
 namespace navjit {
 
-/// The norm of r r' - 1 for a rotation by rows, and what computing it may have hidden.
+/// The norm of r r' - 1 for a rotation by rows, with a bound of what rounding may have hidden of
+/// it.
 double skew_of(const double (&rotation)[9]);
 
 /// A bound of the distance from the solid's surface to the point that distance_to_in or

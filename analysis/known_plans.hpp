@@ -13,7 +13,7 @@
 
 namespace navjit {
 
-/// Of one world. Threads may ask at once.
+/// The plans of one world. Thread-safe.
 class KnownPlans {
  public:
   /// All that a plan depends on beside the world.

@@ -15,8 +15,8 @@ namespace {
 
 const char* const axis_names[] = {"x", "y", "z", "the centre"};
 
-/// Scenes that are no grids have boxes from a few daughters on; with more than this and none, there
-/// were too many.
+/// A scene that is no grid has blocks of boxes from a few daughters on. If it has more daughters
+/// than this and no boxes, there were too many for these.
 constexpr std::size_t most_without_boxes = 64;
 
 /// With more daughters than this, tables of boxes would be most of the code.
@@ -49,9 +49,9 @@ std::vector<DaughterClass> classify(const Geometry& geometry, const Scene& scene
   return classes;
 }
 
-/// From so many different solids of a kind on a table costs less than a branch on which it is,
-/// which processors cannot foresee, and constants that fold. Thirteen cones gained half of their
-/// time; where it begins to pay is a guess, but for boxes.
+/// From this many different solids of a kind on, a table of their numbers costs less than a branch
+/// on which solid it is, which processors cannot foresee, with constants that fold. Thirteen cones
+/// gained half of their time; where it begins to pay is a guess, but for boxes.
 std::size_t fewest_in_table(SolidKind kind) {
   switch (kind) {
     case SolidKind::box:
@@ -72,7 +72,7 @@ void merge_classes(std::vector<DaughterClass>& classes, SolidKind kind, bool rot
   const auto count =
       static_cast<std::size_t>(std::count_if(classes.begin(), classes.end(), mergeable));
   if (count < fewest_in_table(kind)) return;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // and shapes
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // daughters, each with its shape
   std::vector<DaughterClass::Shape> shapes;
   for (DaughterClass& c : classes) {
     if (!mergeable(c)) continue;
@@ -84,7 +84,7 @@ void merge_classes(std::vector<DaughterClass>& classes, SolidKind kind, bool rot
   std::sort(members.begin(), members.end());
   const auto into = std::find_if(classes.begin(), classes.end(), mergeable);
   std::erase_if(classes, [&](const DaughterClass& c) { return &c != &*into && mergeable(c); });
-  // Erasing moved nothing that comes before the first of them.
+  // It is the first of those that are merged, so that erasing the others did not move it.
   into->shapes = std::move(shapes);
   into->members.clear();
   into->shape_of.clear();
@@ -94,13 +94,13 @@ void merge_classes(std::vector<DaughterClass>& classes, SolidKind kind, bool rot
   }
 }
 
-/// With more daughters than this the tables of what is around each would be most of the code.
+/// With more daughters than this the tables of neighbours would be most of the code.
 constexpr std::size_t most_with_neighbours = 2048;
 
-/// Plans of scenes with fewer daughters are made anew: they take little. A guess.
+/// Plans of scenes with fewer daughters are not kept, since they take little time. A guess.
 constexpr std::size_t fewest_to_keep = 16;
 
-/// The volume's own solid, or daughters that are not turned.
+/// Whether the volume's own solid is a box, or that of a daughter that is not turned.
 bool has_boxes_along_axes(const Scene& scene, const ScenePlan& plan) {
   return scene.solid.kind == SolidKind::box ||
          std::any_of(plan.classes.begin(), plan.classes.end(), [](const DaughterClass& c) {

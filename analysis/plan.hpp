@@ -24,7 +24,8 @@ Worth worth_compiling(const Geometry& geometry, const ScenePlan& plan);
 /// The plan in lines of text for `navjit inspect`.
 std::string describe(const Geometry& geometry, const ScenePlan& plan);
 
-/// Kernels that cost so much more than a slab test that their box goes first.
+/// Whether the kernel of this kind costs so much more than a test of its box that the box goes
+/// first.
 bool is_costly(SolidKind kind);
 
 }  // namespace navjit

@@ -44,7 +44,7 @@ void add_solid(Key& key, const kernels::AnySolid<double>& solid) {
       for (const double r : shape.rotation) key.add(r);
       add_solid(key, shape.solid);
     } else {
-      key.add(solid.shape);  // only if it is one and the same
+      key.add(solid.shape);  // equal only if it is one and the same shape
     }
   });
 }

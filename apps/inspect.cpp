@@ -49,7 +49,7 @@ VolumeId find_volume(const World& world, const std::string& name) {
               "'; navjit inspect without --scene lists them");
 }
 
-/// Which level the scene's navigators have, and what they promise.
+/// Prints how far off the steps of the scene's navigators may be.
 void print_level(const ErrorBound& bound) {
   if (bound.known()) {
     std::printf("  error bound  %.3g mm: tolerance %.2g, frames %.2g, surfaces %.2g\n",
@@ -99,7 +99,7 @@ void print_scene(const Geometry& geometry, const std::string& name, bool emit) {
   }
 }
 
-/// Of the volumes in the tree. What is not known is a dash.
+/// Prints the materials of the volumes in the tree. What is not known is a dash.
 void print_materials(const World& world, const WorldFacts& facts) {
   std::vector<bool> used(world.materials.size());
   for (std::size_t v = 0; v < world.volumes.size(); ++v) {

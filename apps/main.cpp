@@ -29,7 +29,7 @@ constexpr void (*commands[])(CLI::App&, apps::Action&) = {
     apps::add_plugin,   apps::add_accuracy, apps::add_warmup,     apps::add_warmup_run,
     apps::add_picture,  apps::add_scan,     apps::add_import,     apps::add_report};
 
-/// Of the processes of one run, the first speaks.
+/// Of the processes of one run only the first speaks: true in the others.
 bool silent = false;
 
 /// One line, whatever names from files are in it.

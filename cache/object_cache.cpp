@@ -24,7 +24,7 @@ constexpr std::string_view suffix = ".navjit";
 constexpr std::string_view unfinished = "unfinished-";
 /// Uses closer together are not told apart, to spare shared file systems the writing.
 constexpr std::int64_t use_resolution_s = 60;
-/// What an entry takes at least on a disk.
+/// The unit in which entries take space on a disk.
 constexpr std::uint64_t block_bytes = 4096;
 
 Failure system_failure(const std::string& what) { return {what + ": " + std::strerror(errno)}; }

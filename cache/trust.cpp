@@ -47,7 +47,7 @@ Expected<std::string> resolved(const std::string& path) {
 }
 
 /// Checks a resolved directory and all above it; gives the status of the directory itself. With
-/// `above` it is only on the way to where things are to be.
+/// `above` the directory itself is also only above the one that is meant.
 std::optional<Failure> distrust_way(const std::string& path, bool above, struct stat& status) {
   for (std::size_t at = 0; at <= path.size(); ++at) {
     if (at != 0 && at != path.size() && path[at] != '/') continue;

@@ -13,16 +13,17 @@
 namespace navjit::codegen {
 namespace {
 
-/// Which functions a module has of each volume.
+/// Which functions a module has for a volume.
 struct Parts {
   bool step = false;     ///< hot: step and both relocations, exported
   bool enter = false;    ///< downward relocation
   bool reenter = false;  ///< relocation out of a daughter
 };
 
-/// Relocation of more scenes than this beside the hot ones is left to the table.
+/// At most this many scenes beside the hot ones have their relocation in the module; that of others
+/// is left to the table.
 constexpr std::size_t most_neighbours = 24;
-/// And so is that of scenes of more different solids (solids_of): all of them would be inlined,
+/// The same of scenes of more different solids (solids_of) than this: all of them would be inlined,
 /// which takes longer to compile than the hot scenes themselves.
 constexpr std::size_t most_solids = 8;
 
@@ -89,13 +90,14 @@ struct alignas(table_alignment) TableLine {
 /// The tables of a module's scenes, one after the other.
 class ModuleData {
  public:
-  /// Gives where they are.
+  /// Adds a scene's tables; returns their offset.
   std::size_t add(const SceneTables& tables) {
     const std::size_t at = begin(tables.bytes);
     std::memcpy(bytes_.data() + at, tables.data, tables.bytes);
     return at;
   }
-  /// Those of a leaf that shares code, behind a SharedLeafData.
+  /// The same for a leaf that shares code: its tables lie behind a SharedLeafData, whose offset is
+  /// returned.
   std::size_t add_shared(const SceneTables& tables) {
     const std::size_t at = begin(sizeof(kernels::SharedLeafData) + tables.bytes);
     std::memcpy(bytes_.data() + at + sizeof(kernels::SharedLeafData), tables.data, tables.bytes);
@@ -126,7 +128,7 @@ class ModuleData {
   std::vector<std::size_t> shared_;
 };
 
-/// Of each leaf that shares code the first that does.
+/// For each leaf that shares code, the first leaf that it shares with.
 std::map<VolumeId, VolumeId> find_shared(const Geometry& geometry, const WorldFacts& facts,
                                          const std::map<VolumeId, Parts>& parts, Plans& plans,
                                          const Neighbours& neighbours) {

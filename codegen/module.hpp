@@ -20,7 +20,7 @@ struct Entry {
   std::string step;
   std::string relocate;
   std::string safety;  ///< empty where the scene has none of its own
-  std::size_t at = 0;  ///< where in the module's data that of its functions is
+  std::size_t at = 0;  ///< offset of its functions' data in the module's data
 };
 
 struct Module {
@@ -45,8 +45,9 @@ enum class Leaves : std::uint8_t {
   shared,  ///< faster where tracks go from one to the other
 };
 
-/// Generates navigators for `hot` volumes and all equal ones. Where scenes feed each other
-/// their relocation is inlined: plans for mothers and daughters of hot scenes are made as needed.
+/// Generates navigators for `hot` volumes and all equal ones. Where tracks pass from one scene to
+/// another, relocation is inlined: plans for mothers and daughters of hot scenes are made as
+/// needed.
 Module generate(const Geometry& geometry, const WorldFacts& facts, std::span<const VolumeId> hot,
                 Leaves leaves = Leaves::apart);
 

@@ -14,7 +14,7 @@ void add_kernel(std::string& text, std::string_view kernel, bool small) {
   text += (small ? inlined : "") + std::string(kernel_text(kernel)) + (small ? as_it_is : "");
 }
 
-/// Of solids, those that most detectors have.
+/// Whether it is a kernel of solids that most detectors have.
 bool is_common(std::string_view kernel) {
   return kernel == "convex" || kernel == "box" || kernel == "wedge" || kernel == "tube";
 }

@@ -13,13 +13,15 @@
 namespace navjit::codegen {
 namespace {
 
-/// Up to so many daughters are spelled out, each with numbers of its own.
+/// At most this many daughters are spelled out, each with numbers of its own.
 constexpr std::size_t most_listed = 8;
 
-/// Each class is a branch and code of its own: beyond so many, solids of one type share theirs.
+/// Each class is a branch and code of its own: with more of them than this, solids of one type
+/// share theirs.
 constexpr std::size_t most_classes = 24;
 
-/// Of a scene's daughters, so many solids are inlined where they are asked. A guess.
+/// If a scene's daughters are made of no more solids than this, all are inlined where they are
+/// asked. A guess.
 constexpr std::size_t most_inlined = 12;
 
 PartClass of_plan(const DaughterClass& c, Shapes& shapes) {
@@ -34,7 +36,7 @@ PartClass of_plan(const DaughterClass& c, Shapes& shapes) {
   return part;
 }
 
-/// Daughters whose solids are of one type, all in tables.
+/// Classes of daughters whose solids are of one type, with all numbers in tables.
 std::vector<PartClass> by_type(const Scene& scene, Shapes& shapes) {
   std::vector<PartClass> classes;
   std::map<std::pair<std::string, bool>, std::size_t> known;
@@ -56,8 +58,9 @@ std::vector<PartClass> by_type(const Scene& scene, Shapes& shapes) {
   return classes;
 }
 
-/// Compilers inline what there is of a solid wherever a daughter is asked. Where daughters are made
-/// of many solids that was most of the code and of the time to compile it.
+/// Compilers inline a solid's kernels wherever a daughter is asked. Where daughters are made of
+/// many solids that was most of the code and of the time to compile it; there, booleans become
+/// functions of their own.
 void set_apart(const Scene& scene, SceneParts& parts) {
   const auto solids = [&](const PartClass& c) {
     return solids_in(scene.daughters[c.members[0]].solid);
@@ -68,7 +71,8 @@ void set_apart(const Scene& scene, SceneParts& parts) {
   for (PartClass& c : parts.classes) c.apart = solids(c) > 1;
 }
 
-/// What has no place in generated code's own object. Types, as equal ones would take some.
+/// Stands for what is constant in generated code and takes no place in its objects. The number
+/// makes each a type of its own: two empty members of one type would take place.
 template <int>
 struct Nothing {};
 
@@ -193,7 +197,7 @@ SceneTables with_search(const Source& source, const SceneParts& parts) {
   return of(kernels::NoSearch{});
 }
 
-/// Of a leaf with its own numbers alone. They are behind a SharedLeafData.
+/// The tables of a leaf that shares code: its own numbers alone. They lie behind a SharedLeafData.
 template <class Frame, class Mother>
 SceneTables make_leaf(const Source& source, const SceneParts& parts) {
   using kernels::NoSearch;

@@ -37,7 +37,8 @@ struct SceneParts {
   std::vector<PartClass> classes;
 };
 
-/// `shapes` spells the types.
+/// Decides what of a scene is in types and constants, and what in tables. `shapes` spells the
+/// types.
 SceneParts parts_of_scene(const Geometry& geometry, const ScenePlan& plan, Numbers numbers,
                           Shapes& shapes);
 
@@ -47,7 +48,7 @@ struct SceneTables {
   const void* data = nullptr;
   std::size_t bytes = 0;
   std::size_t boxes = 0;  ///< offset of Scene::boxes
-  /// The search, and what is constant of it, as an initialiser. No numbers: it has no constants.
+  /// The type of the search, and its constants as an initialiser; empty if it has none.
   std::string search_type, search_numbers;
 };
 

@@ -12,7 +12,8 @@
 namespace navjit::codegen {
 namespace {
 
-/// A scene of more different daughters leaves it to the table which are leaves.
+/// A scene with more different daughters than this, leaves not counted, enters them through the
+/// table.
 constexpr std::size_t most_entered = 24;
 
 struct Writer {
@@ -38,7 +39,7 @@ struct Writer {
   bool constants() const { return parts.numbers == Numbers::constants; }
   bool of_structure() const { return parts.numbers == Numbers::tables; }
   bool stand_ins() const { return constants() && facts.of_equals[plan.volume].stand_ins; }
-  /// What code takes a daughter's volume for.
+  /// The volume that code takes a daughter for: its stand-in, where the scene has these.
   VolumeId known_as(VolumeId daughter) const {
     return stand_ins() ? facts.first_equal[daughter] : daughter;
   }
@@ -143,7 +144,7 @@ std::string class_of(Writer& w, std::size_t number_of_class) {
   return "DaughterClass<" + solid + ", " + place + ", " + bounds + ">";
 }
 
-/// Daughters that are listed, with all that pushing them takes.
+/// The records of daughters that are listed: all that it takes to push one onto the stack.
 std::string listed_places(Writer& w) {
   std::string records;
   const auto inner = inner_of_daughters(w.geometry, w.scene);
@@ -200,7 +201,7 @@ std::string search_of(Writer& w) {
          ">";
 }
 
-/// Where a track goes that leaves the scene.
+/// The type that says where a track goes that leaves the scene.
 std::string leave_of(const Writer& w) {
   if (w.of_structure()) return "LeaveByStack";
   if (w.plan.volume == w.geometry.world().top) return "LeaveWorld";
@@ -212,7 +213,7 @@ std::string leave_of(const Writer& w) {
   return "LeaveToVolume<" + number(*w.plan.only_mother) + ">";
 }
 
-/// And one that enters a daughter.
+/// The same for a track that enters a daughter.
 std::string enter_of(const Writer& w) {
   if (w.of_structure()) return "EnterByTable";
   std::set<VolumeId> volumes;
@@ -274,7 +275,7 @@ std::string scene_types(const Geometry& geometry, const WorldFacts& facts, const
   w.text += "struct " + name + " : Scene<" + frame + ", " + mother + ",\n  " + daughters + ",\n  " +
             search + ", " + (w.of_structure() ? "double" : "Tolerance") + "> {\n" + lists;
   w.text += "  using leave = " + leave_of(w) + ";\n  using enter = " + enter_of(w) + ";\n";
-  // Code for all scenes of a structure is not made again for those where what is rare is not.
+  // Code of a structure serves scenes with many rare steps as well: it takes these, out of line.
   w.text += std::string("  static constexpr Rare rare = Rare::") +
             (w.of_structure()     ? "out_of_line"
              : plan.bail_out_rare ? "left_out"

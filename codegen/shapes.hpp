@@ -14,7 +14,7 @@ namespace navjit::codegen {
 class Shapes {
  public:
   Shapes() = default;
-  /// `alone`: each has functions of its own, which are not part of a scene's (apart_in()).
+  /// `alone`: the solids have functions of their own and are no parts of a scene (apart_in()).
   explicit Shapes(bool alone) : alone_(alone) {}
 
   /// The name of a constant that holds the shape; defines it on first use.

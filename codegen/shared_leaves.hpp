@@ -13,8 +13,9 @@ namespace navjit::codegen {
 /// box or a tube.
 bool may_share_code(const Scene& scene);
 
-/// Those of the leaves, given by their plans, whose code is the same but for numbers of their own:
-/// what it does with the mother is part of it. In groups of two and more, in the order given.
+/// Groups of those leaves, given by their plans, whose code is the same but for numbers of their
+/// own; what it does with the mother is part of the code. Each group has two leaves or more, in the
+/// order given.
 std::vector<std::vector<VolumeId>> leaves_that_share(const Geometry& geometry,
                                                      const WorldFacts& facts,
                                                      std::span<const ScenePlan* const> leaves,

@@ -1,6 +1,6 @@
-// Code for solids alone, which scenes that are bound to data call: booleans of several solids are
-// asked through a switch for each of their operands otherwise. One solid serves all scenes that
-// have it, and costs a fraction of what they would, compiled each.
+// Code for solids alone, which scenes that are bound to data call: otherwise booleans of several
+// solids are asked through a switch for each of their operands. One solid serves all scenes that
+// have it, and costs a fraction of what compiling each of these would.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +38,7 @@ struct SolidTypes {
 };
 SolidTypes types_in(const kernels::AnySolid<double>& solid);
 
-/// `tolerance` is a constant of the code, mm.
+/// Generates the code of these solids. `tolerance` is a constant in it, mm.
 SolidModule generate_solids(std::span<const kernels::AnySolid<double>> solids, double tolerance,
                             bool with_safety);
 

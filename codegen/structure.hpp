@@ -6,11 +6,11 @@
 
 namespace navjit::codegen {
 
-/// Whether the library's own instance asks at run time what kinds of solids there are, where code
-/// for this structure would know.
+/// Whether code for this structure would know the kinds of solids that the library's own instance
+/// asks for at run time.
 bool gains_from_structure(const Geometry& geometry, const ScenePlan& plan);
 
-/// How many solids the kernels of a structure are for: what it costs to compile goes with them.
+/// How many solids the kernels of a structure are for: the time to compile it grows with that.
 std::size_t solids_of_structure(const Geometry& geometry, const ScenePlan& plan);
 
 /// The navigator of a scene's structure, and this scene's numbers as its data. Scenes of one

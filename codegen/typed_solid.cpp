@@ -11,8 +11,9 @@ namespace {
 
 using kernels::AnySolid;
 
-/// Appends objects one after the other. All are made of what is eight bytes long, and so is what
-/// they are put together to.
+/// Appends objects one after the other, each filled up to a multiple of eight bytes. That is the
+/// layout of the types in generated code, in which all that follows an object is aligned to eight
+/// bytes.
 struct Bytes {
   std::vector<double> words{};
 
@@ -57,7 +58,8 @@ void add(Bytes& bytes, const AnySolid<double>& solid) {
   });
 }
 
-/// Whether one of what it is made of is more than a box or a round one.
+/// Whether one of the solids that it is made of has more code than a box, a trd or the simple round
+/// ones.
 bool has_much_code(const AnySolid<double>& solid) {
   return kernels::visit(solid, [&](const auto& shape) {
     if constexpr (requires { shape.a.boxed; }) {

@@ -9,11 +9,11 @@
 
 namespace navjit::codegen {
 
-/// Whether the operand of a boolean keeps the box around it. A moved box is no dearer than the test
-/// of its box.
+/// Whether the operand of a boolean keeps the box around it. A box that is moved and not turned is
+/// no dearer than the test of its box, and keeps none.
 bool keeps_box(const kernels::AnyOperand<double>& operand);
 
-/// Of other solids.
+/// Whether solids of this kind are made of other solids.
 bool is_composed(SolidKind kind);
 
 /// The solid's numbers as an object of its Shapes::type. Where that is the solid's own, it is the
@@ -32,8 +32,9 @@ enum class Apart : std::uint8_t {
 };
 bool is_apart(const kernels::AnySolid<double>& operand, Apart which);
 
-/// For a solid that is compiled alone: of more than eight solids, or more than four with one that
-/// is much code itself, compiling takes longer than inlining gains (docs/experiments.md).
+/// Which operands are apart in a solid that is compiled alone: if it is made of more than eight
+/// solids, or of more than four with one that is much code itself, compiling it inlined takes
+/// longer than that gains (docs/experiments.md).
 Apart apart_in(const kernels::AnySolid<double>& solid);
 
 /// Whether there are so many numbers in a solid that they are not made constants: the compiler

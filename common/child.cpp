@@ -23,7 +23,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::size_t most_output = std::size_t{16} << 20;
 
-/// For signal handlers, which reach nothing else. 0: none.
+/// The program that is being run; 0: none. For signal handlers, which can reach nothing but static
+/// storage.
 std::atomic<pid_t> running{0};
 
 struct Pipe {
@@ -133,7 +134,8 @@ ChildResult run_child(const std::vector<std::string>& words, double seconds,
     if (files[1].revents != 0) reading_err = read_some(err.ends[0], result.error);
     check_time();
   }
-  // It may close its streams and stay. Its number is its own until it is waited for.
+  // The program may close its streams and go on. Until it is waited for, no other process gets its
+  // number.
   siginfo_t ended{};
   while (::waitid(P_PID, static_cast<id_t>(pid), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
          ended.si_pid == 0) {

@@ -27,7 +27,8 @@ class Interruptible {
 /// The signal that was noted; 0 for none. From any thread.
 int interruption() noexcept;
 
-/// As if this signal had come while it is only noted: it came to another process of the run.
+/// Notes a signal that came to another process of the run, as if it had come to this one while
+/// signals are only noted.
 void note_interruption(int signal) noexcept;
 
 /// Thrown where there is nothing to be written: the way out through everything's destructors.

@@ -17,7 +17,7 @@ std::uint64_t parse_count(std::string_view text, std::uint64_t least = 1,
 /// A finite decimal number. Throws UsageError.
 double parse_number(std::string_view text);
 
-/// Whether a text can only be meant as a number: what is neither that nor a number is a file.
+/// Whether a text can only be meant as a number; any other text is the name of a file.
 bool looks_like_number(std::string_view text);
 
 }  // namespace navjit::common

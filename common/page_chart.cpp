@@ -33,7 +33,7 @@ struct Axis {
   }
   bool shows(double value) const { return scale == Scale::linear || value > 0; }
   double along(double value) const { return scale == Scale::linear ? value : std::log10(value); }
-  /// Of the axis' length.
+  /// Where a value is, as a share of the axis' length.
   double part(double value) const { return (along(value) - low) / (high - low); }
   double value(double at) const { return scale == Scale::linear ? at : std::pow(10, at); }
 };
@@ -70,7 +70,7 @@ std::string legend_of(const Chart& chart) {
 }  // namespace
 
 std::string chart_html(const Chart& chart) {
-  // As an axis without values would have them.
+  // What an axis without values shows.
   double smallest_x = 1, largest_x = 0, smallest_y = 1, largest_y = 0;
   std::size_t points = 0;
   for (const ChartLine& line : chart.lines) {

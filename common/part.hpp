@@ -12,14 +12,14 @@ namespace navjit::common {
 struct Part {
   std::uint64_t number = 1, of = 1;
 
-  /// The first ray of it, and the first behind it, of so many.
+  /// The first ray of the stretch, and the first behind it, in a run of so many rays.
   std::uint64_t begin(std::uint64_t rays) const { return edge(rays, number - 1); }
   std::uint64_t end(std::uint64_t rays) const { return edge(rays, number); }
   bool whole() const { return of == 1; }
 
  private:
   std::uint64_t edge(std::uint64_t rays, std::uint64_t parts) const {
-    const std::uint64_t longer = rays % of;  // the first so many have a ray more
+    const std::uint64_t longer = rays % of;  // so many of the first stretches have a ray more
     return rays / of * parts + (parts < longer ? parts : longer);
   }
 };

@@ -21,7 +21,8 @@ struct Leg {
 
 enum class PassageEnd : std::uint8_t { left, stopped, stuck };
 
-/// Where a point outside the world meets it: the way to it, mm; infinite if it does not.
+/// How far a point outside the world is from it in a direction, mm; infinite if the world is not
+/// there.
 inline double way_into(const World& world, const Vec3& point, const Vec3& direction) {
   const Solid& solid = world.volumes[world.top].solid;
   return distance_to_in(solid.any(), point,

@@ -48,9 +48,9 @@ using navjit::RaySource;
 /// The rays of a file, or so many of a source where `text` is a number, as they are needed.
 class RayStream {
  public:
-  /// The world has to outlive it. Throws as RayFile and RayMaker, and UsageError for a
-  /// number that is no count. `part`: of them, with the numbers that they have in the whole; of a
-  /// file, which is read once before to count them.
+  /// The world has to outlive it. Throws as RayFile and RayMaker, and UsageError for a number that
+  /// is no count. `part`: only these of the rays, with the numbers that they have in the whole; a
+  /// file is read once before, to count its rays.
   RayStream(const std::string& text, const RaySource& source, const World& world,
             const Part& part = {});
 

@@ -24,7 +24,7 @@ inline Summary summarise(const std::vector<double>& values) {
   return {quantile(values, 0.5), quantile(values, 0.25), quantile(values, 0.75)};
 }
 
-/// Of value by value ratios a[i] / b[i]: what interleaved repetitions are for.
+/// The ratios a[i] / b[i], value by value: for repetitions that were made in turn.
 inline Summary ratio(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) ratios.push_back(a[i] / b[i]);

@@ -14,12 +14,13 @@
 namespace navjit::jit {
 namespace {
 
-/// Of the process, since exit() is. Never destroyed: the last thread leaves it when it will.
+/// One for the process, because exit() ends all of it. Never destroyed, since threads may use it to
+/// the last.
 struct Registry {
   std::mutex mutex;
   std::condition_variable gone;
   std::list<std::stop_source> activities;
-  /// The threads at work stay in the parent.
+  /// The child of a fork() has no activities: the threads at work stay in the parent.
   OverFork over_fork{{&mutex}, [this] { activities.clear(); }};
 };
 
@@ -59,15 +60,16 @@ bool Activity::any() {
 
 namespace {
 
-/// An object of a thread. A thread that only ends itself waits for nothing.
+/// An object of each thread: at exit() it waits for the activities, at the end of its thread alone
+/// for nothing.
 struct WaitWhenDestroyed {
   ~WaitWhenDestroyed() {
     if (Activity::any() && (gettid() == getpid() || is_exiting())) wait_for_activities();
   }
 };
 
-/// Between two calls of outlast_static_objects() that do something: long compilations would
-/// otherwise leave a list of millions.
+/// The least time between two registrations by outlast_static_objects(), and how many there are at
+/// the most: long compilations would otherwise make millions of them.
 constexpr auto between_calls = std::chrono::microseconds(200);
 constexpr int most_calls = 1 << 15;
 

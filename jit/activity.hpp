@@ -28,19 +28,20 @@ class Activity {
   std::list<std::stop_source>::iterator place_;
 };
 
-/// Asks the activities to stop at exit() even before static objects are destroyed that were made
-/// since the activity was: to be called where an activity is left to itself.
+/// Has exit() wait for the activities before it destroys any static object that was made until now:
+/// to be called where an activity is left to itself.
 void outlast_activities();
 
-/// The same, and before any static object is destroyed, if the calling thread is the one that will
-/// call exit(): to be called by threads that might. The end of the thread itself waits for
-/// nothing. Calls after the first cost nothing.
+/// The same for all static objects, also those that are made later, if the calling thread is the
+/// one that will call exit(): to be called by threads that might. If the thread only ends, that
+/// waits for nothing. Further calls by a thread cost nothing.
 void outlast_by_this_thread();
 
-/// The same for static objects of LLVM, which it makes when it first needs them: to be called often
-/// while something is compiled. It is all there is for a thread that calls exit() and has called
-/// neither of the functions above: such a thread may destroy, before the compiler has stopped, what
-/// that has made in its last fraction of a millisecond.
+/// The same as outlast_activities() for static objects that LLVM makes later, when it first needs
+/// them: to be called often while something is compiled. Where exit() is called by a thread that
+/// has called neither of the functions above, there is nothing but this: such a thread may destroy,
+/// before the compiler has stopped, what the compiler has made in its last fraction of a
+/// millisecond.
 void outlast_static_objects();
 
 }  // namespace navjit::jit

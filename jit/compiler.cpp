@@ -88,7 +88,8 @@ struct Compiler::Impl {
   std::shared_ptr<llvm::TargetMachine> machine;
   std::string description;
 
-  /// An exception went through the code generator: it is never to be destroyed.
+  /// To be called when an exception went through the code generator, which must never be destroyed
+  /// then.
   void leave_machine() noexcept { std::construct_at(&left_behind.machine, machine); }
 
   Expected<Object> compile(std::string_view source, const std::string& unit_name,

@@ -24,8 +24,9 @@ struct CompileOptions {
   /// Emit DWARF line tables, types and variables and keep frame pointers, so that a debugger shows
   /// source lines. The debugger finds the source if `unit_name` is the path of a file holding it.
   bool debug_info = false;
-  /// Whole declarations, to the end of a line, with which sources may begin: from the second of
-  /// those that do on, all of one `unit_name`, it is kept parsed. The code is the same.
+  /// Whole declarations, to the end of a line, with which sources may begin. From the second such
+  /// source on it is kept parsed, which needs the same `unit_name` for all of them. The code is the
+  /// same.
   std::string preamble = {};
   /// Longer sources are refused: parsing cannot be interrupted, so this is what bounds it.
   std::size_t max_source_bytes = std::size_t{8} << 20;

@@ -8,7 +8,7 @@
 namespace navjit::jit {
 namespace {
 
-/// What calls a destructor at exit() is a few calls away from it.
+/// exit() is a few calls above the destructors that it calls.
 struct Search {
   int calls_left = 100;
   bool found = false;
@@ -16,7 +16,8 @@ struct Search {
 
 _Unwind_Reason_Code look_at(_Unwind_Context* call, void* search) {
   auto& s = *static_cast<Search*>(search);
-  // The address where it goes on; since nothing returns into exit(), that may be behind its end.
+  // The address where the call goes on. Nothing returns into exit(), so that this may be behind its
+  // end, and one less is not.
   const auto next = _Unwind_GetIP(call);
   Dl_info in{};
   // By the name: where a program is not position-independent, what it takes for the address of a

@@ -62,8 +62,8 @@ class KeepModule : public clang::ASTFrontendAction {
   std::unique_ptr<llvm::Module> module_;
 };
 
-/// Errors apart from warnings, each with its notes: a reader of only the beginning has to see why
-/// a unit was refused, however many warnings came before.
+/// Prints errors apart from warnings, each with its notes: a reader of only the beginning has to
+/// see why a unit was refused, however many warnings came before.
 class SplitPrinter : public clang::DiagnosticConsumer {
  public:
   explicit SplitPrinter(clang::DiagnosticOptions* options)
@@ -96,7 +96,7 @@ class SplitPrinter : public clang::DiagnosticConsumer {
   bool in_error_ = false;
 };
 
-/// What parsing works with. The instance uses what is declared before it until it is destroyed.
+/// What parsing works with. The instance uses the members before it until it is destroyed.
 struct Frontend {
   llvm::IntrusiveRefCntPtr<clang::DiagnosticOptions> diagnostic_options{
       new clang::DiagnosticOptions()};

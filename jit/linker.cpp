@@ -71,8 +71,8 @@ class PlacementRecorder : public orc::ObjectLinkingLayer::Plugin {
   void notifyTransferringResources(orc::JITDylib&, orc::ResourceKey, orc::ResourceKey) override {}
 
  private:
-  /// Local functions are called by their section's symbol: they would lose their own, and profilers
-  /// their names.
+  /// Keeps the symbols of local functions. These are called by their section's symbol, so their own
+  /// would be removed, and profilers would not know their names.
   static void keep_functions(jitlink::LinkGraph& graph) {
     for (jitlink::Symbol* symbol : graph.defined_symbols()) {
       if (symbol->hasName() && symbol->isCallable()) symbol->setLive(true);

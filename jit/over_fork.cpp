@@ -6,7 +6,7 @@
 
 namespace navjit::jit {
 
-/// Of the process, since fork() is. Never destroyed.
+/// One for the process, because fork() copies all of it. Never destroyed.
 struct AllOverFork {
   std::mutex mutex;
   std::list<OverFork*> each;

@@ -31,7 +31,7 @@ std::optional<clang::PrecompiledPreamble> parse_text(
       {static_cast<unsigned>(text.size()), /*PreambleEndsAtStartOfLine=*/true}, *diagnostics, files,
       std::make_shared<clang::PCHContainerOperations>(), /*StoreInMemory=*/true,
       /*StoragePath=*/"", callbacks);
-  // With errors it would be kept as it is, and they would not be told again.
+  // A preamble with errors would be kept as it is, and later sources would not report the errors.
   if (!parsed || diagnostics->hasErrorOccurred()) return std::nullopt;
   return std::move(*parsed);
 }

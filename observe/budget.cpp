@@ -115,7 +115,7 @@ SmallVolumes choose_small(const World& world, const Marks& marks, double budget,
     const auto [d, m] = pair;
     const double inner = rate_of(d), outer = rate_of(m);
     if (inner < 0 || outer < 0 || invisible(marks, d, m) || !of_one_kind(marks, d, m)) continue;
-    // What is of its own material in it would come to light.
+    // A daughter of its own material is invisible in it, and would become visible.
     const auto& below = world.volumes[d].daughters;
     if (std::any_of(below.begin(), below.end(), [&, inside = d](const Placement& p) {
           return marks.own[p.volume] == marks.own[inside];

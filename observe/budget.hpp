@@ -1,4 +1,4 @@
-// What a budget lets disappear: materials that are nearly the same, and small
+// What a budget lets disappear: differences between materials that are nearly the same, and small
 // volumes.
 #pragma once
 
@@ -11,14 +11,14 @@
 
 namespace navjit {
 
-/// For each mm of a ray: of each material, in the unit of a budget; radiation lengths for a
-/// relative one. Negative where it is not known.
+/// By material: how much of the budget's unit there is in each mm of a ray; radiation lengths for a
+/// relative budget. Negative where it is not known.
 std::vector<double> material_rates(const World& world, Observation::Unit unit);
 
 /// How long a straight line in the world can be, mm.
 double longest_path(const World& world);
 
-/// No line through the solid has more in it, mm.
+/// An upper bound of the length of a straight line within the solid, mm.
 double longest_chord(const Solid& solid);
 
 /// How many touchables of each volume there are.
@@ -34,7 +34,7 @@ struct MaterialGroups {
 /// ray is in one group, whatever material of it is taken there: so the changes of all groups
 /// together are bounded by the largest difference times the path. A relative budget is held point
 /// by point: no rate of a group is larger than the least by more than that part of it. A material
-/// of which the rate is not known is alone, and one that is not used.
+/// whose rate is not known, or that is not used, is alone.
 MaterialGroups group_materials(const World& world, double budget,
                                Observation::Unit unit = Observation::Unit::radiation_lengths);
 
@@ -42,10 +42,11 @@ MaterialGroups group_materials(const World& world, double budget,
 /// these daughters are filled with their mothers' material.
 using SmallVolumes = std::map<std::pair<VolumeId, VolumeId>, double>;
 
-/// Volumes whose chords, all touchables in the world together, change no ray's budget by more than
-/// the budget. Those with the most boundary for their change come first. Volumes that are observed,
-/// regions and volumes whose tags are not their mothers' are none. None are within a relative
-/// budget: a ray may go through little else.
+/// Chooses volumes that may be filled with their mothers' material: the chords of all their
+/// touchables in the world together change no ray by more than the budget. Those with the most
+/// boundary for their change come first. Volumes that are observed, regions and volumes whose tags
+/// are not their mothers' are not chosen. Nothing is chosen for a relative budget: a ray may go
+/// through little else.
 SmallVolumes choose_small(const World& world, const Marks& marks, double budget,
                           Observation::Unit unit = Observation::Unit::radiation_lengths);
 

@@ -49,7 +49,8 @@ class Choice {
     rates_ = own_;
   }
 
-  /// What would become of it if the daughters of these volumes became part of the mother, too.
+  /// What the choice would come to if the daughters of these volumes became part of the mother,
+  /// too.
   struct Trial {
     double mean = 0;         ///< change of a ray, absolute, over all rays
     std::uint64_t gain = 0;  ///< boundaries that rays do not see any more
@@ -115,8 +116,8 @@ class Choice {
     return all;
   }
 
-  /// All nodes of the mother that are no part of something themselves, and all below them that
-  /// become part of them.
+  /// All nodes of the mother that are not part of a mixture themselves, and all nodes below them
+  /// that become part of theirs.
   void find_affected(VolumeId mother, const std::set<VolumeId>& all) {
     affected_.clear();
     for (const std::uint32_t node : nodes_of_[mother]) {
@@ -170,7 +171,7 @@ struct Move {
   bool operator<(const Move& other) const { return score < other.score; }
 };
 
-/// Without what is part of other mixtures wherever it is placed.
+/// The choice without mothers that are part of other mixtures wherever they are placed.
 ChosenMixtures without_hidden(const World& world, const ChosenMixtures& chosen) {
   ChosenMixtures left;
   std::vector<bool> seen(world.volumes.size());
@@ -250,7 +251,7 @@ ChosenMixtures choose_mixtures(const World& world, const Mixtures& mixtures,
     queue.pop();
     const bool judged = move.since == taken;
     const Choice::Trial trial = choice.try_out(move.mother, move.daughters);
-    // What changes too much by now changes too much later on, too, but for what cancels out.
+    // What changes rays too much now does so later on, too, unless changes cancel out.
     if (trial.mean > mean || trial.gain == 0) continue;
     if (judged) {
       choice.take(move.mother, move.daughters);

@@ -24,7 +24,7 @@ struct RayChanges {
   double of_99 = 0, of_999 = 0, largest = 0;  ///< 99% of rays, 99.9%, and all change by no more
 };
 
-/// Of a choice, on the rays of the passages.
+/// The changes that a choice makes on the rays of the passages.
 RayChanges changes_of(const World& world, const Mixtures& mixtures,
                       const std::vector<double>& rates, const Passages& passages,
                       const ChosenMixtures& chosen);

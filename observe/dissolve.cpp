@@ -131,7 +131,8 @@ class Rewriting {
     for (std::size_t i = 0; i < sisters.size(); ++i) {
       if (i == k || !share(boxes[i], boxes[k])) continue;
       const VolumeId other = sisters[i].volume;
-      // Two of the mother's own material, and nothing in them: it does not matter who is where.
+      // Both are of the mother's own material, with nothing in them: it does not matter which of
+      // them a point is in.
       if (below == 0 && invisible(marks_, id, mother) && invisible(marks_, other, mother) &&
           result_.world.volumes[other].daughters.empty()) {
         continue;
@@ -167,7 +168,8 @@ class Rewriting {
     return *known;
   }
 
-  /// Appends what is left in the placement, in the mother's frame. False if that has none.
+  /// Appends what is left in the placement, in the mother's frame. False if rotations cannot be
+  /// combined.
   bool replace(const Placement& placement, std::vector<Placement>& daughters,
                std::vector<TouchableId>& offsets) {
     const auto& inner = result_.world.volumes[placement.volume].daughters;
@@ -182,7 +184,8 @@ class Rewriting {
     } catch (const GeometryError&) {
       return false;
     }
-    // One that has two daughters or more is placed once: then their places are what they were.
+    // A volume with two daughters or more is dissolved only where it is placed once: then these are
+    // placed as often as before.
     --uses_[placement.volume];
     if (uses_[placement.volume] > 0) {
       for (const Placement& p : inner) ++uses_[p.volume];

@@ -16,7 +16,8 @@ struct DissolveOptions {
   /// A volume with more daughters than this is a good place to look for them, and is kept, unless
   /// it is all that there is in its mother.
   std::size_t most_daughters = 3;
-  /// mm: solids that overlap by less do not; no less than the rounding of positions in the world.
+  /// Solids that overlap by less than this, mm, count as apart. No less than the rounding of
+  /// positions in the world.
   double overlap = 1e-9;
   /// These daughters of these mothers are kept for speed.
   Pairs kept{};

@@ -10,7 +10,7 @@ namespace navjit {
 namespace {
 
 constexpr std::uint64_t rays_to_choose = 4000, rays_to_judge = 20000;
-/// Of the error of the mean: what is promised holds by so many of them.
+/// The mean change, with this many times its standard error, has to be within the budget.
 constexpr double standard_deviations = 3;
 constexpr int attempts = 12;
 
@@ -26,7 +26,7 @@ ObservationReport::Measured measured(const RayChanges& c, std::uint64_t rays) {
           .largest = c.largest};
 }
 
-/// Tags of a volume without those that were its old material's.
+/// Tags of a volume without thresholds, which follow from its old material.
 Auxiliaries without_thresholds(const Auxiliaries& tags) {
   if (!tags) return tags;
   std::vector<Auxiliary> left;

@@ -8,8 +8,8 @@
 namespace navjit {
 
 struct Homogenised {
-  /// The tree as it was; the mothers of mixtures are of new materials, and have no thresholds that
-  /// were those of another. Finished.
+  /// The tree as it was. Mothers of mixtures are of new materials, and have lost the thresholds
+  /// that were derived from the old ones. Finished.
   World world;
   ChosenMixtures chosen;  ///< for dissolve()
   std::vector<ObservationReport::Mixture> mixtures;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view sensitive = "SensDet";
 constexpr std::string_view region = "Region";
 
-/// What is drawn changes nothing.
+/// Whether a tag only says how a volume is drawn, which changes nothing for particles.
 bool only_drawn(const Auxiliary& tag) {
   for (const std::string_view type : {"Color", "Colour", "VisAttributes", "Visibility"}) {
     if (tag.type == type) return true;
@@ -46,7 +46,7 @@ std::string tags_of(const LogicalVolume& volume, bool with_thresholds) {
   return text;
 }
 
-/// Geant4 writes names with the address that the volume had.
+/// A name without the address of the volume, which Geant4 writes behind it.
 std::string_view without_address(std::string_view name) { return name.substr(0, name.find("0x")); }
 
 /// The region that each volume is the root of, as a number from 1; 0 for none.

@@ -17,7 +17,7 @@ class Mixtures {
   /// `rates`: as material_rates(). All have to outlive it.
   Mixtures(const World& world, const Marks& marks, const std::vector<double>& rates);
 
-  /// By volume: the daughters that may become part of it, by name of their volume.
+  /// By volume: the volumes of those daughters that may become part of it.
   const std::vector<std::set<VolumeId>>& possible() const { return possible_; }
   /// Why volumes that have daughters have none that may; a few words, empty for others.
   const std::vector<std::string>& why() const { return why_; }
@@ -29,7 +29,7 @@ class Mixtures {
 
   /// By material, mm3.
   using Parts = std::map<std::uint32_t, double>;
-  /// What it is made of.
+  /// What the mixture is made of.
   Parts parts(VolumeId mother, const std::set<VolumeId>& daughters) const;
 
  private:

@@ -28,7 +28,7 @@ struct ObservedDetector::Data {
 
 namespace {
 
-/// To learn which volumes are passed, and how: few, since nothing but speed depends on them.
+/// Rays that tell which volumes are passed, and how: few, since nothing but speed depends on them.
 constexpr std::uint64_t rays_to_count = 500;
 
 void see_all(ObservedDetector::Data& data) {
@@ -134,7 +134,7 @@ State ObservedDetector::original(const State& state, const Vec3& point,
   const World& world = *data_->original.model();
   const Transformation frame = data_->original.frame(at);
   Vec3 p = to_local(frame, point), v = direction_to_local(frame, direction);
-  bool in_mixture = false;  // then nothing below is left, whatever is left of it elsewhere
+  bool in_mixture = false;  // then all that is below was mixed, whatever is left of it elsewhere
   for (bool deeper = true; deeper;) {
     deeper = false;
     const auto& daughters = world.volumes[at.volume()].daughters;

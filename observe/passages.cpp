@@ -11,7 +11,7 @@
 namespace navjit {
 namespace {
 
-/// Rays that get no further are left where they are: as many zero steps in a row are enough.
+/// Rays that make this many steps in a row without getting ahead are left where they are.
 constexpr int most_standing = 100;
 
 class Recorder {

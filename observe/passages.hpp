@@ -20,13 +20,13 @@ struct PassedNode {
   std::uint32_t depth = 0;
 };
 
-/// So much of a ray is in touchables of a node.
+/// How much of a ray is in touchables of a node.
 struct PassedLength {
   std::uint32_t node = 0, ray = 0;
   double length = 0;  ///< mm
 };
 
-/// So many steps of all rays end on boundaries between touchables of two nodes.
+/// How many steps of all rays end on boundaries between touchables of two nodes.
 struct PassedBoundaries {
   std::uint32_t from = 0, to = 0;
   std::uint32_t common = 0;  ///< depth of the deepest touchable that holds both
@@ -40,7 +40,7 @@ struct Passages {
   std::size_t rays = 0;
 };
 
-/// So many rays of those that an observation is about.
+/// `count` of the rays that an observation is about.
 std::vector<Ray> sample(const World& world, const Observation::Rays& rays, std::uint64_t count,
                         std::uint64_t seed);
 

@@ -10,13 +10,13 @@
 
 namespace navjit {
 
-/// No less than a doubt is a no.
+/// Where there is a doubt the answer is `no`.
 enum class Verdict : std::uint8_t { no, sampled, proved };
 
 inline Verdict weaker(Verdict a, Verdict b) { return a < b ? a : b; }
 
 /// Answers for solids of one mother; keeps the points of solids that it sampled. Solids that reach
-/// into each other, or out of each other, by no more than the tolerance (mm) do not.
+/// into each other, or out of each other, by no more than the tolerance (mm) count as not doing so.
 class Separation {
  public:
   Separation(double tolerance, double rounding) : tolerance_(tolerance), rounding_(rounding) {}

@@ -9,12 +9,12 @@
 namespace navjit {
 namespace {
 
-/// Of a step in a volume with so many daughters, in units of one in a leaf. A guess, from scenes of
-/// LHCb's calorimeters (a leaf 20 ns, eight daughters 47) and of the CMS preshower (70 and, with
-/// 287 daughters, 560).
+/// What a step takes in a volume with so many daughters, in units of a step in a leaf. A guess,
+/// from scenes of LHCb's calorimeters (a leaf 20 ns, eight daughters 47) and of the CMS preshower
+/// (70 and, with 287 daughters, 560).
 double cost_of_step(double daughters) { return 1 + 0.6 * std::log2(1 + std::max(daughters, 0.0)); }
 
-/// With more volumes to choose from in a mother it is all of them or none.
+/// With more volumes than this to choose from in a mother, all of them are dissolved or none.
 constexpr std::size_t most_to_choose_from = 64;
 
 /// The tree as it becomes, from the leaves up, and the steps of rays in it.
@@ -43,7 +43,7 @@ class Thinning {
     }
   }
 
-  /// Whether dissolve() would leave a volume for what is in it.
+  /// Whether dissolve() leaves a volume where it is because of its daughters.
   bool is_kept_anyway(VolumeId volume, VolumeId mother, std::size_t most_daughters) const {
     const bool alone = world_.volumes[mother].daughters.size() == 1;
     return (daughters_[volume] > static_cast<double>(most_daughters) && !alone) ||
@@ -92,7 +92,8 @@ class Thinning {
   }
 
  private:
-  /// Number 0 is the mother, the others are the daughters' volumes in their order.
+  /// Steps in a mother and its daughters. Number 0 is the mother, the others are the daughters'
+  /// volumes in their order.
   struct Steps {
     std::vector<std::uint64_t> made;
     std::map<std::pair<std::size_t, std::size_t>, std::uint64_t> between;  ///< within a mother
@@ -114,7 +115,8 @@ class Thinning {
       for (const std::uint32_t part : parts_[node]) {
         for (const PassedBoundaries* b : boundaries_of_[part]) {
           const auto to = number.find(top_[b->to]);
-          if (top_[b->to] == node && b->common >= depth) continue;  // there is none any more
+          if (top_[b->to] == node && b->common >= depth)
+            continue;  // this boundary has disappeared already
           steps.made[n] += b->count;
           const std::uint32_t mother_depth = n == 0 ? depth : depth - 1;
           if (to != number.end() && b->common >= mother_depth) {

@@ -18,14 +18,14 @@ inline bool nobody_sees(const Marks& marks, const SmallVolumes& small, VolumeId 
                         VolumeId mother) {
   return invisible(marks, daughter, mother) || small.contains({daughter, mother});
 }
-/// Whether that is so of any.
+/// Whether there is any daughter that nobody sees.
 bool anything_unseen(const World& world, const Marks& marks, const SmallVolumes& small);
 
-/// Those of the invisible daughters, and of the small ones, without which rays like these would
-/// take longer. A dissolved volume spares the steps that end on its boundary with its mother's own
-/// material. But where a spacer touches what is on either side of it there was none, and a step in
-/// the spacer becomes one in the mother, which has all its daughters to look at; and the daughters
-/// of an envelope that they fill make the mother's search longer, and spare nothing.
+/// Of the daughters that nobody sees, those without which rays like these would take longer. A
+/// dissolved volume spares the steps that end on its boundary with its mother's own material. But a
+/// spacer that touches what is on either side of it has no such boundary, and a step in it becomes
+/// one in the mother, which has all its daughters to look at. And the daughters of an envelope that
+/// they fill make the mother's search longer, and spare nothing.
 ///
 /// Steps are counted, and what one takes is guessed from the number of daughters of the volume that
 /// it is in. `most_daughters`: as DissolveOptions. Volumes that no ray passes are none of these.

@@ -11,7 +11,8 @@
 namespace navjit {
 namespace {
 
-/// So many tracks ahead the stack is fetched: a step takes about as long as memory does.
+/// How many tracks ahead of the current one the innermost level of a stack is prefetched (its first
+/// cache lines: twice as many). A step takes about as long as a load from memory.
 constexpr std::size_t fetched_ahead = 2;
 
 [[noreturn]] void refuse(std::size_t track, const std::string& what) {
@@ -42,8 +43,8 @@ bool is_finite(const Tracks& t, std::size_t i) {
 Vec3 point_of(const Tracks& t, std::size_t i) { return {t.x[i], t.y[i], t.z[i]}; }
 Vec3 direction_of(const Tracks& t, std::size_t i) { return {t.u[i], t.v[i], t.w[i]}; }
 
-/// Whether no number of any track is bad; those outside the world count, too. Without branches, so
-/// that the compiler makes several at a time.
+/// Whether all numbers of all tracks are valid, those of tracks outside the world included. Has no
+/// branches, so that the compiler can vectorise it.
 bool all_good(const Tracks& t) {
   const std::size_t count = t.state.size();
   const double *x = t.x.data(), *y = t.y.data(), *z = t.z.data();
@@ -56,7 +57,8 @@ bool all_good(const Tracks& t) {
   return bad == 0;
 }
 
-/// Of those in the world; there may be none.
+/// Throws UsageError for the first track in the world that has an invalid number; there may be
+/// none.
 void refuse_first_bad(const Tracks& t) {
   for (std::size_t i = 0; i < t.state.size(); ++i) {
     if (!t.state[i].inside()) continue;
@@ -69,7 +71,7 @@ void refuse_first_bad(const Tracks& t) {
   }
 }
 
-/// The lines of a stack that a step reads first.
+/// Prefetches the cache lines of a stack that a step reads first.
 void fetch(const kernels::NavigationStack& stack) {
   const auto* at = reinterpret_cast<const char*>(&stack);
   __builtin_prefetch(at);

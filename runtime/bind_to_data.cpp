@@ -17,33 +17,35 @@
 namespace navjit {
 namespace {
 
-/// Fewer steps in a scene tell nothing of which states are met there.
+/// A scene with fewer steps is not bound: too little is known of the states that occur in it.
 constexpr std::uint64_t least_steps = 500;
-/// At a time, so that other work of the thread is not put off for long.
+/// How long one call of bind_hot_to_data() may bind, so that other work of the thread is not put
+/// off for long.
 constexpr double most_ms = 20;
-/// Per volume, for verification, beside those that were recorded: the code is that of the library,
-/// what may be wrong is the data.
+/// How many made-up states verify a volume, beside the recorded ones. Few are enough: the code is
+/// the library's own, and only the data can be wrong.
 constexpr std::size_t states_made_up = 64;
 constexpr std::size_t states_made_up_for_one_of_many = 8;
-/// Where all scenes are bound: so many leaves of one mother are timed one by one, and the others
-/// are bound as they are, each one of many alike.
+/// When all scenes are bound, this many leaf volumes of one mother are timed one by one. Further
+/// ones are bound without timing, each being one of many that are alike.
 constexpr std::size_t leaves_alone = 32;
-/// Of all steps, for a scene to be bound by itself. A guess.
+/// The least share of all steps for a scene to be bound by itself. A guess.
 constexpr double least_share = 0.0005;
-/// Scenes that are too rare are bound together, whatever mothers they are in, where all of them
-/// have so many times that: 2% of all steps. A guess.
+/// Scenes that are too rare for that are bound together, whatever their mothers, once they have
+/// this many times the least share in total: 2% of all steps. A guess.
 constexpr std::uint64_t many_shares = 40;
 /// With so few daughters how they are found matters little, and is not timed. A guess.
 constexpr std::size_t few_daughters = 8;
-/// What takes longer than so many times the generic navigator's time on recorded states is not
-/// tried in the run, which is less kind to either of them. A guess.
+/// A navigator that takes longer than this many times the generic navigator's time on recorded
+/// states is not tried in the run: steps in a run take longer than replayed ones, with either
+/// navigator. A guess.
 constexpr double most_of_generic = 1.1;
 
-/// What was so many times slower than another way on recorded states is not tried in the run. A
-/// guess.
+/// A second way to bind a scene that is slower than this many times the fastest one on recorded
+/// states is not tried in the run. A guess.
 constexpr double most_of_best = 1.5;
 
-/// How else daughters may be found than as the analysis chose.
+/// The other searches to bind the scene with, beside the one that the analysis chose.
 std::vector<Candidates> other_searches(const Scene& scene, const ScenePlan& plan) {
   std::vector<Candidates> others;
   if (!plan.slabs.members.empty() && plan.candidates != Candidates::slabs) {
@@ -60,7 +62,7 @@ std::vector<Candidates> other_searches(const Scene& scene, const ScenePlan& plan
   return others;
 }
 
-/// How many shapes of the scene have code.
+/// How many different shapes of the scene have compiled code.
 std::size_t compiled_solids(const codegen::CodeOfSolids& code, const Scene& scene) {
   std::set<const void*> shapes{scene.solid.shape};
   for (const Daughter& d : scene.daughters) shapes.insert(d.solid.shape);
@@ -68,7 +70,7 @@ std::size_t compiled_solids(const codegen::CodeOfSolids& code, const Scene& scen
       std::count_if(shapes.begin(), shapes.end(), [&](const void* s) { return code.contains(s); }));
 }
 
-/// Binds the plan, with the code that there is for its solids.
+/// Binds the plan to data, with the code that was compiled for its solids so far.
 const kernels::DispatchEntry* bind(Specialisation& spec, const ScenePlan& plan) {
   const Geometry& geometry = spec.shared->geometry;
   const kernels::DispatchEntry* entry =
@@ -80,8 +82,9 @@ const kernels::DispatchEntry* bind(Specialisation& spec, const ScenePlan& plan) 
   return entry;
 }
 
-/// What another search leaves to the generic navigator's safety layers may tell: with theirs, made
-/// once for all ways to bind a scene.
+/// Some searches leave the safety to the generic navigator. If the daughters of the scene are also
+/// layers, this gives such a navigator the safety of the layers, which is bound once for all ways
+/// to bind the scene.
 class SafetyOfLayers {
  public:
   SafetyOfLayers(Specialisation& spec, const ScenePlan& plan) : spec_(spec), plan_(plan) {}
@@ -108,7 +111,7 @@ class SafetyOfLayers {
   const kernels::DispatchEntry* by_layers_ = nullptr;
 };
 
-/// Who tells the safety, in a word.
+/// Which navigator computes the safety, as a word for the log.
 std::string_view safety_of(const kernels::DispatchEntry& entry) {
   return entry.safety == generic::dispatch_entry.safety ? "generic"
          : entry.safety_data != entry.data              ? "layers"
@@ -118,7 +121,7 @@ std::string_view safety_of(const kernels::DispatchEntry& entry) {
 struct Bound {
   const kernels::DispatchEntry* entry;
   std::string structure;
-  double ns;  ///< of a step, replayed
+  double ns;  ///< time of a step on replayed states
 };
 
 /// The scene bound in each way that may be the best, the fastest first.
@@ -174,8 +177,9 @@ void bind_to_data(Specialisation& spec, VolumeId volume) {
       return;
     }
   }
-  // What is relocated in at the end of others' steps, and has few of its own, is for the run to
-  // judge: made-up steps say nothing about it.
+  // A scene with few recorded states of its own is installed whatever the timing says, and the run
+  // judges it. Most of its work is relocation at the end of other scenes' steps, about which
+  // made-up steps say nothing.
   if (only_if_faster && recorded) {
     std::erase_if(ways, [&](const Bound& b) { return b.ns > most_of_generic * generic_ns; });
   }
@@ -206,7 +210,8 @@ void bind_to_data(Specialisation& spec, VolumeId volume) {
   scene.swapped_at_s = spec.seconds();
 }
 
-/// A scene beside many like it: its code is that of others, and so is what it wins.
+/// Binds a scene that is one of many alike, without timing it: its code is that of the others, and
+/// so is what it gains.
 void bind_one_of_many(Specialisation& spec, VolumeId volume) {
   if (!spec.bound.insert(volume).second) return;
   const Geometry& geometry = spec.shared->geometry;
@@ -230,9 +235,9 @@ void bind_one_of_many(Specialisation& spec, VolumeId volume) {
 }
 
 /// Scenes that are each rare and together hot: wires of many lengths in one mother, crystals of
-/// many shapes; plates and gaps of a calorimeter whose every layer has volumes of its own, and
-/// these layers. What leaves an unbound one is relocated generically, in a mother where that may
-/// take far longer than all else.
+/// many shapes, or the plates and gaps of a calorimeter in which every layer has volumes of its
+/// own. A track that leaves an unbound scene is relocated by the generic navigator, which in some
+/// mothers takes far longer than everything else.
 std::vector<VolumeId> many_rare_scenes(const Specialisation& spec, std::uint64_t least) {
   const Geometry& geometry = spec.shared->geometry;
   const auto is_leaf = [&](VolumeId v) {
@@ -285,10 +290,12 @@ bool bind_hot_to_data(Specialisation& spec) {
     if (spec.stopping() || steady_seconds() > until) return true;
     bind_to_data(spec, volume);
   }
-  // Once it is due, all of it is, though less and less of it is left.
+  // Once the list is due it is worked off completely, even when what is left of it would not be due
+  // by itself.
   if (spec.rare_due.empty() && all >= spec.rare_again_at) {
     spec.rare_due = many_rare_scenes(spec, least);
-    // It looks at every daughter of all that is bound.
+    // The search looks at every daughter of every bound scene, so it is not made at every look at
+    // the profile.
     if (spec.rare_due.empty()) spec.rare_again_at = all / 8 * 9;
   }
   while (!spec.rare_due.empty()) {

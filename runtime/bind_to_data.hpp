@@ -6,7 +6,8 @@
 
 namespace navjit {
 
-/// Binds what is hot and not bound yet, the hottest first, for some ms. True if more is left.
+/// Binds hot scenes that are not bound yet to data, the hottest first, for some ms. Returns true if
+/// some are left.
 bool bind_hot_to_data(Specialisation& spec);
 
 /// Binds all scenes of the tree, hot or not.
@@ -16,8 +17,8 @@ void bind_all_to_data(Specialisation& spec);
 /// faster than the generic one on the states at hand.
 void bind_to_data(Specialisation& spec, VolumeId volume);
 
-/// Of a step of the navigator bound to data or to a structure that is installed, ns; infinite if
-/// none is, or nobody timed it.
+/// The time of a step, in ns, of the installed navigator that is bound to data or to a structure;
+/// infinite if there is none, or if it was not timed.
 double bound_ns(const Specialisation& spec, VolumeId volume);
 
 }  // namespace navjit

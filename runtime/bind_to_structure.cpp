@@ -21,10 +21,11 @@
 namespace navjit {
 namespace {
 
-/// Of a data-bound step, what code wins that knows the kinds of solids. A guess.
+/// The share of a data-bound step's time that is saved by code that knows the kinds of solids. A
+/// guess.
 constexpr double gain_over_data = 0.15;
-/// What a structure costs to compile, for each of its solids, ms. A guess from 13 structures of
-/// seven detectors: of one to three solids they took 70 to 470 ms, of dozens up to 5 s.
+/// Expected time to compile a structure, for each of its solids, ms. A guess from 13 structures of
+/// seven detectors: those of one to three solids took 70 to 470 ms, those of dozens up to 5 s.
 constexpr double solid_ms = 100;
 /// Fewer steps in a scene are not worth a place in a structure.
 constexpr double least_steps = 500;
@@ -76,7 +77,8 @@ bool may_compile(const Specialisation& spec) {
 
 std::optional<DueStructure> due_structure(Specialisation& spec) {
   if (!may_compile(spec) || spec.group_lost || spec.allowance_is_used_up()) return {};
-  // Plans take their time: where none paid, it looks again after a few more steps.
+  // Planning all scenes takes time: if no structure paid, the next look comes after an eighth more
+  // steps.
   if (all_steps(spec) < spec.structures_again_at) return {};
   std::optional<DueStructure> best = best_of(find_structures(spec, false));
   if (best) {

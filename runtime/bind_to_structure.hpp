@@ -16,16 +16,18 @@ struct DueStructure {
   std::string source{};
   std::vector<codegen::Module> scenes{};
   double compile_ms = 0;  ///< expected
-  double spent_ns = 0;    ///< steps and relocations in them, by the time of a step
+  double spent_ns = 0;    ///< spent in steps and relocations in the scenes
   double paid = 0;        ///< how many times that has paid for compiling it
 };
 
-/// The one on which most was spent so far for what it costs; nothing if that has not paid for it.
+/// The structure with the most time spent in its scenes for its expected compile time; nothing if
+/// that has not paid for compiling it.
 std::optional<DueStructure> due_structure(Specialisation& spec);
-/// The same whatever was spent, in all scenes of the tree.
+/// The same over all scenes of the tree, however little time was spent in them.
 std::optional<DueStructure> any_structure(Specialisation& spec);
 
-/// Compiles it and installs it in its scenes. True if there may be another.
+/// Compiles the structure and installs it in its scenes. Returns true if there may be another to
+/// compile.
 bool bind_to_structure(Specialisation& spec, const DueStructure& structure);
 
 }  // namespace navjit

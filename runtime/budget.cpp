@@ -13,9 +13,9 @@
 namespace navjit {
 namespace {
 
-/// Of a scene's recorded states: each is answered at 113 bits, too.
+/// How many of a scene's recorded states are measured: each is also answered at 113 bits.
 constexpr std::size_t states_measured = 64;
-/// Where none was recorded.
+/// How many states are made up for a scene of which none was recorded.
 constexpr std::size_t states_made_up = 16;
 
 std::string millimetres(double value) {

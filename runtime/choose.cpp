@@ -26,7 +26,8 @@ void apply_overrides(Specialisation& spec) {
   const Overrides overrides = parse_overrides(spec.shared->geometry.world(), text);
   for (const auto& [volume, variant] : overrides.variants) {
     if (variant == Variant::off) {
-      // This one alone: what is wrong may be in its own part of what equal volumes share.
+      // Only this volume, not its equals: the problem may be in the part of the shared navigator
+      // that is its own.
       spec.bound.insert(volume);
       spec.off.insert(volume);
       const std::lock_guard lock(spec.mutex);
@@ -46,7 +47,7 @@ void apply_overrides(Specialisation& spec) {
 }
 
 bool may_be_tried(Specialisation& spec, VolumeId volume) {
-  // Equal volumes have the same status, but for those that are off.
+  // Equal volumes have the same status, apart from those that are off.
   const std::vector<VolumeId>& equals = spec.facts.equals[volume];
   const auto one = std::find_if(equals.begin(), equals.end(),
                                 [&](VolumeId equal) { return !spec.off.contains(equal); });
@@ -56,7 +57,8 @@ bool may_be_tried(Specialisation& spec, VolumeId volume) {
   if (known == spec.scenes.end()) return true;
   if (known->second.status == SceneStatus::generic) return true;  // bound to data, or to nothing
   if (known->second.status != SceneStatus::unprofitable) return false;
-  // What was slower on the states of its time may be faster on those of another phase.
+  // Code that was slower on the states recorded then may be faster on those of another phase of the
+  // run.
   const auto again = spec.try_again_at.find(volume);
   return again != spec.try_again_at.end() && spec.execution_counts[volume] >= again->second;
 }

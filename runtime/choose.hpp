@@ -19,7 +19,7 @@ struct DueScenes {
 };
 DueScenes due_scenes(Specialisation& spec);
 
-/// The scenes of the next module: next_module().
+/// The scenes of the next module, as next_module() chooses them; `least` as there.
 std::vector<VolumeId> choose(const Specialisation& spec, const DueScenes& due, double least);
 
 /// Not tried yet, or long enough ago that trying again may pay.

@@ -11,7 +11,7 @@ namespace {
 
 std::string_view view(const std::vector<char>& bytes) { return {bytes.data(), bytes.size()}; }
 
-/// The processor's name for the compiler; empty for this machine's own.
+/// The processor's name for the compiler; empty: the processor of this machine.
 const char* processor(InstructionSet set, spdlog::logger& log) {
 #if defined(__x86_64__)
   switch (set) {
@@ -33,8 +33,8 @@ const char* processor(InstructionSet set, spdlog::logger& log) {
   return "";
 }
 
-/// Processor time for a module, several times as long as any is expected to take: what the cost
-/// model knows nothing of must not keep all others waiting.
+/// Processor time for a module at the most, several times what any is expected to take: a module
+/// that the cost model misjudges must not keep all others waiting.
 constexpr double most_module_ms = 4000;
 
 constexpr const char* unit_name = "navjit_module";
@@ -44,7 +44,8 @@ jit::CompileOptions compile_options(const SpecialiserOptions& options, spdlog::l
   result.optimisation = options.optimisation;
   result.debug_info = options.debug_info;
   result.most_ms = most_module_ms;
-  // A debugger shows the lines of the source, from its beginning.
+  // A debugger shows the source by line numbers that count from its beginning, so it cannot be
+  // compiled upon a parsed preamble.
   if (!options.debug_info) result.preamble = codegen::common_text();
   result.cpu = processor(options.instruction_set, log);
   return result;
@@ -69,7 +70,8 @@ CodeMaker::CodeMaker(const SpecialiserOptions& options, const Cache& cache,
 }
 
 void CodeMaker::complain(bool& complained, const std::string& what) const {
-  // Trouble comes in swarms: told once, the rest is for who asks.
+  // Errors of one kind often come many at a time: the first one is a warning, the others are lines
+  // of level debug.
   if (complained) {
     log_->debug("cache {}: {}", cache_place_.directory, what);
   } else {

@@ -17,9 +17,10 @@ namespace {
 
 using Made = Expected<CodeMaker::Made>;
 
-/// All that the compiling thread uses: what else there is may be gone before it ends.
+/// Everything that the compiling thread uses. It may use nothing else: the thread may outlive the
+/// run.
 struct Job {
-  std::unique_ptr<jit::Activity> activity;  // the last to go
+  std::unique_ptr<jit::Activity> activity;  // released after everything else
   std::shared_ptr<CodeMaker> maker;
   std::shared_ptr<detail::Shared> shared;
   std::string source;
@@ -42,7 +43,7 @@ void work(std::unique_ptr<Job> job) {
   job.reset();
 }
 
-/// Nothing of it needs what is being compiled.
+/// The work that goes on while the compiler runs. None of it depends on what is being compiled.
 void look_meanwhile(Specialisation& spec) {
   gather(spec);
   bind_hot_to_data(spec);
@@ -52,7 +53,7 @@ void look_meanwhile(Specialisation& spec) {
 }  // namespace
 
 Made compile(Specialisation& spec, const std::string& source) {
-  // Its time is asked for while it works.
+  // Its processor time is asked for while it works, so it has to exist before the thread starts.
   spec.maker->make_compiler();
   if (spec.stopping()) return stopped();
   auto job = std::make_unique<Job>(Job{std::make_unique<jit::Activity>(spec.stop),

@@ -7,9 +7,9 @@
 
 namespace navjit {
 
-/// Waits for the code. During a run hot scenes are bound to data and trials go on meanwhile. Fails
-/// as stopped as soon as the run ends: the compiler is left to itself then, asked to stop. A fault
-/// may be injected, and memory may give out.
+/// Compiles the source and waits for the code. During a run hot scenes are bound to data and trials
+/// go on meanwhile. Fails as stopped as soon as the run ends: the compiler has been asked to stop
+/// then, and is left to itself. Also fails, as exhausted, for want of memory or of a thread.
 Expected<CodeMaker::Made> compile(Specialisation& spec, const std::string& source);
 
 }  // namespace navjit

@@ -11,8 +11,9 @@
 namespace navjit {
 namespace {
 
-/// What goes along in a module has paid at least this part of what the best of another kind has:
-/// with more of it, that has its turn sooner, and there are more modules. A guess.
+/// Scenes or solids that go along in a module have paid at least this share of what the best
+/// candidate of another kind has. With a larger share that candidate has its turn sooner, and there
+/// are more modules. A guess.
 constexpr double near_enough = 0.5;
 
 }  // namespace

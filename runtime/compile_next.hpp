@@ -6,8 +6,8 @@
 
 namespace navjit {
 
-/// Compiles what has paid most times for it, and installs it. False if nothing is due, or the run
-/// has ended.
+/// Compiles the kind that has paid for itself the most times, and installs it. Returns false if
+/// nothing is due, or if the run has ended.
 bool compile_next(Specialisation& spec);
 
 }  // namespace navjit

@@ -19,21 +19,22 @@
 namespace navjit {
 namespace {
 
-/// Of what is spent in a solid, what code for it wins.
+/// The share of the time spent in a solid that code for it saves.
 constexpr double gain_of_code = 0.5;
-/// The same, where the library has code for it: constants make that faster by a twentieth
+/// The same for a solid that the library has code for: constants make that a twentieth faster
 /// (docs/experiments.md).
 constexpr double gain_over_library = 0.05;
-/// Expected time for a module at the most, unless one solid takes longer: modules cost little
-/// beside their solids, and the first need not wait for the last.
+/// Expected time for a module at the most, unless a single solid takes longer. Modules are small
+/// because a module costs little beside its solids, and the first solids need not wait for the
+/// last.
 constexpr double most_solids_ms = 250;
-/// Where nothing was timed yet, a step in a scene that holds such solids, ns. A guess.
+/// Assumed time of a step in a scene that holds such solids, ns, where none was timed yet. A guess.
 constexpr double usual_ns = 100;
-/// Solids on which this part of what makes them due was spent go along with one that is due.
+/// Solids that have paid this share of their compile time go along with one that is due.
 constexpr double soon = 0.3;
 constexpr int points_made_up = 400;  ///< per solid, for verification
 
-/// Solids of a module, with what they are called through.
+/// The code of a module's solids, and the records that scenes call it through.
 struct Installed {
   jit::Code code;
   std::shared_ptr<const codegen::Arena> numbers;
@@ -50,7 +51,8 @@ bool may_be_bound(const Specialisation& spec, VolumeId volume) {
   return !is_compiled(spec, volume) && !spec.off.contains(volume);
 }
 
-/// By volume, ns, of the run so far; nothing where code for solids would not be called.
+/// Time spent in the scenes of the run so far, ns, by volume; 0 where the scene would not call code
+/// for solids.
 std::vector<double> spent_in_scenes(const Specialisation& spec) {
   std::vector<double> spent(spec.steps.size());
   for (std::size_t v = 0; v < spent.size(); ++v) {
@@ -67,18 +69,19 @@ std::vector<double> spent_in_scenes(const Specialisation& spec) {
   return spent;
 }
 
-/// Of what is spent in this solid.
+/// The share of the time spent in this solid that compiling it would save.
 double gain_of_code_for(const ComposedSolid& solid) {
   return solid.in_library ? gain_over_library : gain_of_code;
 }
 
 struct Wanted {
   ComposedSolid* solid;
-  double urgency;  ///< how many times it has paid, or what stands for that
+  double urgency;  ///< how many times it has paid for itself; before a run a measure of how often
+                   ///< it occurs
 };
 
-/// Those of the next module, the most urgent first. With a cache each solid has a module of its
-/// own, which other runs find there, whatever else is hot in them.
+/// The solids of the next module, the most urgent first. With a cache each solid has a module of
+/// its own, which other runs find there whatever else is hot in them.
 std::vector<ComposedSolid*> most_urgent(Specialisation& spec, std::vector<Wanted> wanted,
                                         double most_ms, double least = 0) {
   std::stable_sort(wanted.begin(), wanted.end(),
@@ -97,7 +100,7 @@ std::vector<ComposedSolid*> most_urgent(Specialisation& spec, std::vector<Wanted
   return chosen;
 }
 
-/// Those that are due, or soon will be; none unless one is due.
+/// Solids that are due, and those that soon will be; none unless at least one is due.
 std::vector<Wanted> due_solids(Specialisation& spec) {
   const double weight = spec.compile_weight();
   const std::vector<double> spent = spent_in_scenes(spec);
@@ -139,8 +142,8 @@ std::optional<kernels::SolidCode> find_functions(const jit::Code& code,
   return whole ? std::optional(found) : std::nullopt;
 }
 
-/// Verifies all solids of a module, and has their scenes bound again. False if any is wrong: then
-/// nothing has changed.
+/// Verifies all solids of a module, and has their scenes bound again. Returns false if one is wrong
+/// or the run has ended: then nothing has changed.
 bool install_solids(Specialisation& spec, const std::vector<ComposedSolid*>& solids,
                     const codegen::SolidModule& module, jit::Code code) {
   auto installed = std::make_shared<Installed>(Installed{std::move(code), module.owner, {}});
@@ -223,7 +226,8 @@ bool make(Specialisation& spec, const std::vector<ComposedSolid*>& solids) {
   return true;
 }
 
-/// Whether solids may be compiled; looks for them at the first time.
+/// Whether solids may be compiled. Finds all composed solids of the detector when it is first
+/// called.
 bool may_compile(Specialisation& spec) {
   if (!spec.shared->options.specialiser.solids || !spec.maker || spec.hopeless || spec.stopping()) {
     return false;
@@ -247,7 +251,7 @@ bool compile_solids(Specialisation& spec, double least) {
   const double most_ms =
       std::min(most_module_ms(spec.seconds(), spec.shared->options.specialiser), most_solids_ms) /
       spec.slower_than_expected();
-  // Time has passed since it was asked whether any is due.
+  // The solids are looked for again, because time has passed since solids_paid() was asked.
   const std::vector<ComposedSolid*> solids = most_urgent(spec, due_solids(spec), most_ms, least);
   return !solids.empty() && make(spec, solids);
 }

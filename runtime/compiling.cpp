@@ -15,7 +15,7 @@ Compiling::~Compiling() {
   const std::lock_guard lock(spec_.mutex);
   if (spec_.stopping()) return;
   for (const auto& [volume, status] : before_) {
-    // A trial may have told more of it meanwhile.
+    // A trial may have changed the status meanwhile.
     SceneStatus& now = spec_.scenes[volume].status;
     if (now == SceneStatus::compiling) now = status;
   }

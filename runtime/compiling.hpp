@@ -9,7 +9,8 @@
 
 namespace navjit {
 
-/// While it lives these scenes are said to be compiled. They are left so where the run ends before.
+/// While this object lives its scenes have the status `compiling`. They keep it if the run ends
+/// before.
 class Compiling {
  public:
   Compiling(Specialisation& spec, const std::set<VolumeId>& volumes);

@@ -11,7 +11,7 @@
 namespace navjit {
 namespace {
 
-/// No solid is compiled that is expected to take longer: all else would wait for it.
+/// A solid that is expected to take longer is not compiled: everything else would wait for it.
 constexpr double most_solid_ms = 1000;
 
 /// Of a step in a mother, what its own solid takes, and what all daughters' do. Guesses.

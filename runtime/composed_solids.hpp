@@ -9,14 +9,14 @@
 
 namespace navjit {
 
-/// Equal solids count as one.
+/// A solid that is made of several. Equal solids of the detector are one ComposedSolid.
 struct ComposedSolid {
   kernels::AnySolid<double> solid{};
   Extent extent{};
-  std::vector<const void*> shapes{};  ///< all that are equal
+  std::vector<const void*> shapes{};  ///< the shapes of all equal solids
   struct In {
     VolumeId volume;
-    double share;  ///< of what a step in the scene takes: a guess
+    double share;  ///< of the time of a step in the scene: a guess
   };
   std::vector<In> scenes{};
   double compile_ms = 0;    ///< expected
@@ -24,7 +24,7 @@ struct ComposedSolid {
   bool tried = false;       ///< compiled, or not to be
 };
 
-/// Those that code may be made for, of all volumes that are in the detector.
+/// All of them that code may be made for, in volumes that are in the detector's tree.
 std::vector<ComposedSolid> find_composed_solids(const Geometry& geometry, const WorldFacts& facts);
 
 }  // namespace navjit

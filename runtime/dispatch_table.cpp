@@ -25,7 +25,8 @@ DispatchTable::DispatchTable(const Geometry& geometry)
     daughters_.push_back(first);
     first += geometry.scene(v).daughters.size();
   }
-  // Generated code reads the entries through __atomic_load_n: the same object representation.
+  // Generated code reads the entries through __atomic_load_n: std::atomic of a pointer has the same
+  // object representation.
   context_ = {reinterpret_cast<const kernels::DispatchEntry* const*>(entries_.get()), &geometry,
               leave_at_once, return_at_once, daughters_.data()};
 }

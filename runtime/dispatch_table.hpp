@@ -26,14 +26,15 @@ class DispatchTable {
                std::shared_ptr<const void> owner);
   /// Kept alive as long as the table.
   void keep(std::shared_ptr<const void> owner);
-  /// What the volume is navigated with meanwhile: what is installed, or what is kept.
+  /// Shows a navigator of the volume for now: the installed one, or one that something else keeps
+  /// alive.
   void show(VolumeId volume, const kernels::DispatchEntry* record) {
     entries_[volume].store(record, std::memory_order_release);
   }
   /// Back to the generic navigator.
   void reset(VolumeId volume);
-  /// When the volume's record became another than the generic one, which it has not been since
-  /// (steady_seconds()); 0 if it is the generic one.
+  /// Since when the volume has had navigators other than the generic one, by steady_seconds(); 0 if
+  /// it has the generic one.
   double specialised_since(VolumeId volume) const;
 
   /// A thread that will navigate with this table announces itself.
@@ -43,7 +44,7 @@ class DispatchTable {
   /// Frees replaced code that no thread can be in; returns how many records still wait.
   std::size_t reclaim();
 
-  /// What guards it, to be locked over a fork().
+  /// The mutex that guards it, which has to be locked over a fork().
   std::mutex& mutex() const { return mutex_; }
 
  private:
@@ -52,8 +53,8 @@ class DispatchTable {
 
   std::size_t size_;
   std::unique_ptr<Entry[]> entries_;
-  std::vector<VolumeId> volumes_;           ///< of daughters, of one volume after the other
-  std::vector<const VolumeId*> daughters_;  ///< by volume: its first one there
+  std::vector<VolumeId> volumes_;  ///< daughters of all volumes, one volume after the other
+  std::vector<const VolumeId*> daughters_;  ///< by volume: where its daughters begin in volumes_
   kernels::Context context_;
   mutable std::mutex mutex_;  ///< guards what follows
   std::vector<double> specialised_since_;

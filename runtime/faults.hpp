@@ -16,13 +16,14 @@ struct Faults {
   /// Called on the compiling thread before each compilation, as if it were part of it: it may take
   /// its time, and throw.
   std::function<void()> compiling{};
-  bool skip_verification = false;  ///< what is wrong is installed, and stays
-  bool skip_replay = false;        ///< what is slow on recorded states is installed
-  bool pass_trials = false;        ///< and stays, whatever its own trial says
-  bool lose_trials = false;        ///< or goes
-  /// What navigators other than the generic one are taken to last, times their own.
+  bool skip_verification = false;  ///< code that fails verification is installed, and stays
+  bool skip_replay = false;        ///< code that is slow on recorded states is installed
+  bool pass_trials = false;        ///< what is on trial by itself stays, whatever the trial says
+  bool lose_trials = false;        ///< what is on trial by itself goes, whatever the trial says
+  /// Factor on the measured times of all navigators other than the generic one.
   double specialised_lasts = 1;
-  std::optional<Candidates> fastest{};  ///< the search that is taken to be so, where it is tried
+  std::optional<Candidates>
+      fastest{};  ///< the search that counts as the fastest, where it is tried
 };
 
 }  // namespace navjit

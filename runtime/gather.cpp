@@ -14,7 +14,8 @@ namespace {
 constexpr std::size_t samples_kept = 512;  ///< per volume
 constexpr std::size_t fresh_kept = 64;     ///< per volume, until they are looked at
 
-/// Of all volumes together, some 60 MB: once there are so many, a volume keeps as few as serve.
+/// Samples of all volumes together, some 60 MB. When there are so many, a volume keeps only
+/// few_recorded, the fewest that serve.
 constexpr std::size_t all_samples_kept = std::size_t{1} << 18;
 constexpr std::size_t all_fresh_kept = std::size_t{1} << 14;  ///< some 4 MB
 
@@ -45,17 +46,19 @@ double ticks_of(const Specialisation& spec, const Sample& sample,
 /// Relocations that were sampled, by volume.
 struct Relocations {
   std::map<VolumeId, double> of{};
-  std::uint64_t samples = 0;  ///< of the questions at whose end they were
+  std::uint64_t samples = 0;  ///< how many sampled questions they come from
 };
 
-/// A mother that its daughters fill has no steps of its own, and is relocated in at the end of
-/// theirs, or of their daughters'.
+/// Notes where a sampled question relocated the track. A mother that its daughters fill has no
+/// steps of its own: all work in it is relocation, at the end of steps in its daughters or further
+/// down.
 void note_relocations(Specialisation& spec, const Sample& sample, Relocations& relocations) {
   ++relocations.samples;
   const std::span all(sample.relocations, sample.relocation_count);
   for (std::size_t i = 0; i < all.size(); ++i) {
     ++relocations.of[all[i].volume];
-    // Out of one touchable of a volume and into another: one step all the same.
+    // A track that leaves one touchable of a volume and enters another is relocated twice in that
+    // volume; in trials it still counts as one step.
     const auto same = [&](const Sample::Relocation& r) { return r.volume == all[i].volume; };
     const bool met = std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i), same);
     if (sample.ticks == 0 || met) continue;
@@ -76,8 +79,9 @@ void gather(Specialisation& spec) {
   const std::uint64_t all_locations = counts.locations();
   const std::uint64_t located = all_locations - spec.locations;
   spec.locations = all_locations;
-  // A program that looks up points more often than it makes steps is judged by these. Where each
-  // ray is located once, to begin with, they would only make the times of trials differ more.
+  // In a program that locates points more often than it makes steps, timed locations count in
+  // trials. In others each ray is located about once, at its beginning, and these times would only
+  // add to the spread of the trials' times.
   const bool locates = located > made;
   spec.steps_made += static_cast<double>(locates ? made + located : made);
   spec.navigating_ns = 1e9 * (process_seconds() - spec.own_seconds());
@@ -105,7 +109,7 @@ void gather(Specialisation& spec) {
     }
   }
   const std::lock_guard lock(spec.mutex);  // a profile may be asked for meanwhile
-  // Where a queue was full samples stand for more questions.
+  // While a queue was full fewer questions were recorded, and each sample stands for more of them.
   const auto add = [&](const Relocations& relocations, std::uint64_t asked) {
     const double each = static_cast<double>(asked) / static_cast<double>(relocations.samples);
     for (const auto& [volume, count] : relocations.of) spec.relocations[volume] += count * each;
@@ -115,7 +119,7 @@ void gather(Specialisation& spec) {
 }
 
 void update_execution_counts(Specialisation& spec) {
-  // Equal volumes are hot together.
+  // Equal volumes share code, so their executions count together.
   std::vector<double> executions(spec.steps.size(), 0);
   for (std::size_t v = 0; v < spec.steps.size(); ++v) {
     executions[spec.facts.first_equal[v]] += spec.executions(static_cast<VolumeId>(v));

@@ -6,15 +6,15 @@
 namespace navjit {
 namespace {
 
-/// Stretches differ among themselves by what the run does in them.
+/// Pairs of stretches that a verdict needs: stretches differ by what the run does in them.
 constexpr double least_pairs = 8;
-/// Standard errors between the sides: who looks after each pair of stretches is deceived by chance
-/// sooner or later, who looks at the end is not: there what is likelier holds, with a little to
-/// spare.
+/// How many standard errors the sides have to differ by. Whoever looks after each pair of stretches
+/// is deceived by chance sooner or later, so an early verdict needs a large difference. The end of
+/// a trial is looked at once: there the likelier side wins, with a small margin.
 constexpr double errors_apart_early = 4, errors_apart_late = 0.5;
 /// The same for one scene's loss: one of thousands loses by chance.
 constexpr double errors_apart_alone = 4;
-/// Of a step: what switching so much code costs the side that has it. A guess.
+/// The share of a step's time that switching so much code costs the side that has it. A guess.
 constexpr double cost_of_switching = 0.02;
 
 Verdict verdict_on(const GroupTrial& group, double now) {

@@ -1,8 +1,8 @@
-// What was compiled is tried as one, too. Each scene's code may win its own trial while all of it
-// together wears caches and branch tables that every other step needs: that is seen only where all
-// steps of the run are timed, with all of the code and with none of it. So is all that is
-// installed, against the generic navigator alone, and so are scenes that lost their own trials by
-// little that was known of them.
+// Compiled code is also tried as a whole. The code of each scene may win its own trial while all of
+// it together fills caches and branch tables that other steps need. That shows only when all steps
+// of the run are timed, with all of the code and with none of it in turn. Everything that is
+// installed is tried in the same way against the generic navigator alone, and so are scenes that
+// lost their own trials on weak evidence.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ namespace navjit {
 enum class Group : std::uint8_t {
   code,      ///< what was compiled, against what is bound to data
   all,       ///< all that is not generic, against the generic navigator
-  unproved,  ///< what is bound to data and lost its own trials, but hardly; against what is there
+  unproved,  ///< what is bound to data and narrowly lost its own trial, against what is installed
 };
 
 /// Volumes that are switched together. Not for several threads.
@@ -23,30 +23,31 @@ struct GroupTrial {
   std::vector<VolumeId> members{};  ///< none: nothing is tried
   Group group = Group::code;
   double began = 0;    ///< s of navigation
-  bool shown = true;   ///< what the members' trials left, in the present stretch
+  bool shown = true;   ///< whether the present stretch has the side that is tried
   unsigned looks = 0;  ///< at the profile, since it began
-  double steps_before = 0, ns_before = 0;  ///< of the run, when the present stretch began
+  double steps_before = 0, ns_before = 0;  ///< of the whole run, when the present stretch began
   TickSum all{};                           ///< steps, and the time that they took, ns
   TickSum with{}, without{};               ///< of the present pair of stretches
-  PairedDifference lost{};                 ///< by the code, ns a step
+  PairedDifference lost{};                 ///< by the side that is tried, ns a step
 
   bool open() const { return !members.empty(); }
 };
 
-/// A stretch is over: of the run so many steps were made so far, in so many ns of the navigating
-/// threads' processor time. (Single steps that are timed would not do: a processor foresees less of
-/// them than of the others, and the more so the more code there is.)
-/// `lasts`: times as long, for tests.
+/// To be called when a stretch is over. `steps` and `ns`: steps of the run so far, and the
+/// processor time of the navigating threads, ns. (Timing single steps would mislead: the processor
+/// predicts the branches of a timed step less well than those of others, and the more code there is
+/// the worse.) `lasts`: a factor on the time, for tests.
 void record(GroupTrial& group, double steps, double ns, double lasts = 1);
 /// A stretch begins.
 void begin_stretch(GroupTrial& group, double steps, double ns);
 
-/// A pair of stretches is over. What is known of the group at time `now`, s of navigation: it goes
-/// only where that is no chance; what is unproved stays only where it is the faster side.
+/// To be called when a pair of stretches is over: the verdict by what is known at time `now`, s of
+/// navigation. A group goes only if its loss is hardly chance; an unproved group stays only if it
+/// is the faster side.
 Verdict decide(GroupTrial& group, double now);
 
-/// What the trials of single scenes found together, as a share of all the time that they saw: what
-/// their winners save of the steps and relocations, `executions`, by volume.
+/// What the trials of single scenes found together: the share of the time that their winners save.
+/// Each trial counts by the steps and relocations in its volume, `executions`.
 double saved_share(const std::map<VolumeId, Trial>& trials, const std::vector<double>& executions);
 
 struct Member {
@@ -54,8 +55,8 @@ struct Member {
   double executions;  ///< steps and relocations in it
 };
 
-/// Whether a scene lost its trial by what may be chance: thousands of scenes have a few hundred
-/// timed steps each, and are looked at again and again.
+/// Whether a scene may have lost its trial by chance. Where thousands of scenes have a few hundred
+/// timed steps each, and are judged again and again, some of them do.
 bool hardly_lost(const Trial& trial);
 
 /// Those with the least executions: what is left when the hottest, which have `share` of all

@@ -18,11 +18,13 @@ namespace navjit {
 namespace {
 
 constexpr std::size_t states_made_up = 400;  ///< per volume, for verification
-/// Where other volumes have proved the code, and only what the volume's daughters are is its own.
+/// The same for a volume whose equals have proved the code: only the table of its daughters'
+/// volumes is its own.
 constexpr std::size_t states_made_up_for_equals = 32;
-/// Replayed alone, a scene's code is not what it is among that of its neighbours, compiled as well:
-/// only what is clearly slower is not tried in the run. Where nothing is tried, what timings of a
-/// few hundred steps can tell decides.
+/// How long code may take on recorded states, as a share of the time of what is there. A scene's
+/// code that is replayed alone behaves differently than among the compiled code of its neighbours,
+/// so it is rejected before a trial only if it is clearly slower. Where no trial follows, timings
+/// of a few hundred steps decide, and it has to be clearly faster.
 constexpr double most_of_bar_to_be_tried = 1.05, most_of_bar = 0.95;
 /// A scene that was measured to be no faster is tried again once it is that many times as hot.
 constexpr double try_again_after = 16;
@@ -34,8 +36,8 @@ struct Installed {
   std::vector<kernels::DispatchEntry> records;
 };
 
-/// The functions of an entry; null where the code has them not. A safety need not be there: then it
-/// is that of what is bound to data, or the generic navigator's.
+/// The functions of an entry; null where the code does not have them. An entry without a safety
+/// gets the safety of what is bound to data, or the generic navigator's.
 kernels::DispatchEntry find_entry(const Specialisation& spec, const jit::Code& code,
                                   const codegen::Entry& entry, const void* data) {
   const auto step = code.function<std::remove_pointer_t<kernels::StepFunction>>(entry.step);
@@ -82,7 +84,8 @@ struct StepTimes {
   double generic_ns, specialised_ns;
 };
 
-/// What is to be said of a volume whose code for constants pays, and is installed, or does not.
+/// The report on a volume whose code for constants was tried: it is installed if it `pays`, and
+/// what was there before stays if not.
 SceneReport report_on_constants(Specialisation& spec, VolumeId volume, SceneReport report,
                                 bool pays, const StepTimes& times) {
   report.status = pays ? SceneStatus::specialised : SceneStatus::unprofitable;
@@ -139,7 +142,7 @@ Expected<SceneReport> install_scene(Specialisation& spec, VolumeId volume,
       in_quotes(geometry.world().volumes[volume].name), generic_ns, specialised_ns, samples.size(),
       recorded, (steady_seconds() - begun) * 1e3);
   if (binding == Binding::structure) {
-    // Nothing is said of the scene's own code.
+    // The status is about code compiled for this scene alone, and there is none yet.
     const std::lock_guard lock(spec.mutex);
     report.status = SceneStatus::generic;
     report.generic_ns_per_step = generic_ns;
@@ -162,8 +165,8 @@ Expected<SceneReport> install_scene(Specialisation& spec, VolumeId volume,
   return report_on_constants(spec, volume, std::move(report), pays, {generic_ns, specialised_ns});
 }
 
-/// The same for a scene that shares code with another, the hottest of those that do: it is
-/// verified, but not timed. Installed where it pays for that one, whose report is given.
+/// The same for a scene that shares its code with the hottest of its equals: it is verified, but
+/// not timed, and installed if the code pays for the hottest one, whose report is given.
 Expected<SceneReport> install_as_equal(Specialisation& spec, VolumeId volume,
                                        const kernels::DispatchEntry& record,
                                        const std::shared_ptr<const void>& owner,
@@ -183,8 +186,8 @@ Expected<SceneReport> install_as_equal(Specialisation& spec, VolumeId volume,
                              {hottest.generic_ns_per_step, hottest.specialised_ns_per_step});
 }
 
-/// Of volumes that share code, which follow one another, the hottest before the others; without
-/// those that are off.
+/// The entries without those that are off. Volumes that share code follow one another in the list;
+/// the hottest of them comes first.
 std::vector<codegen::Entry> hottest_first(const Specialisation& spec,
                                           std::vector<codegen::Entry> entries) {
   std::erase_if(entries, [&](const codegen::Entry& e) { return spec.off.contains(e.volume); });
@@ -229,7 +232,8 @@ std::optional<SceneReport> install_entry(Specialisation& spec,
   return std::nullopt;
 }
 
-/// Code that was wrong for one volume is not used for others that share it; that was said once.
+/// Notes that a volume does not get code that was wrong for another volume that shares it. The log
+/// has said so once, of the other one.
 void note_wrong_as_equal(Specialisation& spec, VolumeId volume) {
   const std::lock_guard lock(spec.mutex);
   SceneReport& scene = spec.scenes[volume];
@@ -329,7 +333,7 @@ void install_plugin(Specialisation& spec, const std::string& path) {
     spec.shared->log->warn("plugin not used: {}", plugin.failure().message);
     return;
   }
-  // By the first of equal volumes, and the function that they share.
+  // Reports on what was timed, by the first of equal volumes and the step function that they share.
   std::map<std::pair<VolumeId, kernels::StepFunction>, SceneReport> timed;
   for (const Plugin::Entry& entry : (*plugin)->entries()) {
     if (spec.off.contains(entry.volume)) continue;

@@ -10,16 +10,17 @@
 
 namespace navjit {
 
-/// Adds a module to the report. `start`: of making it, steady_seconds().
+/// Adds a module to the report. `start`: when making it began, by steady_seconds().
 void count_module(Specialisation& spec, bool cached, std::size_t code_bytes, double start);
 
-/// Verifies and installs what is good of a module. False if something is not; where the code came
-/// from the cache it ends there, and notes no failure. `start`: of making it, steady_seconds().
+/// Verifies a module's code and installs what is good of it. Returns false if some of it is wrong.
+/// For code from the cache it returns at the first wrong function, and notes no failure. `start`:
+/// when making it began, by steady_seconds().
 bool install(Specialisation& spec, const codegen::Module& module, jit::Code code, bool cached,
              double start);
 
-/// Code of a structure and the modules of all scenes that have it, the first being what it was made
-/// from. False if it is wrong for any of them.
+/// The same for code of a structure, in all scenes that have it. `scenes`: the modules of these;
+/// the code was compiled from the first one's source.
 bool install_structure(Specialisation& spec, const std::vector<codegen::Module>& scenes,
                        jit::Code code, bool cached, double start);
 

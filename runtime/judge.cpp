@@ -13,19 +13,20 @@
 namespace navjit {
 namespace {
 
-/// What a timed step of compiled code takes more than the others: the processor does not foresee
-/// where a call from the place that times goes, which for code that many scenes share is always the
-/// same. In a calorimeter of 50 volumes of layers what lost 12 to 20 ticks so was 16 faster in the
-/// run. What it lets pass is judged together (runtime/judge_group.hpp), by the time of all steps.
+/// How many ticks more a timed step of compiled code takes than others. The processor does not
+/// predict the target of the call that is timed well; for code that many scenes share the target is
+/// always the same. In a calorimeter with 50 layer volumes, code that lost 12 to 20 ticks for this
+/// reason was 16 ticks faster in the run. What passes because of this allowance is judged together
+/// (runtime/judge_group.hpp), by the time of all steps.
 constexpr double unforeseen_ticks = 30;
 
-/// What is bound to data or to a structure.
+/// Whether this owner's navigators are bound to data or to a structure.
 bool holds_no_constants(const Specialisation& spec, const std::shared_ptr<const void>& owner) {
   return owner == spec.arena || spec.structures.contains(owner);
 }
 
-/// Of the generic navigator's time on recorded states: what took no more will hardly lose in the
-/// run. A guess.
+/// A navigator that took no more than this share of the generic navigator's time on recorded states
+/// will hardly lose in the run. A guess.
 constexpr double convincing_share = 0.9;
 
 /// Whether what is installed in the volume was that much faster on states of this run.
@@ -39,7 +40,8 @@ bool replayed_faster(const Specialisation& spec, VolumeId volume) {
   return ns > 0 && ns <= convincing_share * scene->second.generic_ns_per_step;
 }
 
-/// Installs what was there before the trial, or its candidate, and writes down what it is.
+/// Installs a side of the trial, what was there before if `goes` and else the candidate, and
+/// updates the report.
 void install_side(Specialisation& spec, VolumeId volume, Trial& trial, bool goes) {
   trial.out = goes;
   const std::shared_ptr<const void>& owner = goes ? trial.before_owner : trial.candidate_owner;
@@ -50,7 +52,7 @@ void install_side(Specialisation& spec, VolumeId volume, Trial& trial, bool goes
                   : owner == spec.arena             ? Binding::data
                   : spec.structures.contains(owner) ? Binding::structure
                                                     : Binding::constants;
-  // What is bound to data says nothing about constants: those are still to be tried.
+  // A trial of what is bound to data says nothing about constants: those are still to be tried.
   scene.status = scene.binding == Binding::constants               ? SceneStatus::specialised
                  : holds_no_constants(spec, trial.candidate_owner) ? SceneStatus::generic
                                                                    : SceneStatus::unprofitable;
@@ -66,7 +68,8 @@ void install_winner(Specialisation& spec, VolumeId volume, Trial& trial) {
   }
 }
 
-/// The winner over what was not judged itself is tried against what that was on trial against.
+/// The winner was tried against something that had not been judged itself: it is now tried against
+/// what that was on trial against.
 void try_against_earlier(Specialisation& spec, VolumeId volume, const Trial& trial) {
   const bool goes = trial.verdict == Verdict::goes;
   const Trial::Earlier& earlier = trial.earlier.front();
@@ -77,7 +80,7 @@ void try_against_earlier(Specialisation& spec, VolumeId volume, const Trial& tri
   spec.trials.begin(volume, std::move(next), spec.active_s);
 }
 
-/// Where the trial's winner is not compiled, it is what there is without code.
+/// If the trial's winner is not compiled, it becomes what the volume has without compiled code.
 void note_without_code(Specialisation& spec, VolumeId volume, const Trial& trial) {
   const bool goes = trial.verdict == Verdict::goes;
   const std::shared_ptr<const void>& owner = goes ? trial.before_owner : trial.candidate_owner;
@@ -125,7 +128,7 @@ void try_out(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry
     return;
   }
   Trial trial{candidate, &generic::dispatch_entry, owner, nullptr};
-  // Against what is bound to data, if that is there and no loser.
+  // What is bound to data or to a structure is the other side, if it is there and has not lost.
   const auto last = spec.trials.all().find(volume);
   if (last != spec.trials.all().end()) {
     const Trial& earlier = last->second;
@@ -162,7 +165,7 @@ void show_candidates(Specialisation& spec) {
 }
 
 void judge(Specialisation& spec) {
-  // Who does not navigate, but waits or computes, makes no stretch of a trial.
+  // While nothing is navigated no stretch of a trial passes.
   if (!spec.active) return;
   if (spec.trials.nearly_all_decided()) {
     judge_group(spec);
@@ -173,7 +176,7 @@ void judge(Specialisation& spec) {
   }
   if (!spec.trials.open()) {
     for (const auto& [volume, trial] : spec.trials.begin_again(spec.active_s)) {
-      // While it may be shown the table owns it.
+      // The table has to own whatever may be shown.
       if (trial->out) install_side(spec, volume, *trial, false);
     }
     if (!spec.trials.open()) return;

@@ -5,22 +5,24 @@
 
 namespace navjit {
 
-/// The volume's new navigator is on trial against what it had before. Volumes that are forced to
-/// something are not judged. `to_be_proved`: it goes, too, if the run tells nothing of it.
+/// Begins a trial of the volume's new navigator against what the volume had before. Volumes that
+/// are forced to a variant are not tried. `to_be_proved`: the new navigator also goes if the run
+/// does not tell which is faster.
 void try_out(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry* candidate,
              const std::shared_ptr<const void>& owner, bool to_be_proved = false);
 
-/// The volume has no candidate any more.
+/// Forgets the volume's trial, and what else would be tried or shown there.
 void forget_trial(Specialisation& spec, VolumeId volume);
 
 /// A stretch of a trial is over: decides what can be decided, and switches what is open to its
 /// other side.
 void judge(Specialisation& spec);
 
-/// Decides all, by what is known.
+/// Decides all open trials by what is known, at the end of a run.
 void judge_finally(Specialisation& spec);
 
-/// Candidates everywhere: nothing is to be slow while the specialiser has other things to do.
+/// Shows the candidates of all open trials, so that nothing is slow while the specialiser does
+/// other things.
 void show_candidates(Specialisation& spec);
 
 }  // namespace navjit

@@ -7,20 +7,20 @@
 namespace navjit {
 namespace {
 
-/// Of the executions in compiled scenes, what the hottest of them have that are not tried apart
-/// from the others.
+/// When all compiled scenes have stayed, the rarest are tried again without the hottest, which have
+/// this share of all executions in compiled scenes.
 constexpr double hottest_share = 0.75;
-/// Looks at the profile in a stretch: long beside what it takes the caches to forget the other
-/// side.
+/// Looks at the profile in a stretch: long compared with the time that caches take to forget the
+/// other side.
 constexpr unsigned looks_in_stretch = 4;
-/// Fewer are no crowd.
+/// Fewer scenes are not tried as a group.
 constexpr std::size_t least_members = 3;
-/// Where the scenes' own trials say that so much of the time is saved, what they cost one another
-/// is hardly as much: of a hall of 546 volumes that took 1.06 times as long they said over 0.1. A
-/// guess.
+/// If the scenes' own trials say that more than this share of the time is saved, what they cost one
+/// another hardly outweighs it. (In a hall of 546 volumes that took 1.06 times as long the trials
+/// said a little over 0.1.) A guess.
 constexpr double no_doubt = 0.2;
 
-/// Of all executions, what those that hardly lost have to have to be tried again.
+/// The share of all executions that scenes need which narrowly lost, to be tried again together.
 constexpr double least_share = 0.05;
 
 bool is_compiled(const Specialisation& spec, const std::shared_ptr<const void>& owner) {
@@ -72,7 +72,7 @@ std::vector<VolumeId> doubtful(const Specialisation& spec) {
   return members;
 }
 
-/// What is bound to data, but was left out by little that was known of it.
+/// Volumes whose navigator bound to data lost its trial on weak evidence.
 std::vector<VolumeId> unproved(const Specialisation& spec) {
   std::vector<VolumeId> members;
   double executions = 0;
@@ -162,7 +162,7 @@ void take_in(Specialisation& spec) {
 
 /// The next group that there is to try, if any.
 void begin_next(Specialisation& spec) {
-  // A few more make no difference.
+  // A group is tried again only if it has grown by more than a tenth.
   const auto worth_it = [](std::size_t members, std::size_t judged) {
     return members >= least_members && members * 10 > judged * 11;
   };
@@ -180,7 +180,7 @@ void begin_next(Specialisation& spec) {
   if (worth_it(members.size(), spec.all_judged)) begin(spec, std::move(members), Group::all);
 }
 
-/// What follows from the verdict on the group. `whole`: it was all that is compiled.
+/// Acts upon the verdict on the group. `whole`: the group was all that is compiled.
 void conclude(Specialisation& spec, Verdict verdict, bool whole) {
   const Group group = spec.group.group;
   const std::size_t size = spec.group.members.size();
@@ -201,7 +201,7 @@ void conclude(Specialisation& spec, Verdict verdict, bool whole) {
   if (group == Group::all) spec.all_judged = size;
   if (group == Group::unproved) {
     spec.unproved_judged = size;
-    // What came in together need not be doubted together.
+    // What just won as a group need not be tried again as a part of all that is not generic.
     if (!goes) spec.all_judged += size;
   }
   spec.group = {};

@@ -5,18 +5,19 @@
 
 namespace navjit {
 
-/// A stretch is over, and no scene is on trial alone: goes on with the trial of a group, or begins
-/// one. First comes what lost its own trials, but hardly: it is taken in if it wins. Then all
-/// compiled scenes, if they are others than at the last such trial, and after them the rarest; then
-/// all that is not generic. What loses is taken out, and nothing more is compiled until the run is
-/// judged again.
+/// To be called at the end of a look, when nearly no scene is on trial alone: continues the trial
+/// of a group, or begins one. Scenes that narrowly lost their own trials come first, and are
+/// installed if they win. Then all compiled scenes are tried, if they are others than at the last
+/// such trial, and after them the rarest of these; then all that is not generic. The navigators of
+/// a group that loses are taken out, and nothing more is compiled until trials begin again.
 void judge_group(Specialisation& spec);
 
-/// What is tried is shown everywhere while the specialiser does other things. The present pair of
-/// stretches does not count.
+/// Shows the side that is tried everywhere while the specialiser does other things. The present
+/// pair of stretches does not count.
 void interrupt_group(Specialisation& spec);
 
-/// The same, and what was known of the group is forgotten: scenes are others.
+/// The same, and ends the group's trial without a verdict, because the scenes on trial have
+/// changed.
 void give_up_group(Specialisation& spec);
 
 }  // namespace navjit

@@ -1,4 +1,4 @@
-// Texts from elsewhere (compiler, files, names in detectors) within one line of the log.
+// Texts from elsewhere (compiler, files, names in detectors), made fit for one line of the log.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace navjit {
 /// Lines joined by " | ", control characters replaced by '?', cut to `most` bytes.
 std::string one_line(std::string_view text, std::size_t most = 1000);
 
-/// The same as the value of key=value: in double quotes, with quotes and backslashes escaped.
+/// The same, as the value of key=value: in double quotes, with quotes and backslashes escaped.
 std::string in_quotes(std::string_view text, std::size_t most = 200);
 
 }  // namespace navjit

@@ -12,7 +12,7 @@
 namespace navjit {
 namespace {
 
-/// What people see of a module in the cache: how many scenes, and the first of them.
+/// The label of a module in the cache, for people: how many scenes, and the first of them.
 std::string label_of(const World& world, const std::vector<VolumeId>& batch) {
   std::string label = std::to_string(batch.size()) + (batch.size() == 1 ? " scene: " : " scenes: ");
   for (std::size_t i = 0; i < batch.size() && label.size() < 160; ++i) {
@@ -21,7 +21,7 @@ std::string label_of(const World& world, const std::vector<VolumeId>& batch) {
   return label;
 }
 
-/// Of the recorded rays, those that run along planes of the scene's axes.
+/// How many of the recorded rays are parallel to a plane that two of the scene's axes span.
 std::size_t along_axes(const Geometry& geometry, const std::vector<Sample>& samples) {
   const auto stack = std::make_unique<NavigationStack>();
   stack->depth = -1;
@@ -33,7 +33,7 @@ std::size_t along_axes(const Geometry& geometry, const std::vector<Sample>& samp
       }));
 }
 
-// Batches are of volumes that are each the first of their equals.
+// The batches below hold the first of each group of equal volumes.
 
 /// Whether many steps of these scenes are along faces: then their navigators have to take them.
 bool takes_rays_along_faces(Specialisation& spec, const std::vector<VolumeId>& batch) {
@@ -65,7 +65,7 @@ codegen::Leaves leaves_of(Specialisation& spec, const std::vector<VolumeId>& bat
   return 2 * crossing > all ? codegen::Leaves::shared : codegen::Leaves::apart;
 }
 
-/// What the cost model says of a module, ms; 0 if it was not asked about all of its scenes.
+/// The time that the cost model expects for a module, ms; 0 if one of its scenes was not estimated.
 double expected_ms(Specialisation& spec, const std::vector<VolumeId>& batch) {
   double sum = module_base_ms;
   for (const VolumeId volume : batch) {
@@ -83,7 +83,7 @@ void no_module(Specialisation& spec, const std::vector<VolumeId>& batch, const F
     return;
   }
   if (batch.size() > 1) {
-    // One scene may have spoilt the module for all.
+    // One of the scenes may have spoilt the module for all.
     for (const VolumeId volume : batch) {
       if (!spec.hopeless && !spec.stopping()) make_module(spec, {volume});
     }
@@ -131,7 +131,8 @@ bool make_module(Specialisation& spec, const std::vector<VolumeId>& batch) {
     return false;
   }
   const jit::CompileReport& report = made->object.report;
-  // Of processor time: what a busy machine made it wait is no reason to compile less.
+  // Processor time is compared, because time spent waiting on a busy machine is no reason to
+  // compile less.
   const double expected = expected_ms(spec, batch), took = (spec.own_seconds() - own_start) * 1e3;
   if (expected > 0) {
     spec.expected_ms += expected;

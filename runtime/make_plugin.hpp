@@ -29,8 +29,7 @@ std::vector<VolumeId> hot_scenes(const StepProfile& profile, const Geometry& geo
 /// a PrivateFolder, which may throw.
 Expected<std::string> plugin_bytes(const std::string& source, int optimisation);
 
-/// Permissions of plugins: also where the user's files are made to be written by a group, which
-/// would have them refused.
+/// Permissions of plugins, whatever the umask is: a plugin that a group may write is not loaded.
 constexpr mode_t plugin_mode = 0644;
 
 /// The same, into a file (files/output_file.hpp). Throws Error.

@@ -22,16 +22,16 @@ struct ListedScene {
 /// Batches of scenes, as they were compiled.
 using ModuleList = std::vector<std::vector<ListedScene>>;
 
-/// Of the ways to find daughters, those that are measured and that code can use.
+/// The measured searches that code can use.
 constexpr bool may_be_listed(Candidates search) {
   return search == Candidates::scan || search == Candidates::slabs || search == Candidates::rings;
 }
 
 std::string write_module_list(const ModuleList& list);
 
-/// Nothing if the text is not a list of modules for `volumes` volumes: every number is checked, and
-/// none may occur twice in a batch. A scene that was compiled again, with others or alone, is in
-/// several; more than a run can come to are refused.
+/// Nothing if the text is not a list of modules for `volumes` volumes. Every number is checked, and
+/// none may occur twice in a batch. A scene is in several batches if it was compiled again, with
+/// others or alone; more often than a run can compile it is refused.
 std::optional<ModuleList> read_module_list(std::string_view text, std::size_t volumes);
 
 /// `mine`, and the batches of `others` that share no volume with it.

@@ -43,7 +43,8 @@ void note_relocations(Sample& sample, const Above& above, const NavigationStack&
   if (stack.boundary == 0) return;
   const auto note = [&](VolumeId volume) {
     if (sample.relocation_count == Sample::most_relocations) return;
-    // What is in the table now is what was used, but for a swap just then: of many samples one.
+    // The table still has the entry that was used, unless it was replaced during this very step,
+    // which happens to few samples.
     sample.relocations[sample.relocation_count++] = {volume,
                                                      kernels::dispatch_entry_of(context, volume)};
   };
@@ -70,7 +71,7 @@ Navigator::Own::Own(std::size_t volumes) : profile(volumes) {
   stack.depth = -1;
   aside.depth = -1;
   stack.boxes_ahead = boxes_ahead;
-  // No step has this direction, so that even the first one's is looked at.
+  // No step has this direction, so that the direction of the first step is checked, too.
   for (double& given : stack.ray.given) given = std::numeric_limits<double>::signaling_NaN();
 }
 
@@ -123,7 +124,7 @@ void Navigator::relocate_within(NavigationStack& stack, const Vec3& point) {
   }
   const VolumeId volume = stack.levels[stack.depth].volume;
   own_->read_side->enter();
-  // Without negative zeros, as generic::locate.
+  // Adding 0.0 makes negative zeros positive, as generic::locate does.
   kernels::relocate_in_table(&stack, context_, volume, point.x + 0.0, point.y + 0.0, point.z + 0.0,
                              -1);
   own_->read_side->leave();
@@ -180,8 +181,8 @@ std::span<Step> Navigator::steps(const State& from, Vec3& point, const Vec3& dir
   Vec3 at = point;
   double left = limit;
   std::size_t count = 0;
-  // Whether the ray goes on. Steps are handed on number by number: a copy of all at once would load
-  // what was just stored in parts, and wait for it.
+  // Stores a step, and tells whether the ray goes on. Steps are copied number by number: a copy of
+  // a whole one would load what was just stored in parts, and wait for it.
   const auto take = [&](const Step& made) {
     buffer[count++] = {made.length, made.boundary, {made.next.touchable(), made.next.volume()}};
     at.x += made.length * direction.x;
@@ -216,7 +217,7 @@ State Navigator::relocate(const State& hint, const Vec3& point, const Vec3& dire
 
 std::span<const StackLevel> Navigator::levels(const State& state) {
   const NavigationStack& stack = own_->stack;
-  // Numbers ascend from level to level.
+  // The numbers of touchables ascend from level to level, so the search can end early.
   for (int i = stack.depth; i >= 0 && stack.levels[i].touchable >= state.touchable(); --i) {
     if (stack.levels[i].touchable != state.touchable()) continue;
     if (stack.levels[i].volume != state.volume()) throw_other_world();

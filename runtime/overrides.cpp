@@ -6,7 +6,7 @@
 namespace navjit {
 namespace {
 
-/// A line for each way that scenes can be forced to.
+/// The variants by name, each with the search that it forces.
 struct Name {
   std::string_view text;
   Variant variant;

@@ -13,16 +13,16 @@ namespace navjit {
 enum class Variant : std::uint8_t {
   off,     ///< stays generic
   all,     ///< specialised, every daughter tested
-  lanes,   ///< specialised, all daughters four at once; boxes where they are not a few boxes
-  nest,    ///< specialised, candidates next in radius; boxes where that is no pattern
-  rings,   ///< specialised, candidates by sectors; boxes where that is no pattern
-  wires,   ///< bound to data, candidates next across, in rows; boxes where that is no pattern
-  grid,    ///< specialised, candidates from cells
-  boxes,   ///< specialised, candidates from cells and blocks of boxes
-  scan,    ///< specialised, candidates from the boxes of all; boxes where there are too many
-  groups,  ///< bound to data, the same by groups of eight; boxes where there are too many
-  tree,    ///< bound to data, candidates from the hierarchy of boxes; all where there is none
-  layers,  ///< bound to data, candidates by slabs within slabs; boxes where that is no pattern
+  lanes,   ///< specialised, all daughters tested four at once; `boxes` unless they are a few boxes
+  nest,    ///< specialised, daughters looked up by shells; `boxes` where they are no nest
+  rings,   ///< specialised, daughters looked up by sectors; `boxes` where they are no rings
+  wires,   ///< bound to data, daughters looked up in rows; `boxes` where they are no wires
+  grid,    ///< specialised, daughters found by cells
+  boxes,   ///< specialised, daughters found by cells and blocks of boxes
+  scan,    ///< specialised, daughters found by the boxes of all; `boxes` where there are too many
+  groups,  ///< bound to data, the same by groups of eight; `boxes` where there are too many
+  tree,    ///< bound to data, by the hierarchy of boxes; `all` where there is none
+  layers,  ///< bound to data, slabs within slabs; `boxes` where they are no layers
 };
 
 /// The search that the variant forces; nothing for off.

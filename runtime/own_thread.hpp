@@ -7,9 +7,9 @@
 
 namespace navjit {
 
-/// While one exists, the calling thread, and those that it makes, take no signals but those that
-/// tell of a fault of their own: a program's signals are for its own threads, which may wait for
-/// them by sigwait() or signalfd().
+/// While one exists, the calling thread, and threads that it makes, receive no signals but those
+/// that report a fault of their own. A program's signals are for its own threads, which may wait
+/// for them by sigwait() or signalfd().
 class WithoutSignals {
  public:
   WithoutSignals() {

@@ -7,10 +7,10 @@ namespace navjit {
 double pause_after(Pace& pace, const Look& look) {
   pace.spent_s += look.took_s;
   pace.quiet = look.is_quiet ? std::min(2 * pace.quiet, Pace::longest_quiet) : 1;
-  // Trials do not go on meanwhile: no step is timed.
+  // Trials do not go on while nobody navigates: no step is timed.
   pace.idle = look.is_idle ? std::min(2 * pace.idle, Pace::longest_idle) : 1;
-  // Twice as long while looks have cost more than they may, and half as long while they have not:
-  // in the mean they cost that, but for what the longest pause leaves.
+  // The pause doubles while looks have cost more than they may, and halves while they have not. So
+  // on average they cost what they may, unless the longest pause is still too short.
   const bool too_much = pace.spent_s > Pace::first_s + Pace::share * look.navigated_s;
   const double pays = look.is_quiet ? look.took_s / (Pace::share * look.poll_s) : 0;
   const double longest = std::clamp(pays, Pace::longest_thrifty, Pace::longest_idle);

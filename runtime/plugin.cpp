@@ -38,7 +38,7 @@ std::string missing_feature(std::string_view needed) {
   return "";
 }
 
-/// Why the library is none for this detector and program; empty if it is.
+/// Why the library does not fit this detector and program; empty if it does.
 std::string unsuitable(void* library, const Geometry& geometry) {
   const auto* format = symbol<unsigned>(library, "navjit_plugin_format");
   if (format == nullptr) return "it is no plugin of navjit";
@@ -60,7 +60,7 @@ std::string unsuitable(void* library, const Geometry& geometry) {
   return missing.empty() ? "" : "it needs a processor with " + missing;
 }
 
-/// The module that the library was made from, whose tables its code is handed.
+/// The module that the library was made from. Its tables are what the library's code works on.
 Expected<codegen::Module> module_of(void* library, const Geometry& geometry) {
   const auto* count = symbol<unsigned>(library, "navjit_plugin_hot_count");
   const auto* hot = symbol<VolumeId>(library, "navjit_plugin_hot");

@@ -22,8 +22,8 @@ class Plugin {
 
   /// Fails, saying what to do, if the file is not the user's or root's alone to write
   /// (cache/trust.hpp), is damaged (its seal), or was made for another detector, by another
-  /// generator, for another binary interface, or a processor that can do more than this one.
-  /// Nothing in it was proven yet.
+  /// generator, for another binary interface, or a processor that can do more than this one. What
+  /// it loads has not been verified against the generic navigator yet.
   static Expected<std::shared_ptr<const Plugin>> load(const std::string& path,
                                                       const Geometry& geometry);
   Plugin(const Plugin&) = delete;

@@ -9,8 +9,8 @@
 
 namespace navjit {
 
-/// Gone with all that is in it on destruction. In the folder for temporary files, or in the user's
-/// cache where that one is not trusted.
+/// Removed with all that is in it on destruction. It is made in the folder for temporary files, or
+/// in the user's cache folder if that one is not trusted.
 class PrivateFolder {
  public:
   /// Throws Error, saying why, if neither place can be used.

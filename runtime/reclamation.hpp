@@ -11,13 +11,14 @@
 
 namespace navjit {
 
-/// Things to be destroyed once every thread has left what it was in when they were retired. Not
-/// thread-safe: the owner calls all of it.
+/// Destroys things once every thread has left the read-side section that it was in when they were
+/// retired. Not thread-safe: one owner makes all calls.
 class RetireList {
  public:
   RetireList();
 
-  /// Call after the last pointer to `garbage` was replaced. `threads` may be in it.
+  /// To be called after the last pointer to `garbage` was replaced. `threads`: those that may still
+  /// be in it.
   void retire(std::shared_ptr<const void> garbage,
               const std::vector<std::shared_ptr<ReadSide>>& threads);
   /// Destroys what no thread can be in any more; returns how many things still wait.

@@ -54,7 +54,7 @@ void install_remembered(Specialisation& spec) {
       if (!fresh) continue;
     }
     for (const ListedScene& scene : listed) search_as_listed(spec, scene);
-    // What the cache has no more is left to the profile of this run.
+    // Modules whose code is no longer in the cache are left to the profile of this run.
     bool installed = false;
     using codegen::Leaves;
     for (const auto& [along_faces, leaves] :

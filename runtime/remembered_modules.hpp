@@ -8,10 +8,10 @@
 
 namespace navjit {
 
-/// Installs what earlier runs found hot, as far as the cache has the code.
+/// Installs the modules that earlier runs made, as far as the cache has their code.
 void install_remembered(Specialisation& spec);
 
-/// Makes a module of what of a batch is worth it, and puts it on the list.
+/// Makes a module of those scenes of a batch that are worth compiling, and puts it on the list.
 void make_and_remember(Specialisation& spec, const std::vector<VolumeId>& batch);
 
 }  // namespace navjit

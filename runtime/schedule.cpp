@@ -27,26 +27,28 @@ constexpr double solid_kind_ms = 40;
 constexpr double leaf_gain_ns = 20;
 constexpr double daughters_gain_ns = 60;
 
-/// A choice. A processor that is left may be another program's.
+/// Factor on the weight while a processor is left. A choice: the processor may be another
+/// program's.
 constexpr double where_processors_are_left = 1.0 / 30;
-/// Of a processor: threads that wait now and then are not quite busy.
+/// Tolerance, in processors: threads that wait now and then are not quite busy.
 constexpr double nearly = 0.2;
 
-/// In smaller modules what any module costs would be too much of it. A guess.
+/// A module may always be expected to take this long, ms: in smaller ones module_base_ms would be
+/// too large a part. A guess.
 constexpr double least_module_ms = 150;
 
-/// Of a run so far, what a module may be expected to take. A guess.
+/// The share of a run so far that a module may be expected to take. A guess.
 constexpr double part_of_run = 0.3;
 
-/// Scenes that have this part of what makes them due go along with one that is due.
+/// Scenes that have this share of what makes them due go along with one that is due.
 constexpr double soon = 0.3;
 
-/// What compiling a scene wins of late, and the same for what it costs.
+/// What compiling the scene would win on recent executions, ns, and the same per ms of compiling.
 double worth(const Candidate& c) { return c.recent * c.gain_ns; }
 double urgency(const Candidate& c) { return worth(c) / c.compile_ms; }
 
-/// Of those that have no place in a module beside others, the one that wins most for what it costs,
-/// if that is more than `most`; null if there is none.
+/// Of the scenes that are too long for a module with others, the one that wins most for what it
+/// costs, if that is more than `most`; null if there is none.
 const Candidate* fills_a_module(std::span<const Candidate> due, const SpecialiserOptions& options,
                                 double most) {
   const Candidate* best = nullptr;

@@ -20,27 +20,27 @@ double expected_compile_ms(const kernels::AnySolid<double>& solid);
 /// What any module costs beside its scenes, ms: reading the kernels.
 constexpr double module_base_ms = 30;
 
-/// What a module may be expected to take, ms, in a run of that many s so far, which may go on for
-/// as long again: until code is there nothing is won.
+/// The time that a module may be expected to take, ms, in a run that has lasted `seconds`. A run
+/// may be expected to go on for as long again, and nothing is won until the code is there.
 double most_module_ms(double seconds, const SpecialiserOptions& options);
 
-/// No scene is compiled that is expected to take longer by itself: all others would wait for it,
-/// and no module is to take more than a second. One in ten takes 1.3 times what is expected, or
-/// more.
+/// A scene that is expected to take longer by itself is not compiled: all others would wait for it,
+/// and no module is to take more than a second. One scene in ten takes 1.3 times what is expected,
+/// or more.
 constexpr double most_scene_ms = 750;
 
 /// Expected gain of a step or relocation, ns.
 double expected_gain_ns(const ScenePlan& plan);
 
-/// What a ms of the compiler's thread counts (SpecialiserOptions::compile_weight) where so many
-/// threads of the process are busy beside it, on average: where a processor is left for it, less.
+/// The weight of a ms of the compiler's thread (SpecialiserOptions::compile_weight) while this many
+/// threads of the process are busy beside it on average: less where a processor is left for it.
 double weight_of_compiling(double weight, double busy_threads, unsigned processors);
 
 /// A scene that might be compiled.
 struct Candidate {
   VolumeId volume = 0;
   double executions = 0;  ///< steps and relocations in it so far
-  double recent = 0;      ///< the same of late: what is gone by fades
+  double recent = 0;      ///< the same, but older ones fade away
   double compile_ms = 0, gain_ns = 0;
 };
 
@@ -51,10 +51,10 @@ double times_paid(const Candidate& candidate, const SpecialiserOptions& options)
 bool is_due(const Candidate& candidate, const SpecialiserOptions& options, double part = 1);
 
 /// The scenes of the next module; none unless one is due. What pays back soonest comes first;
-/// scenes that are about to be due go along. What has paid fewer than `least` times only does in a
-/// module that is small otherwise: there is something else that comes before it. Bounded by
-/// SpecialiserOptions::batch and module_ms; a scene that exceeds the latter comes alone, before
-/// others if it wins more for what it costs.
+/// scenes that are about to be due go along. Scenes that have paid fewer than `least` times go
+/// along only as long as the module is small, because something of another kind is due before them.
+/// Bounded by SpecialiserOptions::batch and module_ms; a scene that exceeds the latter comes alone,
+/// before others if it wins more for what it costs.
 std::vector<VolumeId> next_module(std::span<const Candidate> candidates,
                                   const SpecialiserOptions& options, double least = 0);
 

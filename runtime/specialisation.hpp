@@ -28,16 +28,16 @@
 
 namespace navjit {
 
-/// Where more than one in so many steps is left out by a navigator, one that takes them all is
-/// made. Leaving them out made LHCb's code some 7% faster and costs such a step about twice its
-/// time; the share itself is a guess.
+/// If a navigator leaves more than one in this many steps to the generic one, it is made again so
+/// that it takes all of them. Leaving them out made LHCb's code some 7% faster, and costs such a
+/// step about twice its time; the share itself is a guess.
 constexpr std::uint64_t bail_out_share = 8;
 
-/// Of a scene with fewer recorded states, which is mostly relocated in at the end of others' steps,
-/// replayed steps say little: the run judges alone.
+/// A scene with fewer recorded states is mostly relocated in, at the end of steps made elsewhere.
+/// Replaying its own steps says little, so only the run judges it.
 constexpr std::size_t few_recorded = 16;
 
-/// Used by the specialiser's thread alone, but for what the mutex guards.
+/// Used by the specialiser's thread alone, except what the mutex guards.
 struct Specialisation {
   explicit Specialisation(std::shared_ptr<detail::Shared> runtime);
 
@@ -56,8 +56,8 @@ struct Specialisation {
     return expected_ms > 0 ? std::max(1.0, compiled_ms / expected_ms) : 1.0;
   }
 
-  /// Processor time of the specialiser so far, s: its thread, which has to ask, and the compiler,
-  /// which has threads of its own.
+  /// Processor time of the specialiser so far, s: of its thread, which has to be the caller, and of
+  /// the compiler, which has threads of its own.
   double own_seconds() const;
 
   /// Processor time of navigation, s, at the last look: of all that is not the specialiser's.
@@ -75,7 +75,7 @@ struct Specialisation {
   std::shared_ptr<codegen::Arena> arena = std::make_shared<codegen::Arena>();  ///< bound data
   std::set<VolumeId> bound;  ///< volumes that need not, or must not, be bound to data (again)
   std::set<VolumeId> off;    ///< volumes that must not be specialised in any way
-  /// Of equal volumes the first, where the environment says how daughters are found.
+  /// Volumes for which the environment says how daughters are found; of equal ones the first.
   std::set<VolumeId> forced;
   std::vector<VolumeId> rare_due;   ///< scenes that are to be bound together
   std::uint64_t rare_again_at = 0;  ///< steps of the run before which no others are looked for
@@ -87,37 +87,38 @@ struct Specialisation {
   std::optional<std::vector<ComposedSolid>> composed_solids{};  ///< once they were looked for
   codegen::CodeOfSolids code_of_solids;
   Trials trials;
-  GroupTrial group;                    ///< of what was compiled, once its scenes were tried
+  GroupTrial group;                    ///< scenes that are on trial together
   std::vector<VolumeId> group_judged;  ///< compiled scenes when a group of them was tried last
   std::size_t all_judged = 0;          ///< scenes that were not generic when all were tried last
   std::size_t unproved_judged = 0;     ///< scenes that had hardly lost when these were tried last
-  bool group_lost = false;             ///< all of it: nothing more is compiled in this phase
-  std::map<VolumeId, const kernels::DispatchEntry*> without_code;  ///< what was bound to data
-  /// By record that is bound to data, where it finds daughters in another way than the analysis
-  /// chose: how (runtime/measured_search.hpp).
+  bool group_lost = false;  ///< a group lost: nothing is compiled until trials begin again
+  std::map<VolumeId, const kernels::DispatchEntry*>
+      without_code;  ///< by volume, for when its compiled code goes
+  /// How daughters are found, by record that is bound to data in another way than the analysis
+  /// chose (runtime/measured_search.hpp).
   std::map<const kernels::DispatchEntry*, Candidates> searches;
-  bool candidates_shown = true;          ///< in the dispatch table, of open trials
-  unsigned stretches = 0;                ///< of trials, since they began or were interrupted
-  std::shared_ptr<CodeMaker> maker;      ///< null: nothing is ever compiled
-  bool looking = false;                  ///< the run has begun, and its profile is looked at
-  bool hopeless = false;                 ///< nothing can be compiled in this process
-  std::set<VolumeId> left_out_too_much;  ///< of equal volumes the first
-  ModuleList module_list;                ///< modules of this run
+  bool candidates_shown = true;      ///< in the dispatch table, of open trials
+  unsigned stretches = 0;            ///< of trials, since they began or were interrupted
+  std::shared_ptr<CodeMaker> maker;  ///< null: nothing is ever compiled
+  bool looking = false;              ///< the run has begun, and its profile is looked at
+  bool hopeless = false;             ///< nothing can be compiled in this process
+  std::set<VolumeId>
+      left_out_too_much;   ///< their code bailed out too often; of equal ones the first
+  ModuleList module_list;  ///< modules of this run
   std::string module_list_name;
   std::vector<std::uint64_t> steps;  ///< by volume, at the last look
   std::uint64_t locations = 0;       ///< in all volumes, likewise
-  double steps_made = 0;             ///< all of these that count
-  double navigating_ns = 0;          ///< processor time of all threads but this one, at that look
+  double steps_made = 0;             ///< steps of the run, and locations where these count
+  double navigating_ns = 0;          ///< processor time of the process but the specialiser's, then
   bool active = false;               ///< it was navigated between the last two looks
-  double looked_at = 0;              ///< when, s
+  double looked_at = 0;              ///< when the last look was, s
   double active_s = 0;               ///< between looks with steps: the clock of trials
   /// By volume: relocations in it at the end of steps made elsewhere, or where points are located,
-  /// as far as samples tell.
-  /// Written by the thread alone, with the mutex locked.
+  /// as far as samples tell. Written by the specialiser's thread alone, with the mutex locked.
   std::vector<double> relocations;
   std::vector<double> execution_counts;     ///< by volume; of all equal ones in the first
   std::vector<double> recent;               ///< the same, fading
-  double counted_at = 0;                    ///< when it was updated, s
+  double counted_at = 0;                    ///< when the two were updated, s
   double expected_ms = 0, compiled_ms = 0;  ///< for all modules so far
   std::map<VolumeId, Candidate> candidates;
   /// By volume that was measured to be slower: the execution count at which it is tried again.
@@ -145,17 +146,17 @@ struct Specialisation {
   RuntimeReport totals;
 };
 
-/// Of volumes that share code, given the first, the one that is executed most.
+/// The most executed of the volumes that share code with `first`, the first of them.
 VolumeId hottest_equal(const Specialisation& spec, VolumeId first);
 
-/// A scene's code goes. Where it came from the cache, before the scene was bound to data, it is to
-/// be bound now.
+/// To be called when a scene's code goes. If it came from the cache, before the scene was bound to
+/// data, the scene is to be bound now.
 void have_bound(Specialisation& spec, VolumeId volume);
 
 /// Notes what became of a volume and all that are equal to it.
 void note(Specialisation& spec, VolumeId volume, SceneStatus status, const std::string& why);
 
-/// Of one volume; also in the log.
+/// The same for the failure of one volume; also a warning in the log.
 void note_failure(Specialisation& spec, VolumeId volume, const std::string& why);
 
 }  // namespace navjit

@@ -29,7 +29,7 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
   const RuntimeOptions& options = spec_.shared->options;
   spec_.shared->table.keep(spec_.arena);
   spec_.facts.with_safety = options.specialiser.safety;
-  apply_overrides(spec_);  // a plugin's scenes are under them, too
+  apply_overrides(spec_);  // before a plugin is installed, whose scenes obey them, too
   if (options.jit == JitMode::off) return;
   if (!jit::has_compiler()) return;
   spec_.maker = std::make_shared<CodeMaker>(options.specialiser, options.cache, spec_.shared->log);
@@ -68,7 +68,8 @@ void Specialiser::start() {
   try {
     thread_ = own_thread([activity = std::make_unique<jit::Activity>(spec_.stop),
                           self = shared_from_this()]() mutable {
-      // In this order: the last to own the specialiser takes the compiler down with it.
+      // In this order, so that the activity ends last: whoever is the last to own the specialiser
+      // destroys the compiler with it.
       const std::unique_ptr<jit::Activity> until_the_end = std::move(activity);
       const std::shared_ptr<Specialiser> own = std::move(self);
       own->run();
@@ -111,7 +112,7 @@ void Specialiser::look_until_stopped() {
     const bool more_to_bind = bind_hot_to_data(spec_);
     const bool compiled = !more_to_bind && compile_next(spec_);
     if (spec_.stopping()) return;
-    // No stretch of a trial lasts as long as that took.
+    // The time that compiling took is not part of any stretch of a trial.
     if (compiled) spec_.looked_at = spec_.seconds();
     watch(spec_);
     if (!compiled) judge(spec_);
@@ -142,7 +143,8 @@ void Specialiser::wait_until_idle() {
   std::unique_lock lock(spec_.mutex);
   ++waiting_for_idle_;
   spec_.wake.notify_all();
-  // Two looks from now the counts of this moment were seen; what is due on them comes first.
+  // The look that is under way may have begun before this call; the next one has seen all counts of
+  // now. What is due on them is done before a look finds nothing to do.
   spec_.wake.wait(lock, [&, target = looks_ + 2] {
     return ended_ || spec_.stopping() || idle_look_ >= target;
   });
@@ -162,7 +164,7 @@ void Specialiser::specialise_all() {
   };
   if (!spec_.shared->options.specialiser.constants) {
     compile_solids_of_others();
-    // What constants will replace anyway need not have it.
+    // Structures are compiled only here: in the other case constants would replace them anyway.
     for (std::optional<DueStructure> structure;
          (structure = any_structure(spec_)) && bind_to_structure(spec_, *structure);) {
     }
@@ -194,7 +196,7 @@ void Specialiser::specialise_all() {
     const double ms = expected_compile_ms(spec_.shared->geometry,
                                           plan_scene(spec_.shared->geometry, spec_.facts, volume));
     if (ms > most_scene_ms) continue;
-    // On a slow machine a larger one might take longer than any module may, and be given up.
+    // On a slow machine a larger module might take longer than any may, and be given up.
     if (batch.size() == options.batch || (!batch.empty() && of_module + ms > options.module_ms)) {
       flush();
       of_module = module_base_ms;

@@ -19,16 +19,17 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
 
   /// Specialises all volumes of the tree, in the calling thread. Before start() only.
   void specialise_all();
-  /// Where there is no thread to be had, nothing is specialised, and the log says so.
+  /// Starts the thread. If there is no thread to be had, nothing is specialised, and the log says
+  /// so.
   void start();
   void wait_until_idle();
   /// Ends the thread. A compilation that is under way is asked to stop and left to itself, and
-  /// whatever comes of it is dropped. True: the calling thread may use what is the thread's from
-  /// then on. False in the child of a fork(): the thread stayed in the parent, and may have been at
-  /// work on it.
+  /// whatever comes of it is dropped. Returns true if the calling thread may use what belonged to
+  /// the thread from then on; false in the child of a fork(): the thread stayed in the parent, and
+  /// may have been at work on it.
   bool stop();
-  /// How often each volume was used so far. Beside the thread and navigators, but not beside
-  /// itself.
+  /// How often each volume was used so far. May be called while the thread and navigators are at
+  /// work, but by one thread at a time.
   StepProfile step_profile();
 
   /// What the functions of runtime/ work on: the thread's own from start() to stop(), but for what
@@ -50,10 +51,10 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
   bool ended_ = false;           ///< the thread uses nothing any more
   std::uint64_t looks_ = 0;      ///< completed passes over the profile
   std::uint64_t idle_look_ = 0;  ///< the last that found nothing to do
-  int waiting_for_idle_ = 0;     ///< threads
+  int waiting_for_idle_ = 0;     ///< threads in wait_until_idle()
 
   std::thread thread_;
-  std::thread* left_behind_ = nullptr;  ///< in the parent; never destroyed
+  std::thread* left_behind_ = nullptr;  ///< in a forked child: the parent's thread; never destroyed
 };
 
 }  // namespace navjit

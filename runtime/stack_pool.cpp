@@ -25,11 +25,11 @@ StackPool::StackPool(std::size_t stacks, int levels) : size_(stacks), stride_(by
   if (stacks > std::numeric_limits<std::ptrdiff_t>::max() / stride_) throw std::bad_alloc();
   memory_.reset(static_cast<std::byte*>(::operator new[](stacks* stride_, line)));
   for (std::size_t i = 0; i < stacks; ++i) {
-    // As much of a stack as there is: levels are written before they are read.
+    // Only the part of a stack that there is memory for; levels are written before they are read.
     NavigationStack& stack = at(i);
     std::memset(static_cast<void*>(&stack), 0, stride_);
     stack.depth = -1;
-    // No step has this direction, so that even the first one's is looked at.
+    // No step has this direction, so that the direction of the first step is checked, too.
     for (double& given : stack.ray.given) given = std::numeric_limits<double>::signaling_NaN();
   }
 }

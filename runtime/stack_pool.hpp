@@ -9,7 +9,8 @@
 
 namespace navjit {
 
-/// Stacks in a row, apart by whole cache lines. None moves: they point into themselves.
+/// Stacks one after the other in memory, each on cache lines of its own. They never move, because a
+/// stack has pointers into itself.
 class StackPool {
  public:
   /// `levels`: of the deepest touchable, the world's included. All stacks are outside the world.

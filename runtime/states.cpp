@@ -15,8 +15,8 @@ namespace {
 /// Placements remembered per volume: enough for variety.
 constexpr std::size_t most_placements = 64;
 
-/// Where boxes give a smaller part of the states that are asked for, lines are tried, which meet
-/// the thinnest shell.
+/// If points of boxes give less than this share of the states that are asked for, points on lines
+/// are tried, which meet the thinnest shell.
 constexpr double few_of = 0.25;
 
 }  // namespace
@@ -88,13 +88,14 @@ Vec3 point_of(const Extent& e, std::mt19937_64& random) {
   return p;
 }
 
-/// A point within a solid that may take next to nothing of its box, on the part of a line within
-/// it; nothing where the line misses it.
+/// A point within a solid that may fill next to nothing of its box: on a part of a random line that
+/// is within it. Nothing where the line misses it.
 std::optional<Vec3> point_on_chord(const kernels::AnySolid<double>& solid, const Extent& e,
                                    std::mt19937_64& random, double tolerance) {
   const Vec3 through = point_in(e, random);
   Vec3 v = unit_vector(random);
-  // Most lines through a flat box are in it for a short way only.
+  // Most lines through a flat box are in it for a short way only, so half of the lines go through
+  // two of its points.
   if (random() % 2 == 0) {
     const Vec3 along = point_in(e, random) - through;
     const double length = std::sqrt(dot(along, along));
@@ -109,7 +110,7 @@ std::optional<Vec3> point_on_chord(const kernels::AnySolid<double>& solid, const
   return begin + uniform(random, chord.enter, chord.leave) * v;
 }
 
-/// Along an axis now and then.
+/// The direction at random, or one along an axis now and then.
 Vec3 direction_of(const Vec3& at_random, std::mt19937_64& random) {
   switch (random() % 8) {
     case 0:

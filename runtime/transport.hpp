@@ -14,12 +14,13 @@ struct RayTotals {
   bool stuck = false;
 };
 
-/// So many steps in a row that are no way ahead make a stuck ray.
+/// A ray that makes this many steps in a row without getting ahead is stuck.
 constexpr int stuck_after = 100;
 
-/// Whether a step (mm) is a way ahead, and not one of those by which a ray crawls along a face on
-/// which it stands: they may be longer than the tolerance, where a coordinate is so large that
-/// what they add to it is rounded away. Nothing real has a hundred boundaries so near.
+/// Whether a step (mm) gets a ray ahead. It does not if it is one of those by which a ray crawls
+/// along a face on which it stands: they may be longer than the tolerance, where a coordinate is so
+/// large that what they add to it is rounded away. No real detector has a hundred boundaries so
+/// near to one another.
 constexpr bool goes_ahead(double length, double tolerance) { return length > 1000 * tolerance; }
 
 /// Transports one ray until it leaves the world, calling sink(state, length) for each step with the

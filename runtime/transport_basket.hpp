@@ -17,18 +17,19 @@ struct AllCount {
   bool operator()(const State&, const State&) const { return true; }
 };
 
-/// What each of some rays came to, in their order. Whenever a ray has left the world the next one
-/// takes its place. `counts(from, to)`: whether a step ends on a boundary between these; where it
-/// does not, the step goes on, with the bits of ObservedDetector::step(). `sink(ray, state,
-/// length)` is called for each step with the ray's number among these and the state that the step
-/// was made in; steps of a ray come in order. Between steps `go_on()` is asked: once it says no,
-/// all ends where it is, and there are totals only of the first rays that are complete, up to one
-/// that is not.
+/// Transports rays by the basket, and gives the totals of each, in their order. Whenever a ray has
+/// left the world the next one takes its place. `counts(from, to)`: whether a step ends on a
+/// boundary between these; where it does not, the step goes on, with the bits of
+/// ObservedDetector::step(). `sink(ray, state, length)` is called for each step with the ray's
+/// number among these and the state that the step was made in; steps of a ray come in order.
+/// Between steps `go_on()` is asked: once it says no, all ends where it is, and there are totals
+/// only of the first rays that are complete, up to one that is not.
 template <class Sink, class GoOn, class Counts = AllCount>
 std::vector<RayTotals> transport_in_basket(Basket& basket, std::span<const Ray> rays,
                                            double tolerance, Sink&& sink, GoOn&& go_on,
                                            const Counts& counts = {}) {
-  /// A ray, and the step that it makes: of several of the basket's where boundaries do not count.
+  /// A ray under way, and the step that it makes: several steps of the basket where boundaries do
+  /// not count.
   struct Place {
     std::size_t ray = 0;
     int standing = 0;

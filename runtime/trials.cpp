@@ -8,16 +8,18 @@
 namespace navjit {
 namespace {
 
-/// Fewer pairs of stretches do not show how much they differ among themselves.
+/// Pairs of stretches that a verdict needs: fewer do not show how much pairs differ.
 constexpr double least_pairs = 8;
-/// Fewer steps of either side, each of which may be some other way through the code, say little.
+/// Timed steps of either side that a verdict needs: each may take some other way through the code,
+/// so that fewer say little.
 constexpr double least_count = 50;
 /// Standard errors between two sides that are called different.
 constexpr double errors_apart = 2.5;
 /// After so many steps a difference that may be chance is small.
 constexpr double enough_count = 5000;
 
-/// What was no faster goes, though chance may have brought it: more code is slower for all others.
+/// The verdict at the end of a trial, by the mean alone, though that may be chance: what lost more
+/// than it may goes, and so does what has to be proved unless it was faster.
 Verdict at_last(const PairedDifference& lost, const Trial& t) {
   const bool slower = lost.mean() > t.allowed, faster = lost.mean() < 0;
   return slower || (t.to_be_proved && !faster) ? Verdict::goes : Verdict::stays;

@@ -16,24 +16,25 @@ struct DispatchEntry;
 
 namespace navjit {
 
-/// Durations of sampled steps and safeties, in ticks. As many of either as the run asks for: what
-/// counts is what all of them take.
+/// Durations of sampled steps and safeties, in ticks, of as many of either as the run asks for:
+/// what counts is the time of all of them.
 struct TickSum {
   double count = 0, sum = 0;
 
-  /// What is far beyond `usual`, if that is known, is an interruption of the thread, and is cut.
+  /// Adds a duration. If it is far beyond `usual` (0: not known), the thread was interrupted, and
+  /// it is cut.
   void add(double ticks, double usual);
   double mean() const { return count > 0 ? sum / count : 0; }
 };
 
-/// The difference of two sides, pair of stretches by pair: what a run does changes from stretch to
-/// stretch, and is no merit of either side.
+/// The difference between two sides, taken within each pair of stretches: what a run does changes
+/// from stretch to stretch, and is no merit of either side.
 struct PairedDifference {
   double pairs = 0, weight = 0, sum = 0, weight2 = 0, sum2 = 0, squares2 = 0;
 
   void add(const TickSum& a, const TickSum& b);
   void add(const PairedDifference& more);
-  /// Of the mean of `a` minus that of `b`, ticks.
+  /// The mean of `a` minus that of `b`, ticks.
   double mean() const { return weight > 0 ? sum / weight : 0; }
   /// Its standard error.
   double error() const;
@@ -64,9 +65,9 @@ struct Trial {
   double began = 0;  ///< s
   TickSum with{}, without{};
   TickSum with_now{}, without_now{};  ///< of the present pair of stretches
-  PairedDifference lost{};            ///< by the candidate
+  PairedDifference lost{};            ///< ticks that the candidate loses
   double allowed = 0;                 ///< that it may lose, ticks
-  bool to_be_proved = false;          ///< it goes, too, if nothing is known of it
+  bool to_be_proved = false;          ///< it also goes if nothing is known of it
 };
 
 /// The trials of a run. Scenes are tried at the same time, as in the end they are used together.
@@ -81,8 +82,8 @@ class Trials {
   /// A step in the volume, or its safety, took so long with that navigator.
   void record(VolumeId volume, const kernels::DispatchEntry* used, double ticks);
   bool open() const { return open_ > 0; }
-  /// But for one in twenty at the most: where thousands of scenes share a run, new ones come to be
-  /// tried all the time.
+  /// Whether at most one trial in twenty is open: where thousands of scenes share a run, new ones
+  /// come to be tried all the time.
   bool nearly_all_decided() const { return open_ * 20 <= trials_.size(); }
   /// The volume's winner lost together with others, and this is there instead. False if the volume
   /// was not tried.
@@ -97,12 +98,13 @@ class Trials {
     VolumeId volume;
     Trial* trial;
   };
-  /// A pair of stretches, one with candidates and one without, is over. Decides what can be
-  /// decided; the trials that were. After `most_s` of trial all are: scenes with too few steps of
-  /// their own as those that share their code.
+  /// To be called when a pair of stretches, one with candidates and one without, is over. Decides
+  /// what can be decided, and returns the trials that were. After `most_s` of trial all are
+  /// decided; scenes with too few steps of their own follow those that share their code.
   std::vector<Of> decide(double now);
-  /// All trials begin again if trying has taken less than `most_share` of the run so far: it may
-  /// have moved on to other states. Those that do; candidates that are out have to be installed.
+  /// Begins all trials again if trying has taken less than `most_share` of the run so far, which
+  /// may have moved on to other states. Returns those that began; candidates that are out have to
+  /// be installed.
   std::vector<Of> begin_again(double now);
 
   const std::map<VolumeId, Trial>& all() const { return trials_; }

@@ -26,7 +26,7 @@ std::string describe(const Sample& s, const char* what, double right, double wro
   return text;
 }
 
-/// What the stack of a sample in a volume with daughters knows of the last step.
+/// Sets what the stack of a sample in a volume with daughters knows of the last step.
 void bring_what_was_left(NavigationStack& stack, const Sample& s) {
   stack.levels[stack.depth + 1].daughter = s.left;
   if (s.left_for_good) {
@@ -150,9 +150,8 @@ std::string verify(const Geometry& geometry, const kernels::Context& context,
 double time_per_step(const Geometry& geometry, const kernels::Context& context,
                      const kernels::DispatchEntry& entry, std::span<const Sample> samples) {
   if (samples.empty()) return 0;
-  // Few enough that the levels they use stay near. In the same order again and again processors
-  // would learn by heart which way each branch goes, which no run is so kind to let them: each pass
-  // has another order.
+  // Few enough that the stacks stay in near caches. Each pass has another order: in the same order
+  // again and again processors would learn which way each branch goes, as they cannot in a run.
   const std::size_t count = std::min<std::size_t>(samples.size(), 256);
   std::vector<NavigationStack> stacks(count);
   std::vector<char> has_daughters(count);
@@ -178,7 +177,7 @@ double time_per_step(const Geometry& geometry, const kernels::Context& context,
     }
     return 1e9 * (thread_seconds() - start) / static_cast<double>(count);
   };
-  // What is slow is known well enough after few passes.
+  // The time of slow navigators is known well enough after few passes.
   constexpr int most_passes = 8, least_passes = 2;
   constexpr double long_enough_ns = 1e6;
   double with = infinity, without = infinity, spent = 0;

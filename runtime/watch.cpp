@@ -15,7 +15,8 @@ namespace {
 /// Fewer steps between two looks tell nothing about how often navigators bail out.
 constexpr std::uint64_t steps_to_judge = 1000;
 
-/// For a scene whose navigator leaves out too many of the steps.
+/// Takes out a navigator that leaves out too many of the steps, and those of equal volumes, so that
+/// they are made again with code for these steps.
 void make_again(Specialisation& spec, VolumeId volume, std::uint64_t bail_outs,
                 std::uint64_t steps) {
   spec.shared->log->info("scene {} left out {} of {} steps: it is made again, with code for them",
@@ -63,7 +64,7 @@ void watch(Specialisation& spec) {
     if (spec.shared->table.at(volume) == &generic::dispatch_entry)
       continue;  // gone with an equal volume
     const Specialisation::Seen now{spec.steps[volume], counts.bail_outs(volume)};
-    // At the first look only what is counted from then on is known to be the installed one's.
+    // What was counted before the first look may be an earlier navigator's.
     const auto [last, is_new] = spec.seen.try_emplace(volume, now);
     const std::uint64_t steps = now.steps - last->second.steps;
     const std::uint64_t bail_outs = now.bail_outs - last->second.bail_outs;

@@ -1,5 +1,5 @@
-// Navigators that are installed, watched: those that bail out too often, or are wrong, go. Private
-// to runtime/.
+// Watches installed navigators: those that bail out too often, or give a wrong answer, are taken
+// out. Private to runtime/.
 #pragma once
 
 #include "runtime/specialisation.hpp"

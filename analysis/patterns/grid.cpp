@@ -77,7 +77,7 @@ double expected_cells(const Grid& b, const Spread& s) {
 struct Counted {
   std::vector<const PlacedBox*> boxes;
   std::vector<Spread> spreads;  ///< of those that are oblique; of others nothing
-  double each = 1;              ///< stands for so many
+  double each = 1;              ///< how many boxes each of these stands for
 
   explicit Counted(std::span<const PlacedBox> all) {
     constexpr std::size_t most = 512;
@@ -90,7 +90,8 @@ struct Counted {
   }
 
  private:
-  /// Evenly spread, and in step with no row: multiples of the golden ratio, modulo 1.
+  /// Indices that are evenly spread, and in step with no row of daughters: multiples of the golden
+  /// ratio, modulo 1.
   static std::size_t scattered(std::size_t k, std::size_t of) {
     double whole = 0;
     const double at = std::modf(0.6180339887498949 * static_cast<double>(k), &whole);
@@ -137,7 +138,8 @@ double cost(const Grid& b, double members, CellUse use) {
   const double per_cell = members / cells;
   const int walk = b.count[0] + b.count[1] + b.count[2] - 3;
   if (use == CellUse::blocks) {
-    // Cycles: rays pass a fifth of the cells along an axis, each takes 25 and 20 for a block.
+    // In cycles: rays pass a fifth of the cells along an axis, and each cell takes 25, and 20 for a
+    // block.
     return (1 + 0.2 * walk) * (25 + 20 * (0.5 + per_cell / 8));
   }
   return per_cell + 0.02 * walk + 0.3 * ((b.count[0] > 1) + (b.count[1] > 1) + (b.count[2] > 1));

@@ -23,8 +23,8 @@ struct PlacedBox {
 
 PlacedBox placed_box(const Solid& solid, const Transformation& transformation);
 
-/// Whether a daughter keeps farther from all of a box in the scene's frame than its margin: true
-/// only if it is sure.
+/// Whether a daughter is farther than the margin from all of a box in the scene's frame: true only
+/// if that is sure.
 using Apart = std::function<bool(std::uint32_t daughter, const Extent& box)>;
 
 /// What is done with a cell's daughters: tested one by one, or by boxes in blocks.

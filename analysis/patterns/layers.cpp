@@ -16,8 +16,8 @@ constexpr int most_levels = 8;
 /// how many may be asked together on average.
 constexpr std::size_t most_in_group = 64;
 constexpr double most_mean_group = 8;
-/// Slabs may overlap by as much of the thinner one: rows of straws that stand on gaps do by an
-/// eighth, and the layers of a detector that was seen, by mistake.
+/// Slabs may overlap by this share of the thinner one. Rows of straws that stand on the gaps
+/// between others overlap by an eighth, and in one detector layers did by mistake.
 constexpr double most_overlap = 0.25;
 constexpr std::size_t cells_per_slab = 2, most_cells = 4096;
 
@@ -38,7 +38,7 @@ Cut cut_along(std::span<const std::uint32_t> members, std::span<const Extent> bo
   double begin = 0, reach = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < cut.order.size(); ++i) {
     const double from = low(boxes[cut.order[i]], axis), to = high(boxes[cut.order[i]], axis);
-    // What overlaps is less than the next one is thick: bounds ascend on either side.
+    // The overlap is less than the next slab is thick, so that lower and upper bounds both ascend.
     const double overlap =
         std::max(tolerance / 4, most_overlap * std::min(reach - begin, to - from));
     if (i == 0 || (from >= reach - overlap && to > reach)) {
@@ -51,7 +51,7 @@ Cut cut_along(std::span<const std::uint32_t> members, std::span<const Extent> bo
   return cut;
 }
 
-/// What divides a scene, level by level.
+/// Divides a scene, level by level.
 struct Builder {
   std::span<const Extent> boxes;
   double tolerance, margin;
@@ -73,7 +73,8 @@ struct Builder {
       layers.mean_group += 1 / static_cast<double>(boxes.size());
       return {Layers::Kind::daughter, members[0]};
     }
-    // The axis with the most slabs: layers before the rows in each of them, where there are more.
+    // Divides along the axis with the most slabs: layers come before the rows in each of them, if
+    // there are more of them.
     Cut best;
     int axis = 3;
     for (int a = 0; a < 3 && level < most_levels; ++a) {
@@ -122,7 +123,7 @@ std::optional<Layers> find_layers(std::span<const Extent> boxes, double toleranc
 
 std::string describe_layers(const Layers& layers) {
   std::string text;
-  // Down the largest part of each division, which speaks for the others.
+  // Follows the largest part of each division, which stands for the others.
   for (std::size_t at = 0;;) {
     const Layers::Division& d = layers.divisions[at];
     text += (text.empty() ? "" : " of ") + std::to_string(d.parts.size()) +

@@ -9,10 +9,11 @@
 namespace navjit {
 namespace {
 
-/// Layers that overlap more than this on average, counted over the radii they cover, tell little.
+/// Layers that overlap more than this on average, counted over the radii that they cover, narrow a
+/// search down little.
 constexpr double most_overlap = 1.5;
 
-/// Beside so few layers it is no nest.
+/// With fewer layers it is no nest.
 constexpr std::size_t fewest = 3;
 
 constexpr double half_turn = std::numbers::pi;
@@ -23,7 +24,7 @@ AxialExtent extent_about(const World& world, const Daughter& d, int axis) {
                    : axial_extent(solid, d.transformation, axis);
 }
 
-/// Both radii ascend, and most radii are in one layer alone.
+/// Whether both radii ascend, and most radii are in one layer alone.
 bool ascend(const std::vector<AxialExtent>& extents, const std::vector<std::uint32_t>& order) {
   double sum = 0, covered = 0, end = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -39,7 +40,8 @@ bool ascend(const std::vector<AxialExtent>& extents, const std::vector<std::uint
   return sum <= most_overlap * covered;
 }
 
-/// Sets the ends where the mother reaches beyond them by as much as is worth a look.
+/// Sets the ends of all layers, and whether the mother reaches so far beyond them that a test of
+/// the ends is worth it.
 void clip_ends(const std::vector<AxialExtent>& extents, const AxialExtent& mother, double margin,
                Nest& nest) {
   nest.low = mother.high;
@@ -66,7 +68,7 @@ std::optional<Nest> find_nest(const World& world, const Solid& mother,
       extents.push_back(extent_about(world, daughters[k], axis));
       const AxialExtent& e = extents.back();
       largest = std::max(largest, e.far);
-      // Layers go around the axis, if not all of the way; what does not is elsewhere.
+      // Layers go around the axis by more than half a turn; other daughters are no layers.
       (e.around || e.span > half_turn ? nest.members : nest.others).push_back(k);
     }
     std::sort(nest.members.begin(), nest.members.end(), [&](std::uint32_t a, std::uint32_t b) {

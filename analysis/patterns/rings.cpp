@@ -29,8 +29,8 @@ constexpr int most_steps = 1024;
 /// with all of these. A guess.
 constexpr std::size_t most_groups = 256;
 
-/// A ray may be on the other side of a ring's surface if the mother reaches that much farther, in
-/// units of the ring's own thickness; what is less is not worth a square root.
+/// A ray is tested against a surface of a ring only if the mother reaches farther than the ring by
+/// this share of the ring's own thickness; what is less is not worth a square root.
 constexpr double worth_clipping = 0.1;
 
 double turn(double phi) { return phi - 2 * pi * std::floor(phi / (2 * pi)); }
@@ -56,7 +56,7 @@ struct View {
     if (!e.around && !e.segment) e.lean = lean_of(solid(k), place(k), axis);
     return e;
   }
-  /// In which directions a daughter is; nothing if these tangents do not tell.
+  /// The directions that a daughter is in; nothing if tangents of this circle do not tell.
   std::optional<TangentSpan> directions(std::uint32_t k, double lean) const {
     if (lean == 0) return TangentSpan{seen[k].first, seen[k].span};
     return tangent_span(solid(k), place(k), axis, lean);
@@ -87,9 +87,9 @@ int steps_of(std::vector<double> azimuths) {
   return steps;
 }
 
-/// Daughters by sector; `directions`: of each member. One belongs to those into which it reaches by
-/// more than the margin, across the edge: seen from the axis, or along a tangent, at its far end
-/// that is the smallest angle.
+/// Lists the daughters of each sector. `directions`: those that each member is in. A daughter
+/// belongs to the sectors into which it reaches by more than the margin, measured across the edge.
+/// The margin is an angle here, taken at the ring's far end, where it is smallest.
 void fill(Ring& ring, double start, const std::vector<TangentSpan>& directions,
           const std::vector<std::uint32_t>& members, double margin) {
   const double width = 2 * pi / ring.steps;

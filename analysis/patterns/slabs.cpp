@@ -9,8 +9,8 @@
 namespace navjit {
 namespace {
 
-/// Cells for each daughter: where they are small against daughters and gaps, most have one first
-/// candidate alone.
+/// Cells for each daughter: if cells are small compared with daughters and gaps, most have just one
+/// first candidate.
 constexpr std::size_t cells_per_daughter = 8;
 constexpr std::size_t most_cells = 4096;
 

@@ -14,8 +14,8 @@ namespace navjit {
 std::optional<Slabs> find_slabs(const Extent& scene, std::span<const Extent> boxes,
                                 double tolerance, double margin);
 
-/// Fills in the cells of slabs whose bounds are known, so many between two positions (mm): where a
-/// ray from within a cell begins to look.
+/// Fills in the cells of slabs whose bounds are known: `cells` of them between two positions (mm).
+/// A cell says where a ray from within it begins to look.
 void divide_into_cells(Slabs& slabs, double from, double to, std::size_t cells);
 
 }  // namespace navjit

@@ -8,21 +8,22 @@ namespace {
 
 using Plane = std::array<double, 2>;
 
-/// Fewer places are no row, and fewer in all rows not worth a turn of the ray.
+/// Fewer places are no row, and fewer in all rows are not worth turning a ray into their frame.
 constexpr std::size_t fewest_in_row = 4, fewest = 8;
 
-/// Where places of a row leave a gap across it of so much of the radius, another row begins.
+/// A new row begins where places leave a gap across the row of more than this share of the radius.
 constexpr double gap = 0.5;
 
 /// What a row costs every ray, and a place that is in none, in units of what it costs to be offered
 /// a place. Guesses.
 constexpr double cost_of_row = 0.3, cost_of_other = 1;
 
-/// Rows that are as good as this are not looked for any further.
+/// Once rows as good as this are found, no others are looked for.
 constexpr double good_spread = 0.05, good_offer = 1.5;
 constexpr std::size_t good_count = 4;
 
-/// Of so many places the nearest ones tell directions of a lattice.
+/// In a lattice rows run from a place to its nearest ones: directions are tried from this many
+/// places to this many neighbours.
 constexpr std::size_t samples = 6, neighbours = 3;
 
 struct Attempt {
@@ -30,7 +31,7 @@ struct Attempt {
   std::vector<std::size_t> longest;  ///< the row with most places, by their numbers
   double cost = INFINITY;
   double spread = 0;   ///< the most that places deviate from the middle of their row
-  double offered = 0;  ///< by a row, the most on average
+  double offered = 0;  ///< places that a row offers a ray on average, at most
   std::size_t others = 0;
 };
 
@@ -111,7 +112,7 @@ Plane main_axis(std::span<const PlaceAcross> places) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// From a few places to those nearest to them.
+/// Directions from a few places to those nearest to them.
 std::vector<Plane> to_neighbours(std::span<const PlaceAcross> places) {
   std::vector<Plane> directions;
   for (std::size_t s = 0; s < samples; ++s) {
@@ -142,7 +143,7 @@ std::optional<RowsAcross> find_rows(std::span<const PlaceAcross> places,
       Attempt a = attempt(places, d, radius);
       if (!(a.cost < best.cost || (a.cost == best.cost && a.spread < best.spread))) return;
       best = std::move(a);
-      // What is exact stays so.
+      // Rows that are exact cannot be fitted any better.
       if (best.longest.empty() || best.spread < 1e-9 * radius) return;
       d = fitted(places, best);
     }

@@ -20,8 +20,8 @@ struct RowsAcross {
 };
 
 /// The parallel rows that offer a ray the fewest of the places, which are discs of this radius
-/// (mm); nothing if there are none. Rows may be anyhow; those along or across one of the directions
-/// `likely` (any length) are looked for first.
+/// (mm); nothing if there are none. Rows may run in any direction; those along or across one of the
+/// directions `likely` (any length) are looked for first.
 std::optional<RowsAcross> find_rows(std::span<const PlaceAcross> places,
                                     std::span<const std::array<double, 2>> likely, double radius);
 

@@ -18,18 +18,20 @@ namespace {
 constexpr std::size_t fewest = 12;
 /// Each row costs every ray a comparison, each bundle a turn of the ray. Guesses.
 constexpr std::size_t most_rows = 32, most_bundles = 4, most_directions = 8;
-/// Beside so many wires there may be one other daughter, and a few in any case.
+/// How many wires there have to be for each other daughter, and how many others there may be in any
+/// case.
 constexpr std::size_t wires_per_other = 8, few_others = 4;
 /// Wires that a ray across a row is offered, on average; with more rows tell little.
 constexpr double most_offered = 3;
 
-/// What is so much longer than it is thick tells a direction.
+/// A daughter that is this many times as long as it is thick has a direction.
 constexpr double elongated = 3;
-/// Wires of one direction may be askew by so much of their thickness.
+/// Wires of one direction may be askew by this share of their thickness.
 constexpr double most_askew = 0.25;
-/// What is so much thicker than most is no wire.
+/// A daughter that is this many times as thick as most is no wire.
 constexpr double too_thick = 3;
-/// Mothers that reach so much farther along wires have rays beyond their ends.
+/// Rays are tested against the ends of wires only if the mother reaches beyond these by this share
+/// of their length.
 constexpr double worth_clipping = 0.1;
 
 /// A daughter as it is placed: the middle of its solid, and the solid's axes with half lengths.
@@ -67,7 +69,7 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The axis of what is elongated; 3 for none.
+/// The daughter's own axis along which it is elongated; 3 for none.
 std::size_t long_axis(const Placed& p) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (p.tube && i != 2) continue;
@@ -77,14 +79,14 @@ std::size_t long_axis(const Placed& p) {
   return 3;
 }
 
-/// Whether the wire, along that axis of its own, runs in this direction.
+/// Whether the wire's own axis `i` runs in this direction.
 bool runs_along(const Placed& p, std::size_t i, const Vec3& along) {
   const double thick = std::max(p.half[(i + 1) % 3], p.half[(i + 2) % 3]);
   const double askew = norm(cross(p.axis[i], along));
   return askew <= 0.1 && askew * p.half[i] <= most_askew * thick;
 }
 
-/// The axis that is the wire's in a set of this direction; 3 for none.
+/// The own axis that makes a daughter a wire of this direction; 3 for none.
 std::size_t axis_along(const Placed& p, const Vec3& along) {
   for (std::size_t i = 0; i < 3; ++i) {
     if ((!p.tube || i == 2) && runs_along(p, i, along)) return i;
@@ -97,8 +99,8 @@ struct SameDirection {
   std::vector<std::uint32_t> members;
 };
 
-/// Daughters by the direction that they are elongated in; what is short has the direction of one of
-/// its axes. What has none is in `others`.
+/// Groups daughters by the direction that they are elongated in. Short ones join a direction that
+/// one of their own axes has; what has none goes to `others`.
 std::vector<SameDirection> by_direction(const std::vector<Placed>& placed,
                                         std::vector<std::uint32_t>& others) {
   std::vector<SameDirection> directions;
@@ -133,7 +135,7 @@ double reach_along(const Placed& p, const Vec3& d) {
   return reach;
 }
 
-/// Of the circle across `along` that holds it, mm.
+/// The radius of the circle across `along` that holds it, mm.
 double radius_across(const Placed& p, const Vec3& along) {
   const std::size_t i = axis_along(p, along);
   const double tilt = p.half[i] * norm(cross(p.axis[i], along));
@@ -172,7 +174,7 @@ void lay_cells(WireRow& row) {
   row.first.push_back(static_cast<std::uint32_t>(row.u.size()));
 }
 
-/// One row of a bundle, from places across.
+/// One row of a bundle, its wires in order.
 WireRow make_row(const WireBundle& bundle, const std::vector<Placed>& placed,
                  const std::vector<std::uint32_t>& members, double margin) {
   const Vec3 across = as_vector(bundle.across), normal = as_vector(bundle.normal),
@@ -201,8 +203,8 @@ WireRow make_row(const WireBundle& bundle, const std::vector<Placed>& placed,
   return row;
 }
 
-/// Whether what a wire's safety_to_in gives is a distance in the plane across: of tubes it is no
-/// less than that from the circle, of boxes with axes along u and n than that from the rectangle.
+/// Whether a distance in the plane across the wires is a lower bound of a wire's safety_to_in: for
+/// tubes the distance from the circle, for boxes with axes along u and n that from the rectangle.
 bool safety_is_known(const WireBundle& bundle, const Placed& p, double largest, double margin) {
   const auto is_along = [&](const Vec3& axis, const std::array<double, 3>& d) {
     return 4 * largest * norm(cross(axis, as_vector(d))) < margin / 4;

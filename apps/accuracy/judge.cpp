@@ -114,8 +114,9 @@ class RayJudge {
           reference_.side_of_world(moved(made.point, ray_.direction, Quad(made.length)),
                                    tolerances_.surface) == Side::inside;
     }
-    // Between the two ends what the engine claims must fail, if they are not equally right: that
-    // the ray is still in this volume, or already in the next, as long as that is claimed.
+    // The engine and the reference end the step at different points. Between these the engine
+    // claims that the ray is still in this volume, or already in the next one, for as long as that
+    // step lasts. Unless both are right, that is refuted there.
     if (judged.error > tolerances_.surface) {
       const Quad end = made.length;
       const bool beyond = end > right.length;

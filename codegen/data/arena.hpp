@@ -1,4 +1,4 @@
-// The memory of one scene's numbers: all in one place, freed together.
+// The memory of scenes' numbers: all in one place, freed together.
 #pragma once
 
 #include <algorithm>
@@ -16,12 +16,12 @@ class Arena {
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
 
-  /// Null for none.
+  /// `count` values that are zero; null for none.
   template <class Value>
   Value* array(std::size_t count) {
     static_assert(std::is_trivially_destructible_v<Value>);
     if (count == 0) return nullptr;
-    // What is small shares cache lines with what was made just before.
+    // Small arrays share cache lines with what was made just before.
     const std::size_t bytes = count * sizeof(Value);
     const std::size_t align = std::max<std::size_t>(alignof(Value), bytes >= 64 ? 64 : 1);
     auto* values = static_cast<Value*>(memory_.allocate(bytes, align));

@@ -49,7 +49,7 @@ kernels::InnerDaughters inner_of(const Geometry& geometry, VolumeId volume) {
   const World& world = geometry.world();
   const LogicalVolume& v = world.volumes[volume];
   if (v.daughters.empty()) return kernels::no_daughters;
-  // Far above the error of the way to a surface.
+  // Far above the error of a computed distance to a surface.
   const double margin = 1e-5 * largest_coordinate(v.solid.extent) + 10 * geometry.tolerance();
   const bool deep =
       std::all_of(v.daughters.begin(), v.daughters.end(), [&](const Placement& placement) {

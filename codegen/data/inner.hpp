@@ -8,7 +8,7 @@
 
 namespace navjit::codegen {
 
-/// What a volume has of its own where a track enters it.
+/// Whether the volume has daughters that a track may meet at once when it enters.
 kernels::InnerDaughters inner_of(const Geometry& geometry, VolumeId volume);
 /// The same by daughter of a scene. Thousands may be of one volume, which is looked at once.
 std::vector<kernels::InnerDaughters> inner_of_daughters(const Geometry& geometry,

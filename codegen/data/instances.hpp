@@ -40,8 +40,8 @@ template <class S>
 
 kernels::SafetyFunction generic_safety();
 
-/// Whether a search has the safety, too, whatever the plan's is: another search may be bound in the
-/// place of the one that the plan was made with.
+/// Whether a search computes the safety whatever the plan says of it: this search may be bound in
+/// the place of the one that the plan was made with.
 template <class Search>
 constexpr bool has_safety = false;
 template <class Index>

@@ -8,7 +8,8 @@
 namespace navjit::codegen {
 namespace {
 
-/// Boxes around daughters with what single precision loses of a position, twice over.
+/// Boxes around daughters, inflated by the margin and by twice what single precision loses of a
+/// position.
 std::vector<Extent> boxes_in_single_precision(const Source& source) {
   const World& world = source.geometry.world();
   const Extent& extent = world.volumes[source.plan.volume].solid.extent;
@@ -23,7 +24,7 @@ std::vector<Extent> boxes_in_single_precision(const Source& source) {
   return boxes;
 }
 
-/// What many rows have alike is there once.
+/// Tables that many rows have in common are made once.
 struct Shared {
   Arena& arena;
   std::map<std::vector<double>, const double*> numbers{};

@@ -37,7 +37,7 @@ using Moved = kernels::Placed<double, Solid>;
 template <class Solid>
 using Apart = kernels::SolidApart<Solid>;
 using MovedTube = Boxed<Moved<Tube>>;
-/// Turned, too: the box around it tells more than its own sides.
+/// A box that is turned as well, and keeps the box around it (keeps_box()).
 using TurnedBox = Boxed<Moved<Box>>;
 using TwoBoxes = Union<Moved<Box>, Moved<Box>>;
 
@@ -80,7 +80,7 @@ using Ellipsoids =
          Union<Boxed<QuadricSolid>, Boxed<Moved<QuadricSolid>>>,
          Union<Boxed<QuadricSolid>, MovedTube>, Union<Boxed<Tube>, Boxed<Moved<QuadricSolid>>>>;
 
-/// And what detectors that have nothing to do with one another have in common
+/// Structures that occur in several detectors which have nothing to do with one another
 /// (docs/experiments.md).
 using Others = List<
     // Two solids.
@@ -133,7 +133,7 @@ using Structures = Joined<OneHole<Box>, OneHole<Tube>, OneHole<Cone>, OneHole<Tr
                           OneHole<Hull>, OneHole<Prism>, OneHole<Polycone>, OneHole<QuadricSolid>,
                           TwoHoles<Box>, TwoHoles<Tube>, Ellipsoids, Others>;
 
-/// A type of these as Shapes::type() has it.
+/// The name of one of these types, as Shapes::type() spells it.
 template <class Solid>
 struct NameOf;
 #define NAVJIT_NAME(Shape)                                 \
@@ -177,7 +177,7 @@ struct NameOf<Moved<Solid>> {
   static std::string get() { return "Placed<double, " + NameOf<Solid>::get() + ">"; }
 };
 
-/// More solids than any of the structures has.
+/// The most solids that any of the structures is made of.
 constexpr std::size_t most_solids = 5;
 
 /// A solid's code and numbers side by side: who calls one reads the other.
@@ -219,7 +219,7 @@ const SolidCode* bind(const AnySolid<double>& solid, double tolerance, Arena& ar
   Arena passing;
   std::memcpy(&bound->solid, typed_shape(solid, passing), sizeof(Solid));
   bound->tolerance = tolerance;
-  // Of solids made of several, AnySolid knows another form than these types.
+  // For solids made of several AnySolid has a form of its own, and not these types.
   const bool is_plain = !is_composed(solid.kind);
   bound->code = {{solid.kind, is_plain ? &bound->solid : solid.shape},
                  contains_numbered<Solid>,

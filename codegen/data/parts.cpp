@@ -19,8 +19,7 @@ const Shape& shape_of(const kernels::AnySolid<double>& solid) {
   return *static_cast<const Shape*>(solid.shape);
 }
 
-/// The solid; a box or tube, for which there is no code, with its numbers beside those of the
-/// scene.
+/// The solid; a box or a tube as a copy, whose numbers lie beside those of the scene.
 kernels::AnySolid<double> nearby(const Source& source, const kernels::AnySolid<double>& solid) {
   return kernels::visit(solid, [&](const auto& shape) -> kernels::AnySolid<double> {
     using Shape = std::decay_t<decltype(shape)>;

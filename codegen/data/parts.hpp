@@ -52,7 +52,7 @@ struct Source {
   const Scene& scene;
   Arena& arena;
   const CodeOfSolids* code = nullptr;  ///< null: no solid has any
-  /// By volume: which one tables have in its place; null: itself.
+  /// By volume: the stand-in that tables have in its place; null: each volume stands for itself.
   const std::vector<VolumeId>* stand_ins = nullptr;
 };
 
@@ -94,8 +94,9 @@ kernels::NearBoxes make_near_boxes(std::span<const Extent> boxes, Arena& arena);
 /// The box of a daughter's solid, in its own frame, with a margin.
 Extent box_with_margin(const Geometry& geometry, const Daughter& daughter);
 
-/// Whether what is next to a daughter that was left is read from its list. Where lists are in no
-/// cache what is found by arithmetic is found sooner: rows of slabs that are alike are there once.
+/// Whether neighbour lists are read where a track leaves a daughter. Lists that are in no cache are
+/// slower than searches by arithmetic, whose tables are small: rows of slabs that are alike are
+/// stored once.
 bool reads_neighbour_lists(const Source& source);
 
 /// What all kinds of scenes have: neighbour lists, which are the generic navigator's, and boxes.

@@ -6,15 +6,17 @@
 
 namespace navjit::kernels {
 
-/// Code that was compiled for one solid; tolerance and, unless they are `data`, its numbers are in
-/// it. Gives the bits of the solid's own kernels, which answer where there is no code for safety.
+/// Code that was compiled for one solid. The tolerance is a constant of it, and so are the solid's
+/// numbers unless they are `data`. It gives the bits of the solid's own kernels, which answer where
+/// there is no code for the safety.
 struct SolidCode {
   AnySolid<double> solid;
   bool (*contains)(const void* data, const Vec3<double>&, const Direction<double>&);
   double (*distance_to_in)(const void* data, const Vec3<double>&, const Direction<double>&);
   double (*distance_to_out)(const void* data, const Vec3<double>&, const Direction<double>&);
-  double (*safety_to_in)(const void* data, const Vec3<double>&);   ///< may be null
-  double (*safety_to_out)(const void* data, const Vec3<double>&);  ///< if that is
+  double (*safety_to_in)(const void* data,
+                         const Vec3<double>&);  ///< null if there is no code for the safety
+  double (*safety_to_out)(const void* data, const Vec3<double>&);  ///< null if safety_to_in is
   const void* data;
 };
 
@@ -28,7 +30,8 @@ double distance_to_out_any(const AnySolid<double>& s, const Vec3<double>& p,
 double safety_to_in_any(const AnySolid<double>& s, const Vec3<double>& p);
 double safety_to_out_any(const AnySolid<double>& s, const Vec3<double>& p);
 
-/// Any solid; boxes, the commonest, go before the others, and then those with code of their own.
+/// Any solid. Boxes, the commonest, are asked first, then those with code of their own, then all
+/// others.
 struct QuickSolid {
   SolidKind kind;
   bool has_code;
@@ -47,7 +50,7 @@ inline QuickSolid quick(const AnySolid<double>& solid, const SolidCode* code) {
   return {solid.kind, true, code};
 }
 
-/// Of a kind that may be left for good.
+/// For solids of a kind that may be left for good.
 inline bool is_left_for_good(const QuickSolid& s, const Vec3<double>& p, double tol) {
   const void* const shape = s.has_code ? s.code().solid.shape : s.shape;
   if (s.kind == SolidKind::tube) {

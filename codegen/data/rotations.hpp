@@ -9,13 +9,13 @@
 
 namespace navjit::codegen {
 
-/// Equal ones are kept once: of thousands of daughters few have one of their own, and each that a
-/// ray is held against would be two cache lines more to wait for.
+/// Equal rotations are stored once: thousands of daughters have few different ones, and one for
+/// each daughter would be two cache lines more to wait for at each that a ray is held against.
 class Rotations {
  public:
   explicit Rotations(Arena& arena) : arena_(arena) {}
 
-  /// Of the daughter, in the arena; null if it has none.
+  /// The daughter's rotation, in the arena; null if it has none.
   const double* of(const Daughter& d);
 
  private:

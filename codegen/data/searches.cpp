@@ -38,7 +38,7 @@ void fill_grid(const Grid& grid, KernelGrid& kernel) {
   }
 }
 
-/// Up to so many daughters beside a pattern are asked one by one, more by their boxes.
+/// Up to this many daughters beside a pattern are asked one by one, more of them by their boxes.
 constexpr std::size_t few_others = 2;
 
 Beside<Index> make_beside(const Source& source, const std::vector<std::uint32_t>& others) {
@@ -173,7 +173,7 @@ void make(const Source& source, SearchScan& search) {
 
 namespace {
 
-/// Boxes around groups.
+/// Boxes around groups of blocks, in blocks themselves.
 const BoxBlock* make_halls(const NearBoxes& boxes, Arena& arena) {
   std::vector<Extent> around;
   for (unsigned g = 0; g * box_lanes < boxes.count; ++g) {

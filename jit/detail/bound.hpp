@@ -10,7 +10,8 @@
 
 namespace navjit::jit::detail {
 
-/// Asked for, or too late. For one thread, whose processor time from here on counts.
+/// Reached once a stop is requested, or once it is too late. For one thread: its processor time
+/// counts from the construction on.
 class Bound {
  public:
   Bound(std::stop_token stop, double most_ms)

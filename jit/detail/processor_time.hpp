@@ -10,7 +10,7 @@ namespace navjit::jit::detail {
 /// Processor time, s, of threads that come and go. For any thread.
 class ProcessorTime {
  public:
-  /// Of those that have gone, and of the one that is watched as long as it is there.
+  /// The time of threads that have ended, and of the one that is watched as long as it exists.
   double seconds() const {
     const clockid_t clock = watched_.load();
     return gone_.load() + (clock == nobody ? 0 : read(clock));
@@ -18,7 +18,8 @@ class ProcessorTime {
 
   static double of_this_thread() { return read(CLOCK_THREAD_CPUTIME_ID); }
 
-  /// While it exists its thread, which has done nothing else, is the one that is watched.
+  /// While it exists its thread is the one that is watched. The thread must have done nothing
+  /// before.
   class Watched {
    public:
     explicit Watched(ProcessorTime& sum) : sum_(sum) {
