@@ -3,7 +3,8 @@
 Usage: make.py SOURCE FOLDER VERSION DOXYGEN
 
 It fails where Doxygen warns, Markdown is not understood, a link or an anchor leads nowhere, or a
-document is not in the README's table, which is the site's table of contents."""
+document is not in the README's table, which is the site's table of contents. A document in
+docs/NAME/ is linked from docs/NAME.md instead."""
 
 import re
 import shutil
@@ -17,7 +18,8 @@ from urllib.parse import unquote
 from page import name_of
 
 source, folder, version, doxygen = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve(), *sys.argv[3:5]
-documents = [source / "CONTRIBUTING.md", source / "bench/README.md", *sorted((source / "docs").glob("*.md"))]
+parts = sorted((source / "docs").glob("*/*.md"))
+documents = [source / "CONTRIBUTING.md", source / "bench/README.md", *sorted((source / "docs").glob("*.md")), *parts]
 
 
 def contents():
@@ -27,10 +29,22 @@ def contents():
     groups = [(title.strip(), [(t, name_of(p)) for t, p in re.findall(r"\[([^\]]*)\]\(([^)]*\.md)\)", links)])
               for title, links in rows]
     listed = {name for _, pages in groups for _, name in pages}
-    missing = [d.name for d in documents if name_of(d) not in listed]
+    missing = [d.name for d in documents if d not in parts and name_of(d) not in listed]
     if not groups or missing:
         sys.exit(f"make.py: not in the README's table: {', '.join(missing)}")
     return groups
+
+
+def without_a_link():
+    """Parts of a document that it does not lead to, and documents whose pages would have one name."""
+    for part in parts:
+        whole = part.parent.with_suffix(".md")
+        if not whole.is_file() or f"]({part.parent.name}/{part.name}" not in whole.read_text():
+            yield f"{part}: no link from docs/{whole.name} leads to it"
+    names = [name_of(d) for d in documents]
+    for document in documents:
+        if names.count(name_of(document)) > 1:
+            yield f"{document}: another document's page has the same name"
 
 
 def layout():
@@ -113,7 +127,7 @@ problems = [line for line in result.stderr.splitlines() if line.strip()]
 if result.returncode != 0:
     problems.append(f"{doxygen} ended with {result.returncode}")
 problems += [f"{d}: it has no page" for d in documents if not (folder / f"{name_of(d)}.html").is_file()]
-problems += [*broken_links(), *(left_markdown() if not problems else [])]
+problems += [*without_a_link(), *broken_links(), *(left_markdown() if not problems else [])]
 if problems:
     sys.exit("\n".join(problems).replace(f"{source}/", ""))
 print(f"{folder}/index.html")

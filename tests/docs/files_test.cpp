@@ -23,7 +23,7 @@ std::string text_of(const fs::path& file) {
 std::vector<fs::path> documents() {
   std::vector<fs::path> files{root / "README.md", root / "CONTRIBUTING.md",
                               root / "bench" / "README.md"};
-  for (const auto& entry : fs::directory_iterator(root / "docs")) {
+  for (const auto& entry : fs::recursive_directory_iterator(root / "docs")) {
     if (entry.path().extension() == ".md") files.push_back(entry.path());
   }
   return files;
