@@ -16,7 +16,7 @@ namespace navjit::accuracy {
 namespace {
 
 constexpr std::size_t direction_bins = 10;
-/// Of so many rays it is looked up where they come into observed volumes: that takes its time.
+/// For this many rays it is looked up where they come into observed volumes, which takes its time.
 constexpr std::size_t rays_with_entries = 10000;
 /// Rays that take turns: the shortest time of each is taken.
 constexpr std::size_t rays_of_a_turn = 64;
@@ -80,7 +80,7 @@ std::size_t bin_of(const Ray& ray) {
   return std::min(static_cast<std::size_t>(std::max(bin, 0.0)), direction_bins - 1);
 }
 
-/// Grows ray by ray.
+/// What an observation changes along rays; grows ray by ray.
 struct Changes {
   std::vector<double> all;
   std::vector<std::vector<double>> by_direction{direction_bins};

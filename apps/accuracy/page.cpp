@@ -26,7 +26,7 @@ std::string text_of(const char* format, double value) {
 /// An error: 0 is a value like any other.
 Cell error_of(double value) { return {text_of("%.2g", value), value}; }
 
-/// Behind others: of a paper's width they leave about a half.
+/// Headings that follow others: these have about half of a paper's width.
 constexpr const char* error_headings[] = {
     "off by, ulp: median", "99.9%",      "largest",      "off by, mm: largest",
     "off surface, ulp",    "wrong ends", "wrong volumes"};

@@ -22,12 +22,12 @@ struct Through {
   std::vector<Entry> entries;
 };
 
-/// What is needed of a detector for it.
+/// What of a detector is needed to find what rays go through.
 class Passing {
  public:
   explicit Passing(const ObservedDetector& seen);
 
-  /// By volume: entries into which are recorded; none before this is called.
+  /// Says by volume whether entries into it are recorded; none are before this is called.
   void record_entries(std::vector<bool> volumes) { recorded_ = std::move(volumes); }
 
   /// By a navigator of seen.detector(). `steps` grows by what the run would see.

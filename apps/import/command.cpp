@@ -30,8 +30,8 @@ struct Options {
   double unit = 1;
 };
 
-/// Half lengths of a box about the origin with room about the surface: what has coordinates keeps
-/// them.
+/// Half lengths of a box about the origin with room about the surface, whose coordinates stay as
+/// they are.
 Vec3 world_of(const Extent& extent) {
   const auto half = [](double low, double high) {
     return std::max(std::abs(low), std::abs(high)) + 0.1 * (high - low);
@@ -71,7 +71,7 @@ int import_surface(const Options& options) {
   return 0;
 }
 
-/// What says something about surfaces alone is refused where it would not be heeded.
+/// Options that are for surfaces alone are refused, since they would not be heeded.
 int import_geometry(const Options& options, const CLI::App& command) {
   for (const char* option :
        {"--unit", "--name", "--material", "--density", "--formula", "--world"}) {

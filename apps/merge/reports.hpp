@@ -16,7 +16,7 @@ namespace navjit::apps {
 class ReportMerger {
  public:
   void add(const nlohmann::json& report);
-  /// Of all that were added; at least one.
+  /// One report of all that were added; there has to be at least one.
   nlohmann::ordered_json merged() const;
   /// "; parts 3 and 4 of 100 are missing" or nothing, for people.
   std::string missing() const;

@@ -11,7 +11,7 @@ struct Launched {
   unsigned rank = 0, of = 0;
 };
 
-/// Of Open MPI, of PMI (MPICH and what descends from it, Slurm) or of PMIx. Nothing where this
+/// From what Open MPI, PMI (MPICH and what descends from it, Slurm) or PMIx say. Nothing where this
 /// process was started by none of them: MPI then stays untouched, and costs nothing.
 std::optional<Launched> launched();
 

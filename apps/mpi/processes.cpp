@@ -26,7 +26,7 @@ enum : int {
   given        ///< a text of gather()
 };
 
-/// So often one that waits looks for messages, and one that works.
+/// How often a process looks for messages: one that waits, and one that works.
 constexpr std::chrono::milliseconds pause{1}, long_pause{10};
 
 std::string where(unsigned rank, unsigned count) {
@@ -36,7 +36,7 @@ std::string where(unsigned rank, unsigned count) {
          (host[0] != '\0' ? std::string(", on ") + host : "") + ")";
 }
 
-/// What it says, in a word at least.
+/// The exception's message, which is never empty.
 std::string text_of(const std::exception_ptr& thrown) {
   try {
     std::rethrow_exception(thrown);
@@ -105,7 +105,8 @@ std::string Processes::await(unsigned from, int kind) {
   }
 }
 
-/// What the first process says of all, which gets why this one has failed; empty: it has not.
+/// Tells the first process why this one has failed (`own`; empty: it has not). Returns what the
+/// first one says of all: why one of them has failed, or nothing.
 std::string Processes::verdict_on(const std::string& own) {
   if (!first()) {
     deliver(0, outcome, own);

@@ -19,7 +19,7 @@ class World {
   World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
-  /// Leaves, once all want to.
+  /// Leaves MPI, once all processes do.
   ~World();
 
   unsigned rank() const { return rank_; }
@@ -27,7 +27,7 @@ class World {
 
   /// On its way when this returns; the texts of one kind to one process arrive in order.
   void send(unsigned to, int kind, const std::string& text);
-  /// Whether all have gone.
+  /// Whether all texts have been sent.
   bool sent_all();
 
   /// The next text of this kind from a process, or from whichever, if it is there.

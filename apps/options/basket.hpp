@@ -9,7 +9,7 @@ class App;
 
 namespace navjit::apps {
 
-/// 0 stays where it is not given.
+/// Leaves `basket` as it is where the option is not given.
 void add_basket(CLI::App& command, std::size_t& basket);
 
 }  // namespace navjit::apps

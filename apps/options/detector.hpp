@@ -19,8 +19,8 @@ struct Detector {
 
 void add_detector(CLI::App& command, Detector& detector);
 
-/// What is odd in it is logged, a line each; or it is put into a report, for a command that does
-/// something else with it. Throws GdmlError.
+/// Reads the detector. What is odd in it is logged, a line each; or it is put into a report, for a
+/// command that does something else with it. Throws GdmlError.
 std::shared_ptr<const World> read(const Detector& detector);
 std::shared_ptr<const World> read(const Detector& detector, GdmlReport& report);
 

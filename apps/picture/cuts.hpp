@@ -29,7 +29,7 @@ struct Gap {
   Vec3 face;        ///< unit normal of the plane at its end, out of what is left there
 };
 
-/// Of all cuts, in order, and none touches the next.
+/// The gaps of all cuts along the ray, in order; none touches the next.
 std::vector<Gap> gaps_of(const std::vector<Cut>& cuts, const Ray& ray);
 
 /// As common::pass(), but what is cut away is jumped over: `sink(leg, face)` gets the parts of legs
