@@ -5,8 +5,10 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdlib>
 #include <mutex>
+#include <new>
 
 #include "jit/exiting.hpp"
 #include "jit/over_fork.hpp"
@@ -73,9 +75,18 @@ struct WaitWhenDestroyed {
 constexpr auto between_calls = std::chrono::microseconds(200);
 constexpr int most_calls = 1 << 15;
 
+/// Bytes, more than glibc takes to note the destructor of an object of a thread, and more than its
+/// caches for threads keep: from these it takes nothing for that.
+constexpr std::size_t more_than_noted = 4096;
+
 }  // namespace
 
 void outlast_by_this_thread() {
+  // glibc ends the process if it has no memory to note the destructor. So memory is tried first,
+  // which throws instead.
+  static thread_local bool tried = false;
+  if (!tried) ::operator delete(::operator new(more_than_noted));
+  tried = true;
   [[maybe_unused]] static thread_local const WaitWhenDestroyed at_its_end;
 }
 

@@ -34,7 +34,7 @@ void outlast_activities();
 
 /// The same for all static objects, also those that are made later, if the calling thread is the
 /// one that will call exit(): to be called by threads that might. If the thread only ends, that
-/// waits for nothing. Further calls by a thread cost nothing.
+/// waits for nothing. Further calls by a thread cost nothing. Throws std::bad_alloc.
 void outlast_by_this_thread();
 
 /// The same as outlast_activities() for static objects that LLVM makes later, when it first needs
