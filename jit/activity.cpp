@@ -75,15 +75,15 @@ struct WaitWhenDestroyed {
 constexpr auto between_calls = std::chrono::microseconds(200);
 constexpr int most_calls = 1 << 15;
 
-/// Bytes, more than glibc takes to note the destructor of an object of a thread, and more than its
-/// caches for threads keep: from these it takes nothing for that.
+/// Bytes: more than glibc needs to note the destructor of a thread's object, and too many for its
+/// cache of freed memory in each thread, from which it could not take them for that.
 constexpr std::size_t more_than_noted = 4096;
 
 }  // namespace
 
 void outlast_by_this_thread() {
-  // glibc ends the process if it has no memory to note the destructor. So memory is tried first,
-  // which throws instead.
+  // glibc ends the process if it has no memory to note the destructor below. So memory is taken and
+  // given back first, which throws if there is none.
   static thread_local bool tried = false;
   if (!tried) ::operator delete(::operator new(more_than_noted));
   tried = true;
