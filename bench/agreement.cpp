@@ -13,7 +13,7 @@ std::vector<Passed> without_short_steps(std::span<const Passed> steps, double sh
       kept.back().length += step.length;
     }
   }
-  // The first may be short itself, with no step before it.
+  // The first step may be short itself, and has no step before it.
   if (kept.size() > 1 && kept.front().length <= shortest) {
     kept[1].length += kept[0].length;
     kept.erase(kept.begin());

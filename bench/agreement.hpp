@@ -13,12 +13,12 @@ struct Passed {
   double length;  ///< mm
 };
 
-/// The steps that get on: shorter ones are the engines' own way of crossing faces that touch, and
-/// go to the step before.
+/// Merges steps no longer than `shortest` with the step before: they are an engine's own way of
+/// crossing faces that touch.
 std::vector<Passed> without_short_steps(std::span<const Passed> steps, double shortest);
 
 /// Whether both went through the same volumes, with boundaries that are no farther apart than the
-/// tolerance, mm. A step of twice the tolerance or less may be left out.
+/// tolerance, mm. A step of at most twice the tolerance may be missing in one of them.
 bool agree(std::span<const Passed> a, std::span<const Passed> b, double tolerance);
 
 }  // namespace navjit::bench

@@ -1,6 +1,6 @@
-// The part of arrays.py that is in C++: arrays of points, located, stepped, asked for their safety,
-// and rays followed to their end. Usage: arrays DETECTOR.gdml RAYS.bin (N times x, y, z, u, v, w).
-// Prints the processor time of each part, s.
+// The part of arrays.py that is in C++: arrays of points are located, stepped and asked for their
+// safety, and rays are followed to their end. Usage: arrays DETECTOR.gdml RAYS.bin (N times x, y,
+// z, u, v, w). Prints the processor time of each part, s.
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -45,7 +45,7 @@ int main(int argc, char** argv) try {
     const double length = detector.material(detector.volume(v)).radiation_length;
     radiation[v] = length > 0 ? 1 / length : 0;
   }
-  // Twice: the first time memory is new, and the profile too.
+  // Twice, since the first time the memory is new, and so is the profile.
   for (int turn = 0; turn < 2; ++turn) {
     double begun = thread_seconds();
     std::vector<State> states(count);

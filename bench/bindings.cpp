@@ -1,6 +1,6 @@
-// What each binding of the scene template brings, on many detectors: the generic navigator, scenes
-// bound to data, to structures as well, the hottest to constants as well; straight rays and
-// particles that scatter; in one process, the same rays, in turn, processor time.
+// What each binding of the scene template gains, on many detectors: the generic navigator, then
+// scenes bound to data, also to structures, and the hottest also to constants; straight rays and
+// particles that scatter. All in one process, on the same rays, in turn, by processor time.
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
@@ -36,10 +36,10 @@ Work straight(Navigator& navigator, const World& world, const std::vector<Ray>& 
   return work;
 }
 
-/// What chance has in store, drawn beforehand: random numbers would cost as much as steps.
+/// Random numbers, drawn beforehand: to draw them would cost as much as the steps.
 struct Draw {
   double path;  ///< exponential, mean 1
-  Vec3 kick;    ///< of the direction
+  Vec3 kick;    ///< change of the direction
 };
 
 std::vector<Draw> draws() {
@@ -54,8 +54,8 @@ std::vector<Draw> draws() {
 }
 
 /// A particle as physics would move it: steps of exponential length about `mean_path`, after which
-/// its direction changes by some 0.1 rad, one time in twenty to anywhere; the safety is asked
-/// before each step, as multiple scattering does. At most `most_steps`.
+/// its direction changes by some 0.1 rad, or one time in twenty to any direction. The safety is
+/// asked before each step, as multiple scattering does. At most `most_steps` steps.
 Work scattering(Navigator& navigator, const std::vector<Ray>& rays, double mean_path,
                 int most_steps) {
   static const std::vector<Draw> chance = draws();
@@ -84,7 +84,7 @@ Work scattering(Navigator& navigator, const std::vector<Ray>& rays, double mean_
 struct Engine {
   std::unique_ptr<Runtime> runtime;
   Navigator navigator;
-  std::vector<double> ns[2]{};  ///< of the work done once, by kind and repetition
+  std::vector<double> ns[2]{};  ///< for the work done once, by kind and repetition
   Work work[2]{};
 
   Engine(const std::shared_ptr<const World>& world, const RuntimeOptions& options)
@@ -130,10 +130,10 @@ void measure(const std::string& file, const bench::RayOptions& options, int repe
   }
   for (int r = 0; r < repetitions; ++r) {
     for (std::size_t turn = 0; turn < engines.size(); ++turn) {
-      // Who comes after whom changes: the one before leaves caches filled with its own.
+      // The order changes, since an engine leaves the caches filled with its own data.
       Engine& engine = *engines[r % 2 == 0 ? turn : engines.size() - 1 - turn];
       for (int kind : {0, 1}) {
-        // Long beside the trials that the runtime makes of scenes now and then.
+        // This is long compared with the trials that the runtime now and then makes of scenes.
         const double start = common::thread_ns();
         double took = 0;
         int times = 0;

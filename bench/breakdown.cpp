@@ -1,5 +1,5 @@
-// Where the time of specialised transport goes: by scene and by what is being done there, from
-// samples or instruction by instruction; and what it could not be less than.
+// Where the time of specialised transport goes, by scene and by what is done there, from samples or
+// instruction by instruction; and the time that it needs at the least.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -61,7 +61,7 @@ bool one_of(const std::string& name, const std::array<const char*, N>& names) {
   return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
 }
 
-/// By the names that generated code gives its functions (codegen/).
+/// The phase of a function, by the names that generated code gives its functions (codegen/).
 Phase phase_of(const bench::CodeMap::Place& place) {
   if (place.functions.empty()) return elsewhere;
   if (!place.generated) {
@@ -84,13 +84,13 @@ Phase phase_of(const bench::CodeMap::Place& place) {
     if (begins(f, "distance_to_out") || begins(f, "distance_to_exit")) return step_exit;
     candidates |= begins(f, "nearest") || begins(f, "find") || f == "is_there";
   }
-  // Out of line, and of no scene: the kernels themselves.
+  // Functions that are not inlined and belong to no scene: the kernels themselves.
   if (begins(outermost, "exit_") || begins(outermost, "distance_")) return step_exit;
   if (step || begins(outermost, "nearest_from")) return candidates ? step_candidates : step_rest;
   return candidates ? relocation_candidates : relocation_rest;
 }
 
-/// Instructions are counted of so many steps: with a thousand a step, what a Sampler holds.
+/// Instructions are counted for so many steps: at a thousand for each, a Sampler can hold them.
 constexpr std::uint64_t steps_counted = 7000;
 
 std::uint64_t transport_all(Navigator& navigator, const std::vector<Ray>& rays, double tolerance) {
@@ -167,7 +167,7 @@ int main(int argc, char** argv) try {
   const bench::Floor floor(geometry, rays);
   const double tolerance = world->tolerance;
 
-  // Times of both, in turn.
+  // Both are timed in turn.
   std::vector<double> ns, floor_ns, cycles, floor_cycles;
   std::uint64_t steps = transport_all(navigator, rays, tolerance);
   double length = floor.run();
@@ -190,7 +190,7 @@ int main(int argc, char** argv) try {
   bench::CodeMap map;
   bench::Sampler sampler;
   Counts time;
-  sampler.start();  // once: short passes would be sampled at their ends alone
+  sampler.start();  // once, since short passes would be sampled at their ends only
   for (const double start = common::thread_ns(); common::thread_ns() - start < 1e9 * seconds;) {
     transport_all(navigator, rays, tolerance);
   }

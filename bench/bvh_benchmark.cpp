@@ -1,5 +1,5 @@
-// All box structures against each other: methods and clusterings, by scene and kind of query. The
-// choice of navjit::bvh::default_method is read from its tables; docs/bvh.md.
+// Compares all box structures: methods and clusterings, by scene and kind of query. From its tables
+// navjit::bvh::default_method was chosen (docs/bvh.md).
 //
 // Queries start at random within the bounds of the boxes. A ray's visitor behaves like a navigator
 // whose daughters all fill their boxes: the first box met sets the limit.
@@ -42,7 +42,7 @@ std::vector<Query> make_queries(const Extent& bounds, std::size_t count) {
   return queries;
 }
 
-// Each returns something that depends on all visits.
+// Each function returns something that depends on all visits.
 double first_hit(const BoxTree& tree, const Query& q) {
   double limit = 1e9;
   tree.along_ray(q.point, q.direction, limit,
@@ -81,7 +81,7 @@ constexpr Kind kinds[] = {
 
 volatile double sink;
 
-/// ns a query.
+/// The time of a query, ns.
 double time_queries(const Kind& kind, const BoxTree& tree, const std::vector<Query>& queries) {
   const double start = common::thread_ns();
   double sum = 0;
@@ -119,7 +119,7 @@ void print_heading(const std::vector<Candidate>& list) {
   std::printf("\n");
 }
 
-/// Rows of median ns a query, and one of ms to build; structures in turn within each repetition.
+/// Prints median ns for each query, and ms to build; structures take turns in each repetition.
 void measure(const BoxScene& scene, const std::vector<Candidate>& list, int repetitions,
              std::size_t query_count) {
   const std::vector<Query> queries = make_queries(bounds(scene.boxes), query_count);

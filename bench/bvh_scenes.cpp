@@ -37,7 +37,7 @@ std::vector<Extent> mixed(std::size_t count) {
   std::mt19937_64 random(count);
   std::vector<Extent> boxes;
   for (std::size_t i = 0; i < count; ++i) {
-    // As many small ones as large ones, on a logarithmic scale.
+    // There are as many small boxes as large ones, on a logarithmic scale.
     const double edge = std::pow(10.0, uniform(random, 0, 2.5));
     const auto low = [&] { return uniform(random, -500, 500 - edge); };
     const Vec3 corner{low(), low(), low()};
@@ -66,7 +66,7 @@ std::vector<BoxScene> scenes_of(const std::string& file, std::size_t most) {
   std::vector<BoxScene> scenes;
   for (const LogicalVolume* volume : volumes) {
     if (scenes.size() == most) break;
-    // Copies of one structure tell nothing new.
+    // Several volumes with the same number of daughters are mostly copies, and tell nothing new.
     if (!scenes.empty() && scenes.back().boxes.size() == volume->daughters.size()) continue;
     BoxScene scene{std::filesystem::path(file).stem().string() + " " + volume->name, {}};
     for (const Placement& placement : volume->daughters) {

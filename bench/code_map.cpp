@@ -11,7 +11,7 @@
 
 #include "jit/detail/gdb_interface.h"
 
-// Last: its macros are names of LLVM's.
+// This is last, since its macros are names of LLVM's.
 #include <link.h>
 
 namespace navjit::bench {
@@ -47,7 +47,7 @@ Generated read_generated(const jit_code_entry& entry) {
 
 struct CodeMap::Impl {
   std::vector<Generated> generated;
-  std::map<std::uint64_t, std::pair<std::uint64_t, std::string>> own;  ///< begin: end and name
+  std::map<std::uint64_t, std::pair<std::uint64_t, std::string>> own;  ///< by begin: end and name
   std::unordered_map<std::uint64_t, Place> known;
 
   void read_own_symbols() {

@@ -1,5 +1,5 @@
-// Which functions an address of this process belongs to: generated code by its debug information,
-// the program's own by its symbols.
+// Which functions an address of this process belongs to: for generated code its debug information
+// tells it, for the program's own code its symbols.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace navjit::bench {
 
-/// Made of what the debugger's interface announces at that moment: of code compiled with debug
-/// information, and not freed since.
+/// Made from what the debugger's interface announces at that moment: code that was compiled with
+/// debug information and has not been freed.
 class CodeMap {
  public:
   CodeMap();
@@ -18,7 +18,7 @@ class CodeMap {
 
   struct Place {
     bool generated = false;
-    /// The function and what was inlined into it there, outermost first, without template
+    /// The function, and the functions inlined into it there, outermost first, without template
     /// arguments; empty where nothing is known.
     std::vector<std::string> functions;
   };

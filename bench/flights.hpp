@@ -1,4 +1,4 @@
-// Particles' steps, recorded once and made again by every engine, so that all of them answer the
+// Steps of particles, recorded once and repeated by every engine, so that all engines answer the
 // same questions without drawing random numbers.
 #pragma once
 
@@ -10,26 +10,26 @@
 
 namespace navjit::bench {
 
-/// A step, and those of no length before it: engines differ in how many they make on a boundary.
-/// `state` and `point` (mm, global) are where it begins, and then where it ends.
+/// Makes a step and those of no length before it: engines differ in how many they make on a
+/// boundary. `state` and `point` (mm, global) say where it begins, and afterwards where it ends.
 Step moved(Navigator& navigator, State& state, Vec3& point, const Vec3& direction, double limit);
 
-/// What an engine did.
+/// What an engine did with flights.
 struct Followed {
   std::uint64_t steps = 0;
   double length = 0;    ///< mm
   double safeties = 0;  ///< their sum, mm
 };
 
-/// Which safeties.
+/// Which safeties are asked for.
 enum class Asked : std::uint8_t {
   none,
-  enough,  ///< no more than the step that is planned
+  enough,  ///< no more than the length of the planned step
   whole,
 };
 
-/// Makes the flights again with a navigator, asking for the safety, if wanted, before each step
-/// that does not start on a boundary: there it is 0, and multiple scattering does not ask.
+/// Repeats the flights with a navigator. Asks for the safety, if wanted, before each step that does
+/// not start on a boundary: there it is 0, and multiple scattering does not ask.
 Followed follow(Navigator& navigator, const std::vector<peers::Flight>& flights, Asked asked);
 
 }  // namespace navjit::bench

@@ -29,7 +29,7 @@ Floor::Floor(const Geometry& geometry, const std::vector<Ray>& rays)
       const int depth = stack.depth;
       const StackLevel from = stack.levels[depth];
       const Scene& scene = geometry.scene(from.volume);
-      // The frame of `from` is gone once the stack has moved on.
+      // Copied, since the frame of `from` is lost once the stack has moved on.
       std::array<double, 9> turned{};
       if (from.rotation != nullptr) std::copy_n(from.rotation, 9, turned.begin());
       const double length = generic::step(geometry, stack, point, ray.direction,
@@ -86,7 +86,7 @@ double Floor::run() const {
         length = step.out ? distance_to_out(step.solid, p, *step.direction, tolerance_)
                           : distance_to_in(step.solid, p, *step.direction, tolerance_);
       }
-      if (!std::isfinite(length)) length = 0;  // rounded past an edge: the next step makes it up
+      if (!std::isfinite(length)) length = 0;  // rounding missed an edge: the next step adds it
       total += length;
       x += length * d.x;
       y += length * d.y;

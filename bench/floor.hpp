@@ -1,4 +1,4 @@
-// What a ray's answers cost at the least: its steps made again with every choice known beforehand.
+// The least that a ray's answers cost: its steps are repeated with every choice known beforehand.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace navjit::bench {
 
-/// Recorded steps of rays, all boundaries of which are known: which surface ends each, and in what
-/// frame.
+/// Recorded steps of rays whose boundaries are all known: which surface ends each step, and in
+/// which frame.
 class Floor {
  public:
   Floor(const Geometry& geometry, const std::vector<Ray>& rays);
 
-  /// Makes the steps again, and nothing but: the point into the frame of the solid whose surface
-  /// ends the step, one distance, the next point. Each step begins where the one before ended.
-  /// Returns the length of all, mm.
+  /// Repeats the steps and does nothing else: moves the point into the frame of the solid whose
+  /// surface ends the step, computes one distance, and the next point. Each step begins where the
+  /// one before ended. Returns the total length, mm.
   double run() const;
 
   std::uint64_t steps() const { return steps_.size(); }
@@ -26,7 +26,7 @@ class Floor {
  private:
   struct RecordedStep {
     double translation[3];
-    const double* rotation;  ///< null: none
+    const double* rotation;  ///< null: no rotation
     const Direction* direction;
     kernels::AnySolid<double> solid;
     bool out;

@@ -1,7 +1,7 @@
-// Many detectors beside Geant4's own navigator: straight rays and particles that scatter, navjit
-// generic and specialised, the same work in one process, in turn, processor time; and whether the
-// rays agree, step by step. Each detector has a process of its own: Geant4 holds one, and ends
-// with a file that is beyond it.
+// Many detectors, measured beside Geant4's own navigator: straight rays and particles that scatter,
+// with navjit generic and specialised; the same work in one process, in turn, by processor time. It
+// also compares the rays step by step. Each detector has a process of its own: Geant4 holds only
+// one, and ends the process at a file that it cannot read.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -27,7 +27,7 @@ namespace {
 using namespace navjit;
 
 constexpr double same_place = 1e-6;  // mm
-/// Less of them is no measurement.
+/// Fewer steps are no measurement.
 constexpr std::uint64_t fewest_steps = 1000;
 
 struct Options {
@@ -39,10 +39,10 @@ struct Options {
   bool show = false;
 };
 
-/// What is printed of a detector, and handed from its process as bytes.
+/// What is printed for a detector; its process hands it over as bytes.
 struct Row {
   std::uint64_t rays, differ, steps;
-  double ns[2];       ///< Geant4's, by step; straight rays and particles that scatter
+  double ns[2];       ///< Geant4's, for each step; straight rays, and particles that scatter
   double generic[2];  ///< how many times as fast navjit is
   double specialised[2];
   char failure[160];
@@ -117,7 +117,7 @@ Row measure(const std::string& file, const Options& options) {
     }
   }
   if (row.steps < fewest_steps) throw std::runtime_error("too few steps to be measured");
-  // Where they disagree the engines would be timed at unlike work.
+  // Where the engines disagree they would be timed on different work.
   if (alike.empty()) throw std::runtime_error("no ray is as Geant4's");
   auto primaries = alike;
   primaries.resize(std::min<std::size_t>(primaries.size(), options.primaries));
@@ -162,7 +162,7 @@ Row measure(const std::string& file, const Options& options) {
   return row;
 }
 
-/// In a process of its own, which may die or hang.
+/// Measures in a process of its own, which may die or hang.
 Row measure_apart(const std::string& file, const Options& options) {
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("no pipe can be made");
@@ -172,7 +172,7 @@ Row measure_apart(const std::string& file, const Options& options) {
   if (child == 0) {
     close(ends[0]);
     alarm(static_cast<unsigned>(options.patience));
-    if (std::freopen("/dev/null", "w", stdout) == nullptr) _exit(1);  // Geant4 talks
+    if (std::freopen("/dev/null", "w", stdout) == nullptr) _exit(1);  // Geant4 prints much
     if (!options.show && std::freopen("/dev/null", "w", stderr) == nullptr) _exit(1);
     Row row{};
     try {
@@ -181,7 +181,7 @@ Row measure_apart(const std::string& file, const Options& options) {
       std::snprintf(row.failure, sizeof row.failure, "%s", error.what());
     }
     const bool written = write(ends[1], &row, sizeof row) == sizeof row;
-    _exit(written ? 0 : 1);  // Geant4's own ending may be wrong about what is left
+    _exit(written ? 0 : 1);  // Geant4's own exit may fail on what is left
   }
   close(ends[1]);
   Row row{};

@@ -56,7 +56,7 @@ Ladder::Ladder(const Geometry& geometry, const std::vector<Ray>& rays) : geometr
       for (int i = 0; i <= depth; ++i) before.push_back(stack.levels[i].touchable);
       const double length = generic::step(geometry, stack, point, ray.direction, unlimited);
       standing = length > geometry.tolerance() ? 0 : standing + 1;
-      // A volume that is left and entered again at the same place is moved out of, and into.
+      // A volume that is left and entered again at the same place is both left and entered here.
       int common = 0;
       while (common <= std::min(depth, stack.depth) &&
              before[static_cast<std::size_t>(common)] == stack.levels[common].touchable) {
@@ -114,7 +114,7 @@ Ladder::Sums Ladder::climb() const {
               length, generic::distance_local(scene.daughters[recorded.hit], p, v, tolerance));
         }
         const Vec3 end = moved(point, length, direction);
-        bool known = recorded.hit >= 0;  // the daughter that is met contains where it is met
+        bool known = recorded.hit >= 0;  // the daughter that is met contains the point there
         for (; move < recorded.moves_end; ++move) {
           const std::int32_t daughter = moves_[move];
           if (daughter < 0) {

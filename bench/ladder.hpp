@@ -1,5 +1,5 @@
-// What each promise of a step costs: recorded steps made again, with one promise more on every
-// rung.
+// What each promise of a step costs: recorded steps are repeated, and each rung of a ladder keeps
+// one promise more.
 #pragma once
 
 #include <cstdint>
@@ -10,29 +10,29 @@
 
 namespace navjit::bench {
 
-/// Each rung keeps the promises of those before it. The floor (bench/floor.hpp) is the ground: it
-/// knows frames, too.
+/// Each rung keeps the promises of those before it. The ladder stands on the floor
+/// (bench/floor.hpp), which knows even the frames beforehand.
 enum class Rung {
-  frames,       ///< frames composed level by level, on a stack; choices are known
-  nearest,      ///< the way out of the volume is asked for even if a daughter comes before it
-  containment,  ///< what is gone back into, or further in, has to contain the point
-  search,       ///< nothing is known: the generic navigator's step
+  frames,       ///< frames are composed level by level, on a stack; all choices are known
+  nearest,      ///< the distance out of the volume is computed even if a daughter is nearer
+  containment,  ///< a volume that the track enters, or returns to, has to contain the point
+  search,       ///< nothing is known beforehand: the generic navigator's step
 };
 constexpr int rungs = 4;
 const char* name_of(Rung rung);
 
-/// Recorded steps of rays: which surface ends each, and which levels are left and entered then.
+/// Recorded steps of rays: which surface ends each, and which levels are then left and entered.
 class Ladder {
  public:
-  /// What a climb adds up; the same on every rung, to the last bit, but for `checks`.
+  /// The sums of a run; they are the same on every rung, to the last bit, except `checks`.
   struct Sums {
-    double length = 0;             ///< mm, of all steps
-    std::uint64_t touchables = 0;  ///< of where steps lead, those outside the world not counted
-    std::uint64_t checks = 0;      ///< solids that were asked whether they contain a point
-    std::uint64_t denied = 0;      ///< those of them that did not
+    double length = 0;             ///< of all steps, mm
+    std::uint64_t touchables = 0;  ///< sum of the numbers of those entered, but outside the world
+    std::uint64_t checks = 0;      ///< how often a solid was asked whether it contains a point
+    std::uint64_t denied = 0;      ///< how often the answer was no
   };
 
-  /// `geometry` has to outlive it.
+  /// `geometry` has to outlive this object.
   Ladder(const Geometry& geometry, const std::vector<Ray>& rays);
 
   Sums run(Rung rung) const;
@@ -40,7 +40,7 @@ class Ladder {
 
  private:
   struct RecordedStep {
-    std::int32_t hit;         ///< the daughter that is met, -1: the volume's own surface
+    std::int32_t hit;         ///< the daughter that is met; -1: the volume's own surface
     std::uint32_t moves_end;  ///< in moves_
   };
   struct Start {
@@ -54,7 +54,7 @@ class Ladder {
   const Geometry* geometry_;
   std::vector<Start> starts_;
   std::vector<RecordedStep> steps_;
-  std::vector<std::int32_t> moves_;  ///< after a step: a daughter to enter, or -1: a level out
+  std::vector<std::int32_t> moves_;  ///< after a step: a daughter to enter, or -1: leave a level
 };
 
 }  // namespace navjit::bench

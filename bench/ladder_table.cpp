@@ -14,7 +14,7 @@
 namespace navjit::bench {
 namespace {
 
-/// So that all instructions of a line fit into a Sampler, at a few thousand a step.
+/// So few that a Sampler can hold all instructions of a line, at a few thousand for each step.
 constexpr std::uint64_t steps_counted = 2000;
 constexpr int repetitions = 15;
 
@@ -24,13 +24,13 @@ std::uint64_t transport_all(Navigator& navigator, const std::vector<Ray>& rays, 
   return steps;
 }
 
-/// What a line of the table measures, on some rays. `run` makes all their steps.
+/// What one line of the table measures, on some rays. `run` makes all their steps.
 struct Line {
   std::string name;
   std::function<void()> run;
 };
 
-/// The same steps by everything, for the rays given at making.
+/// The same steps in all ways, for the rays that it is made with.
 struct Lines {
   Floor floor;
   Ladder ladder;

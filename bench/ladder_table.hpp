@@ -10,9 +10,9 @@
 
 namespace navjit::bench {
 
-/// Prints cycles and, with `instructions`, instructions per step: of the floor, of every rung above
-/// it, of the generic navigator behind the API, and of `specialised`, with what each adds to the
-/// one before. Times of all are taken in turn, of one thread. Writes the same to `json`.
+/// Prints cycles and, with `instructions`, instructions for each step: for the floor, every rung
+/// above it, the generic navigator behind the API, and `specialised`, each with the difference to
+/// the one before. All are timed in turn, on one thread. Writes the same to `json`.
 void print_ladder(const Geometry& geometry, Runtime& specialised, const std::vector<Ray>& rays,
                   bool instructions, nlohmann::ordered_json& json);
 

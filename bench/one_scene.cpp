@@ -1,6 +1,6 @@
-// One scene by the method of Wenzel et al., section 2.5: rays that start at random points of one
-// volume, each makes one step to the next boundary and is relocated behind it. Or, with --safety,
-// asks for the safety at its start.
+// Measures one scene by the method of Wenzel et al., section 2.5: rays start at random points of
+// one volume; each makes one step to the next boundary and is relocated after it. With --safety it
+// asks instead for the safety at the start of each ray.
 //
 // Every engine gets its own located states, as a simulation would hold them after the step before:
 // VecGeom its navigation states, navjit navigators that stand in the touchable. Time is taken over
@@ -25,11 +25,11 @@ namespace {
 
 using namespace navjit;
 
-/// Rays of a chunk: the stacks of their navigators stay in the first-level cache, as a track's own
-/// does.
+/// The number of rays in a chunk: the stacks of their navigators stay in the first-level cache, as
+/// the stack of a track does.
 constexpr std::size_t chunk = 16;
 
-/// So many of the chunks, the slowest, count as their mean does: the system ran something else.
+/// This fraction of the chunks, the slowest, counts as the mean of the others: it was interrupted.
 constexpr double interrupted = 0.03;
 
 struct Sums {
@@ -57,8 +57,8 @@ class SceneRunner {
     for (std::size_t first = 0; first < rays.size(); first += chunk) {
       const auto part = rays.subspan(first, std::min(chunk, rays.size() - first));
       for (std::size_t i = 0; i < part.size(); ++i) {
-        // A step of no length brings the navigator there; its direction is another one, so that
-        // nothing kept of it serves the step that is timed.
+        // A step of no length brings the navigator there. Its direction is another one, so that
+        // nothing which is kept for it helps the step that is timed.
         navigators_[i].step(part[i].state, part[i].ray.position, {0.6, 0, 0.8}, 0.0);
       }
       const std::uint64_t start = common::ticks();
@@ -75,8 +75,8 @@ class SceneRunner {
     return sums;
   }
 
-  /// Steps only from states that the navigator has to be brought to, one after the other: what a
-  /// jump to another track costs is in it.
+  /// Steps only from states to which the navigator has to be brought, one after the other: this
+  /// includes the cost of a jump to another track.
   Sums run_from_states(std::span<const bench::SceneRay> rays) {
     Sums sums;
     const double start = common::thread_ns();
@@ -102,7 +102,7 @@ class SceneRunner {
   Runtime runtime_;
   bool safety_;
   std::vector<Navigator> navigators_;
-  std::vector<double> ticks_;  ///< by chunk, a ray
+  std::vector<double> ticks_;  ///< by chunk: ticks for each ray
 };
 
 #ifdef NAVJIT_VECGEOM
@@ -115,7 +115,7 @@ std::vector<peers::Ray> peer_rays(std::span<const bench::SceneRay> rays) {
   return result;
 }
 
-/// VecGeom's states and rays of the blocks.
+/// VecGeom's states and rays, by block.
 struct PeerBlocks {
   std::vector<std::vector<peers::Ray>> rays;
   std::vector<peers::VecGeomPeer::States> states;
@@ -194,7 +194,7 @@ int main(int argc, char** argv) try {
     std::vector<bench::SceneRay> rays = bench::rays_in_volume(generic, volume, count, seed);
 #ifdef NAVJIT_VECGEOM
     if (peer) {
-      // Only what both take to be in the volume.
+      // Uses only points that both engines find in the volume.
       const auto states = peer->prepare_states(peer_rays(rays));
       std::vector<bench::SceneRay> both;
       for (std::size_t i = 0; i < rays.size(); ++i) {

@@ -9,15 +9,15 @@
 namespace navjit::bench {
 namespace {
 
-/// Of a ray, from which a photon's start is chosen: no ray may keep this from ending.
+/// The most steps of a ray from which a photon's start is chosen, so that no ray goes on for ever.
 constexpr std::uint64_t most_steps_of_start = 100000;
 
 Vec3 unit(const Vec3& v) { return (1 / norm(v)) * v; }
 
 double along(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-/// The middle of one of the steps that a ray makes, each as likely as the others; the ray's start
-/// if it misses the world.
+/// The middle of one of the steps that a ray makes, each equally likely; the ray's start if it
+/// misses the world.
 Vec3 start_along(Navigator& navigator, const Ray& ray, std::mt19937_64& random) {
   Vec3 point = ray.position, chosen = point;
   State state = navigator.locate(point, ray.direction);
@@ -44,11 +44,11 @@ std::vector<peers::Flight> photons(Runtime& runtime, const std::vector<Ray>& ray
     for (int left = options.most_steps; left > 0 && state.inside(); --left) {
       flight.steps.push_back(
           {{direction.x, direction.y, direction.z}, peers::no_limit, false, false});
-      moved(navigator, state, point, direction, 0);  // back, if it was reflected
+      moved(navigator, state, point, direction, 0);  // back again, if it was reflected
       const State from = state;
       moved(navigator, state, point, direction, peers::no_limit);
       if (!state.inside()) break;
-      // A mirror, or the rough passage into another medium.
+      // It meets a mirror, or goes through a rough face into another medium.
       if (uniform(random, 0, 1) < options.reflected) {
         const Vec3 normal = navigator.boundary_normal(from, state, point);
         direction = unit(direction - 2 * along(direction, normal) * normal);

@@ -1,4 +1,4 @@
-// Optical photons: particles that fly from boundary to boundary, and are turned back at many of
+// Optical photons: particles that fly from boundary to boundary, and are reflected at many of
 // them.
 #pragma once
 
@@ -12,15 +12,15 @@
 namespace navjit::bench {
 
 struct PhotonOptions {
-  double reflected = 0.5;  ///< of those that come to a boundary, 0 to 1
-  int most_steps = 100;    ///< of a photon; then it is absorbed
+  double reflected = 0.5;  ///< fraction of those that come to a boundary
+  int most_steps = 100;    ///< of a photon, which then is absorbed
   std::uint64_t seed = 1;
 };
 
-/// What the photons do, one after the other. Each starts somewhere along a ray, in any direction.
-/// At a boundary it goes on with a slightly changed direction, or is reflected as by a mirror. As
-/// in Geant4 it is in the volume behind the boundary by then, so that the next step leaves that at
-/// once, with length 0.
+/// The flights of the photons, one after the other. Each starts somewhere along a ray, in any
+/// direction. At a boundary it goes on with a slightly changed direction, or is reflected as by a
+/// mirror. As in Geant4, it is then in the volume behind the boundary, so that the next step leaves
+/// that volume at once, with length 0.
 std::vector<peers::Flight> photons(Runtime& runtime, const std::vector<Ray>& rays,
                                    const PhotonOptions& options);
 

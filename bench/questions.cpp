@@ -1,6 +1,6 @@
-// Questions that follow no track: where a point is, where one is after a displacement, a step from
-// any touchable, tracks that take turns, with one navigator or in a basket. A program that asks
-// nothing else, with navjit's generic and its specialised navigators, in one process, in turn.
+// Questions that follow no track: where a point is, where it is after a displacement, a step from
+// any touchable, tracks that take turns, with one navigator or in a basket. This times programs
+// that ask nothing else, with navjit's generic and specialised navigators, in one process, in turn.
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -24,7 +24,7 @@ namespace {
 
 using namespace navjit;
 
-/// Somewhere on a step of a ray.
+/// A place on a step of a ray.
 struct Place {
   State state{};
   Vec3 point{}, direction{}, displaced{};
@@ -52,7 +52,7 @@ std::vector<Place> places_on(Navigator& navigator, const std::vector<Ray>& rays,
 }
 
 /// What one call of Basket::step gets: the next steps of tracks that keep their places in the
-/// arrays. Those that have left the world stay outside.
+/// arrays. Tracks that have left the world stay outside.
 struct Row {
   std::vector<State> state;
   std::vector<double> x, y, z, u, v, w;
@@ -64,9 +64,9 @@ struct Row {
   }
 };
 
-/// Steps of so many rays in turn: whenever one has ended the next takes its place.
+/// The steps of so many rays at once: when a ray has ended, the next takes its place.
 std::vector<Row> rows_of(const std::vector<Place>& places, std::size_t tracks) {
-  std::vector<std::size_t> at(tracks, places.size());  // of each track, its next step
+  std::vector<std::size_t> at(tracks, places.size());  // the next step of each track
   std::size_t next = 0;                                // where the next ray begins
   const auto begin = [&](std::size_t& track) {
     track = next;
@@ -86,11 +86,11 @@ std::vector<Row> rows_of(const std::vector<Place>& places, std::size_t tracks) {
       if (++track == places.size() || places[track].ray != ray) begin(track);
     }
   }
-  rows.pop_back();  // of tracks that have all ended
+  rows.pop_back();  // a row in which all tracks have ended
   return rows;
 }
 
-/// All of the places in turn; the sum of the answers.
+/// Asks at all places in turn; returns the sum of the answers.
 using AskAll = std::function<double(Runtime&, Navigator&)>;
 
 struct Asked {

@@ -40,7 +40,7 @@ inline std::vector<Ray> rays_of(const RayOptions& options, const World& world) {
   return rays;
 }
 
-/// The same; isotropic rays over the world where there is nothing to aim at.
+/// The same; if there is nothing to aim at, isotropic rays over the world.
 inline std::vector<Ray> rays_of_any(RayOptions options, const World& world) {
   try {
     return rays_of(options, world);

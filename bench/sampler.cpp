@@ -18,11 +18,11 @@ thread_local volatile std::uint32_t sampled_scene = 0;
 
 namespace {
 
-// A signal handler has nothing else to reach its data by.
+// A signal handler can reach its data in no other way.
 std::vector<CodeSample> samples;
 std::atomic<std::size_t> taken{0};
 
-/// Prime, so that it does not beat with what is measured, ns.
+/// Prime, so that it does not beat with the work that is measured; ns.
 constexpr long period = 97'003;
 
 void look([[maybe_unused]] int signal, siginfo_t*, [[maybe_unused]] void* context) {

@@ -1,4 +1,4 @@
-// Where a thread is: looked at by a timer some ten thousand times a second, or after every
+// Where a thread is in its code: seen by a timer some ten thousand times a second, or after every
 // instruction.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace navjit::bench {
 
-/// What the thread that is sampled says it is at; written by it before each step.
+/// The scene that the sampled thread is in; the thread sets it before each step.
 extern thread_local volatile std::uint32_t sampled_scene;
 
 struct CodeSample {
@@ -16,11 +16,11 @@ struct CodeSample {
   std::uint32_t scene;
 };
 
-/// Samples the thread that made it. One at a time in a process. Throws Error where
-/// there is no timer to be had.
+/// Samples the thread that made it. There can be one at a time in a process. Throws Error if no
+/// timer is available.
 class Sampler {
  public:
-  /// What comes after so many samples is passed over.
+  /// Samples after so many are dropped.
   static constexpr std::size_t most_samples = 8'000'000;
 
   Sampler();
@@ -28,11 +28,11 @@ class Sampler {
   Sampler(const Sampler&) = delete;
   Sampler& operator=(const Sampler&) = delete;
 
-  /// By the timer, from start() to stop().
+  /// Samples by the timer, from start() to stop().
   void start();
   void stop();
-  /// After every instruction between the two, by the processor's trap flag: some microseconds each.
-  /// False where that is not known how (x86-64 only).
+  /// Samples after every instruction until stop(), by the processor's trap flag: some microseconds
+  /// each. False where this is not supported (it is on x86-64 only).
   static bool start_stepping();
   static void stop_stepping();
   /// The samples since the last call.

@@ -9,14 +9,14 @@
 namespace navjit::bench {
 namespace {
 
-/// A particle, and the steps that it has left, in tenths.
+/// A particle, and the number of steps that it has left, in tenths of a step.
 struct Particle {
   State state;
   Vec3 point, direction;
   int left;
 };
 
-/// The mean step in a material, mm; infinite where particles fly freely.
+/// The mean step in a material, mm; infinite where particles fly without interaction.
 double mean_step_in(const Material& material, double mean_step) {
   constexpr double thinnest = 0.01;  // g/cm3
   if (material.density < thinnest || material.radiation_length <= 0) return INFINITY;
@@ -28,7 +28,7 @@ Vec3 scattered(const Vec3& direction, double spread, std::mt19937_64& random) {
   return (1 / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z)) * v;
 }
 
-constexpr double isotropic = 1000;  // as a spread: what was before is a thousandth
+constexpr double isotropic = 1000;  // as a spread: the old direction counts a thousandth
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // Particles that scatter in matter and have secondaries, with the safety asked before each step:
-// navjit's generic and specialised navigators and, for a single detector and where it was found,
-// VecGeom's, make the same flights in one process, in turn.
+// navjit's generic and specialised navigators make the same flights in one process, in turn, and so
+// does VecGeom's navigator for a single detector, if VecGeom was found.
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -80,7 +80,7 @@ void add_vecgeom(const std::string& detector, const std::vector<peers::Flight>& 
 }
 #endif
 
-/// The speed-up that specialisation brings.
+/// Returns the speed-up that specialisation brings.
 double measure(const std::string& file, const Options& options) {
   const auto world = std::make_shared<const World>(read_world(file));
   const std::vector<Ray> primaries = bench::rays_of_any(options.rays, *world);

@@ -1,5 +1,5 @@
-// Whole-detector transport, side by side: navjit's generic and specialised navigators and, where it
-// was found, VecGeom's, on the same rays in the same process, repetition by repetition in turn.
+// Compares transport through whole detectors: navjit's generic and specialised navigators and, if
+// it was found, VecGeom's, on the same rays in the same process, taking turns at every repetition.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
@@ -57,7 +57,7 @@ Totals transport_all(Basket& basket, const World& world, const std::vector<Ray>&
   return totals;
 }
 
-/// As transport(), by Navigator::steps(): up to so many boundaries in a call.
+/// As transport(), but by Navigator::steps(): up to so many boundaries in a call.
 Totals transport_all(Navigator& navigator, const World& world, const std::vector<Ray>& rays,
                      std::size_t at_once) {
   std::vector<Step> buffer(at_once);
@@ -106,7 +106,7 @@ void add_vecgeom(const std::string& detector, const std::vector<Ray>& rays,
   }
   keep = peer;
 #ifdef NAVJIT_VECGEOM_LOOP
-  // VecGeom's loop once more, over its own volumes, answered by navjit.
+  // VecGeom's loop once more, over its own volumes, but with navjit's answers.
   try {
     auto loop = std::make_shared<bench::VecGeomLoop>();
     engines.push_back({"VecGeom's loop over navjit", [loop] { loop->attach(); },
@@ -114,7 +114,7 @@ void add_vecgeom(const std::string& detector, const std::vector<Ray>& rays,
                          const auto t = peer->transport(*own_rays, 1'000'000);
                          return Totals{t.steps - t.zero_steps, t.stuck, t.length};
                        }});
-    // What the loop and the states cost beside: navjit's own loop over the same navigators.
+    // What the loop and the states add: for comparison, navjit's own loop over the same navigators.
     auto navigator = std::make_shared<Navigator>(loop->runtime().navigator());
     engines.push_back({"navjit's loop over VecGeom's volumes", [] {},
                        [loop, navigator, &rays] {
@@ -213,8 +213,8 @@ int main(int argc, char** argv) try {
     }
   }
 
-  // Engines that make more steps for the same rays must not look better for it: the ratio is that
-  // of times per ray, and ns/step counts steps that get on.
+  // An engine that makes more steps for the same rays must not look better for it: the ratio is
+  // that of times per ray, and ns/step counts steps that move the ray.
   std::printf("%s: %zu rays, %d repetitions\n\n", detector.c_str(), rays.size(), repetitions);
   std::printf(
       "| engine | steps | length, mm | stuck | ns/step (quartiles) | cycles/step, lowest quartile "

@@ -1,4 +1,4 @@
-// VecGeom's volumes navigated by navjit::vecgeom, without a header of VecGeom's.
+// VecGeom's volumes navigated by navjit::vecgeom, with no header of VecGeom.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,8 @@
 
 namespace navjit::bench {
 
-/// Of the world that VecGeom has loaded, with every scene specialised. Has to be destroyed before
-/// that world is.
+/// Takes the world that VecGeom has loaded, with every scene specialised. It has to be destroyed
+/// before that world.
 class VecGeomLoop {
  public:
   VecGeomLoop();

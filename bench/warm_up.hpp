@@ -1,4 +1,4 @@
-// What is measured as in a long run.
+// Brings a runtime to the state of a long run before it is measured.
 #pragma once
 
 #include "common/clock.hpp"
@@ -6,10 +6,10 @@
 
 namespace navjit::bench {
 
-/// Does the work again and again, for so many seconds of processor time and more, until nothing is
-/// left to be specialised and what came last has been on trial. What is still undecided then is
-/// decided: a benchmark of milliseconds may fall into a stretch of a trial that shows the other
-/// side, which a run has for a hundredth of its time.
+/// Repeats the work for at least so many seconds of processor time, until nothing is left to be
+/// specialised and the newest navigators have been on trial. Trials that are still undecided are
+/// then decided: a benchmark of milliseconds may fall into a stretch of a trial that uses the other
+/// navigator, which a run does for a hundredth of its time.
 template <class Work>
 void warm_up(Runtime& runtime, double seconds, const Work& work) {
   for (const double part : {0.6, 0.4}) {

@@ -1,5 +1,5 @@
-# Configures SOURCE without the JIT into BINARY, with LLVM hidden, and looks for what should not be
-# there.
+# Configures SOURCE without the JIT into BINARY, with LLVM hidden, and checks that nothing of LLVM
+# is there.
 execute_process(
   COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${BINARY} -G Ninja -D CMAKE_BUILD_TYPE=Release
           -D NAVJIT_JIT=OFF -D NAVJIT_BENCH=OFF -D CMAKE_DISABLE_FIND_PACKAGE_LLVM=ON

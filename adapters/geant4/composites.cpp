@@ -1,4 +1,4 @@
-// Solids of several parts.
+// Converts solids of several parts.
 #include <G4AffineTransform.hh>
 #include <G4DisplacedSolid.hh>
 #include <G4IntersectionSolid.hh>
@@ -14,7 +14,7 @@
 namespace navjit::geant4 {
 namespace {
 
-/// Of a map from an outer frame into a part's: where axes and origin go tells all of it.
+/// The map from an outer frame into that of a part, told by where the axes and the origin go.
 template <typename Turn>
 SolidFrame frame(const G4ThreeVector& origin, const Turn& turn) {
   SolidFrame frame;
@@ -50,7 +50,7 @@ Solid transformed(const std::string& name, const G4VSolid& part, const G4Transfo
     return G4ThreeVector(turned.x(), turned.y(), turned.z());
   });
   if (reflected) {
-    // The mirror is made across z, in the part's own frame; the rest is a rotation.
+    // The reflection is across z, in the part's own frame; the rest is a rotation.
     solid = make_scaled(name + "_mirrored", solid, 1, 1, -1);
     for (int column = 0; column < 3; ++column) at.rotation[6 + column] *= -1;
   }

@@ -1,4 +1,4 @@
-// Solids that polygons, planes or facets are given for.
+// Converts solids that are given by polygons, planes or facets.
 #include <G4ExtrudedSolid.hh>
 #include <G4GenericPolycone.hh>
 #include <G4GenericTrap.hh>
@@ -25,7 +25,7 @@ std::vector<ContourPoint> corners(const S& solid) {
   return points;
 }
 
-/// The planes that the user gave; `factor` brings their radii to navjit's.
+/// The planes that the user gave; `factor` converts their radii to navjit's.
 template <typename Historical>
 std::vector<ZPlane> planes(const Historical& given, double factor) {
   std::vector<ZPlane> planes;
@@ -47,7 +47,7 @@ Solid polycone(const G4Polycone& s) {
 Solid polyhedra(const G4Polyhedra& s) {
   const G4PolyhedraHistorical* given = s.GetOriginalParameters();
   if (!s.IsGeneric() && given != nullptr && given->Num_z_planes > 0) {
-    // Geant4 keeps the radii of the edges, navjit those of the sides.
+    // Geant4 holds the radii of the edges, and navjit those of the sides.
     const double factor = std::cos(given->Opening_angle / given->numSide / 2);
     return make_polyhedra(s.GetName(), planes(*given, factor), given->numSide, given->Start_angle,
                           given->Opening_angle);

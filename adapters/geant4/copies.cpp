@@ -16,7 +16,7 @@ namespace {
   throw Unsupported("volume '" + volume.GetName() + "': " + why);
 }
 
-/// Each is a placement of its own, which takes 1600 bytes with all that navigation needs of it.
+/// Each copy becomes a placement, which takes 1600 bytes with all that navigation needs of it.
 constexpr G4int most_copies = 1 << 20;
 
 struct Replication {
@@ -30,7 +30,7 @@ struct Replication {
   }
 };
 
-/// Rings: Geant4 takes their radii from the replication, and the rest from the solid.
+/// Rings: Geant4 takes their radii from the replication, and everything else from the solid.
 Solid ring(const G4VPhysicalVolume& volume, const G4VSolid& solid, const Replication& replication,
            G4int number) {
   const auto* tubs = dynamic_cast<const G4Tubs*>(&solid);
@@ -71,8 +71,8 @@ void for_each_parameterised(G4VPhysicalVolume& volume,
     G4VSolid* solid = parameterisation->ComputeSolid(i, &volume);
     solid->ComputeDimensions(parameterisation, i, &volume);
     parameterisation->ComputeTransformation(i, &volume);
-    // Where a material depends on the mother's copy, Geant4 is told of it at each entrance; navjit
-    // needs none.
+    // If a material depends on the mother's copy, Geant4 looks for it at each entrance; navjit
+    // needs no material.
     const G4Material* material = parameterisation->IsNested()
                                      ? volume.GetLogicalVolume()->GetMaterial()
                                      : parameterisation->ComputeMaterial(i, &volume, nullptr);

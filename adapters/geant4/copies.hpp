@@ -1,4 +1,4 @@
-// The copies of replicas, divisions and parameterised volumes.
+// Lists the copies of replicas, divisions and parameterised volumes.
 #pragma once
 
 #include <G4Material.hh>
@@ -10,18 +10,18 @@
 
 namespace navjit::geant4 {
 
-/// One copy. The physical volume's own transformation is the copy's.
+/// One copy. Meanwhile the physical volume's own transformation is that of the copy.
 struct Copy {
   G4int number;
-  const G4VSolid* solid;       ///< of its logical volume, in the copy's dimensions
+  const G4VSolid* solid;       ///< that of its logical volume, with the copy's dimensions
   const G4Material* material;  ///< may be null
-  bool changing = true;        ///< whether copies may have other solids
-  /// Instead of `solid`, where Geant4 ignores that: rings along the radius.
+  bool changing = true;        ///< whether other copies may have other solids
+  /// Takes the place of `solid` where Geant4 ignores that: rings along the radius.
   Solid shape{};
 };
 
-/// Calls `take` with each copy, in order. Throws Unsupported where the copies depend on more than
-/// their number, or Geant4 does not stop at their boundaries.
+/// Calls `take` with each copy, in order. Throws Unsupported if the copies depend on more than
+/// their number, or if Geant4 does not stop at their boundaries.
 void for_each_copy(G4VPhysicalVolume& volume, const std::function<void(const Copy&)>& take);
 
 }  // namespace navjit::geant4

@@ -13,7 +13,7 @@
 
 namespace navjit::geant4 {
 
-/// A detector of its own: the volume is its world, and its daughters have no daughters.
+/// A detector in which the volume is the world, and its daughters have no daughters.
 struct ExternalVolume {
   Detector detector;
   Runtime runtime;
@@ -134,7 +134,7 @@ G4double ExternalNavigation::ComputeStep(const G4ThreeVector& local_point,
           valid_normal = true;
           normal =
               vector(at.navigator.boundary_normal(mother, step.next, from + step.length * along));
-          // Geant4 wants it as the volume's mother sees it.
+          // Geant4 wants the normal in the frame of the volume's mother.
           const G4RotationMatrix* turn = history.GetTopVolume()->GetRotation();
           if (turn != nullptr) normal *= turn->inverse();
         }

@@ -1,4 +1,4 @@
-// Solids of Geant4's that navjit has no kernel for, asked as they are.
+// Solids of Geant4 that navjit has no kernel for: Geant4 is asked for their answers.
 #include <G4AffineTransform.hh>
 #include <G4GeometryTolerance.hh>
 #include <G4VoxelLimits.hh>
@@ -12,12 +12,12 @@
 namespace navjit::geant4 {
 namespace {
 
-/// Geant4's infinity, and what is near it, as navjit's.
+/// A distance with Geant4's infinity, or what is near it, replaced by navjit's.
 double distance(G4double given) {
   return given >= kInfinity / 2 ? std::numeric_limits<double>::infinity() : given;
 }
 
-/// Does not own the solid: Geant4's stores do.
+/// Does not own the solid; Geant4's stores own it.
 class Geant4Solid : public ForeignSolid {
  public:
   explicit Geant4Solid(const G4VSolid& solid)
@@ -53,7 +53,7 @@ class Geant4Solid : public ForeignSolid {
   double tolerance_;
 };
 
-/// What every solid can say of its extent; BoundingLimits() is left to the base class by many.
+/// The extent from what every solid can tell; many do not override BoundingLimits().
 Extent extent_of(const G4VSolid& solid) {
   const G4VoxelLimits unlimited;
   const G4AffineTransform unmoved;
@@ -65,7 +65,7 @@ Extent extent_of(const G4VSolid& solid) {
       throw Unsupported("solid '" + solid.GetName() + "': its class " + solid.GetEntityType() +
                         " does not say how large it is (CalculateExtent)");
     }
-    // Of boxes that end on the surface: what is on it to within Geant4's tolerance is in the box.
+    // Boxes may end on the surface: the margin takes in what is on it by Geant4's tolerance.
     const double margin = 1e-6 + 1e-9 * std::max(std::abs(low[axis]), std::abs(high[axis]));
     low[axis] -= margin;
     high[axis] += margin;

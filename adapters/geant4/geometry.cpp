@@ -15,8 +15,8 @@
 namespace navjit::geant4 {
 namespace {
 
-/// Geant4 knows a copy's solid in one state only, that of the copy which was computed last; one
-/// that is asked itself has to be a copy of its own.
+/// Geant4 holds a copy's solid in one state only, that of the copy which was computed last. A solid
+/// that is asked itself therefore has to be copied.
 const G4VSolid& own_copy(const G4VSolid& solid) {
   const G4VSolid* copy = solid.Clone();
   if (copy == nullptr || typeid(*copy) != typeid(solid)) {
@@ -38,7 +38,7 @@ void mark(DetectorBuilder& builder, VolumeId id, const G4LogicalVolume& logical)
 
 }  // namespace
 
-/// A conversion under way: volumes whose daughters are not yet placed wait in a list.
+/// A conversion under way. Volumes whose daughters are not placed yet wait in a list.
 struct Conversion {
   DetectorBuilder builder{};
   Materials materials{builder};
@@ -46,7 +46,7 @@ struct Conversion {
   std::vector<std::pair<VolumeId, const G4LogicalVolume*>> waiting{};
   std::map<const G4LogicalVolume*, VolumeId> plain{};
   std::map<std::tuple<const G4LogicalVolume*, std::string, const G4Material*>, VolumeId> variants{};
-  std::vector<std::string> asked{};  ///< volumes whose solids answer for themselves
+  std::vector<std::string> asked{};  ///< volumes whose solids Geant4 is asked for
 
   VolumeId add(const G4LogicalVolume& logical, Solid solid, const G4Material* material) {
     const VolumeId id = builder.volume(logical.GetName(), std::move(solid), materials(material));
@@ -57,7 +57,7 @@ struct Conversion {
     return id;
   }
 
-  /// `changing`: the solid is that of another copy later.
+  /// `changing`: another copy changes this solid later.
   Solid solid_of(const G4LogicalVolume& logical, const G4VSolid& solid, bool changing) {
     try {
       ForeignSolids foreign;
@@ -107,7 +107,7 @@ struct Conversion {
   static Geometry run(G4VPhysicalVolume& world) {
     Conversion conversion;
     const VolumeId top = conversion.volume(*world.GetLogicalVolume());
-    // The list grows while it is worked on.
+    // Indices, since the list grows while the loop runs.
     for (std::size_t i = 0; i < conversion.waiting.size(); ++i) {
       const auto [id, logical] = conversion.waiting[i];
       conversion.place_daughters(id, *logical);
@@ -138,7 +138,7 @@ Geometry::Geometry(Detector detector, const std::vector<std::vector<Placed>>& da
       const Placed& placed = placed_[at];
       if (only_[static_cast<std::size_t>(placed.volume->GetInstanceID())].mother == mother)
         continue;
-      // Where two have the same number, Geant4 cannot tell them apart either.
+      // If two have the same number, Geant4 cannot tell them apart either.
       copies_.try_emplace({placed.volume, placed.number, mother}, at);
     }
   }
@@ -148,7 +148,7 @@ void Geometry::add_only(const Placed& placed, VolumeId mother, std::uint32_t at)
   const auto instance = static_cast<std::size_t>(placed.volume->GetInstanceID());
   if (instance >= only_.size()) only_.resize(instance + 1);
   Only& only = only_[instance];
-  // A second of the same placement: all of them are looked up by their numbers.
+  // This is a second daughter of the same placement: all of them are looked up by their numbers.
   only = only.at == none ? Only{mother, at} : Only{none, 0};
 }
 

@@ -1,4 +1,4 @@
-// What navjit throws, as an exception of Geant4's.
+// Turns what navjit throws into an exception of Geant4.
 #pragma once
 
 #include <G4Exception.hh>
@@ -8,8 +8,8 @@
 
 namespace navjit::geant4 {
 
-/// What a call gives, or `fallback` where navjit does not take its numbers: not finite, or no
-/// direction. Geant4 then aborts the event.
+/// Returns what the call gives, or `fallback` if navjit does not accept its numbers (not finite, or
+/// no direction). Geant4 then aborts the event.
 template <typename Call, typename Answer>
 Answer guarded(const char* name, const Call& call, Answer fallback) {
   try {

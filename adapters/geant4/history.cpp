@@ -1,4 +1,4 @@
-// Geant4's history of where a track is, kept equal to navjit's state.
+// Keeps Geant4's history of where a track is equal to navjit's state.
 #include <G4LogicalVolume.hh>
 #include <G4TouchableHistory.hh>
 #include <G4VPVParameterisation.hh>
@@ -10,7 +10,7 @@
 namespace navjit::geant4 {
 namespace {
 
-/// As Geant4 has it when a track is in that copy: its place, dimensions and material.
+/// Sets up what Geant4 has for a track in that copy: its place, dimensions and material.
 void set_up_copy(const Placed& placed, const G4NavigationHistory& mother) {
   G4VPhysicalVolume& volume = *placed.volume;
   G4VPVParameterisation* parameterisation = volume.GetParameterisation();
@@ -64,7 +64,7 @@ std::size_t Navigator::follow(const State& next) {
 
 std::optional<State> Navigator::adopt(const G4NavigationHistory& history) {
   const std::size_t depth = history.GetDepth();
-  // Levels that are one object are the same place, and so are those above them.
+  // Levels that are the same object are the same place, and so are the levels above them.
   const std::size_t most = std::min(depth, levels_.size() - 1);
   std::size_t kept = most;
   const auto one_object = [&](std::size_t at) {
@@ -111,8 +111,8 @@ G4VPhysicalVolume* Navigator::reset(const G4ThreeVector& point, const G4ThreeVec
   if (!start) return Navigator::locate(point, &direction, false, false);
   state_ = *start;
   if (!engine_->geometry.plain()) SetupHierarchy();
-  // Where there is room about the point it is in no other volume. The safety that says so is what
-  // multiple scattering asks for next. Often it asked where the parent was.
+  // If there is room about the point, it is in no other volume. The safety that shows this is what
+  // multiple scattering asks for next; often it was asked where the parent was.
   const Vec3 at{point.x(), point.y(), point.z()};
   double safety = safeties_.find(state_, at);
   if (safety < 0) safety = new_distance_to_boundary(at);

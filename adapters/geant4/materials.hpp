@@ -8,11 +8,11 @@
 
 namespace navjit::geant4 {
 
-/// Adds materials to a builder, each once.
+/// Adds materials to a builder, each of them once.
 class Materials {
  public:
   explicit Materials(DetectorBuilder& builder) : builder_(builder) {}
-  /// Without a material: one of density 0.
+  /// Null gives a material of density 0.
   DetectorBuilder::MaterialId operator()(const G4Material* material);
 
  private:

@@ -14,11 +14,11 @@
 namespace navjit::geant4 {
 namespace {
 
-/// Counts a call, and times one of many.
+/// Counts a call, and times one of many of them.
 class Counted {
  public:
   Counted(Counts& counts, Call call) : count_(counts.calls[static_cast<std::size_t>(call)]) {
-    // Not the first, which may convert the world.
+    // The first is not timed, since it may convert the world.
     timed_ = (++count_.calls & (sampled_calls - 1)) == 0;
     if (timed_) [[unlikely]]
       start_ = sampling_time();
@@ -39,7 +39,7 @@ class Counted {
 };
 
 constexpr int push_after = 10;     ///< steps that do not move
-constexpr int abandon_after = 25;  ///< likewise
+constexpr int abandon_after = 25;  ///< the same
 
 }  // namespace
 
@@ -72,7 +72,7 @@ void Navigator::forget_steps() {
 
 G4double Navigator::step(const G4ThreeVector& point, const G4ThreeVector& direction, G4double limit,
                          G4double& safety) {
-  // From outside the world Geant4's own finds the way in, as it does without navjit.
+  // From outside the world Geant4's own navigator finds the way in, as it does without navjit.
   if (!engine_ || !state_.inside()) {
     return G4Navigator::ComputeStep(point, direction, limit, safety);
   }
@@ -81,10 +81,10 @@ G4double Navigator::step(const G4ThreeVector& point, const G4ThreeVector& direct
   crossing.found = false;
   stepped_ = true;
   fEnteredDaughter = fExitedMother = false;
-  // Multiple scattering has asked for it where it is of use; on boundaries it is 0, and neutral
-  // particles do not use it.
+  // Multiple scattering has asked for the safety where it needs it; on boundaries the safety is 0,
+  // and neutral particles do not use it.
   safety = std::max(safeties_.last(state_, from), 0.0);
-  // Now and then navjit is asked all the same, so that it learns what is hot.
+  // Now and then navjit is asked nevertheless, so that it learns what is hot.
   constexpr unsigned asked_steps = 16;  // one in so many
   if (limit <= safety && ++steps_within_ % asked_steps != 0) {
     zero_steps_ = 0;
@@ -179,7 +179,7 @@ State Navigator::on_world(const State& found, const G4ThreeVector& point) const 
 const Navigator::Crossing* Navigator::made_step(const Vec3& point) const {
   const auto distance = [&](const Crossing& crossing) { return norm(crossing.end - point); };
   const Crossing &last = steps_[last_step_], &before = steps_[last_step_ ^ 1];
-  // With a field the boundary is where a chord meets it, near the point.
+  // With a field the boundary is where a chord of the track meets it, which is near the point.
   const bool take_last =
       last.found && last.from == state_ &&
       !(before.found && before.from == state_ && distance(before) < distance(last));
@@ -194,7 +194,7 @@ State Navigator::behind(const Crossing& crossing, const Vec3& point, const Vec3&
     return crossing.next;
   }
   // In a field the track ends beside the chord's crossing: what it left and entered is known, and
-  // what is there besides is looked up.
+  // what else is there is looked up.
   const State found = navigator_->relocate(crossing.next, point, direction);
   const std::size_t depth = levels_.size() - 1;
   if (crossing.entering) {
@@ -231,8 +231,8 @@ G4double Navigator::safety_at(const G4ThreeVector& point, G4double enough) {
       (point - fStepEndPoint).mag2() < kCarTolerance * kCarTolerance) {
     return 0;
   }
-  // All of it, as Geant4's own: multiple scattering asks with the length of a step, and makes its
-  // steps longer where there is room.
+  // The whole safety, as Geant4's own: multiple scattering asks with the length of a step, but
+  // makes its steps longer if there is room.
   return distance_to_boundary(vector(point));
 }
 
@@ -258,7 +258,7 @@ G4ThreeVector Navigator::exit_normal(const Crossing& crossing) {
   return -vector(navigator_->normal({level.touchable, level.volume}, crossing.end));
 }
 
-// What Geant4 calls.
+// The functions that Geant4 calls.
 
 G4double Navigator::ComputeStep(const G4ThreeVector& point, const G4ThreeVector& direction,
                                 const G4double limit, G4double& safety) {
@@ -272,7 +272,7 @@ G4VPhysicalVolume* Navigator::ResetHierarchyAndLocate(const G4ThreeVector& point
                                                       const G4ThreeVector& direction,
                                                       const G4TouchableHistory& history) {
   const Counted counted(*counts_, Call::reset);
-  in_reset_ = true;  // Geant4's own locates by the public call
+  in_reset_ = true;  // Geant4's ResetHierarchy locates by the public call
   auto* volume = guarded(
       "navjit::geant4::Navigator::ResetHierarchyAndLocate()",
       [&] { return reset(point, direction, history); }, static_cast<G4VPhysicalVolume*>(nullptr));
@@ -318,8 +318,8 @@ G4ThreeVector Navigator::GetLocalExitNormal(G4bool* valid) {
   const Crossing* crossing = boundary();
   *valid = crossing != nullptr;
   if (!*valid) return {};
-  // In the frame of the volume that the track comes to: before the locate that is the mother, for a
-  // track that leaves.
+  // In the frame of the volume that the track comes to: before the locate this is the mother, if
+  // the track leaves.
   const auto depth = static_cast<G4int>(fHistory.GetDepth());
   const bool leaving = stepped_ && crossing->exiting && depth > 0;
   return fHistory.GetTransform(leaving ? depth - 1 : depth).TransformAxis(exit_normal(*crossing));

@@ -36,7 +36,7 @@ bool equal(const G4NavigationHistory& a, const G4NavigationHistory& b) {
   return true;
 }
 
-/// What no caller can see is the same: which way the frames are.
+/// Whether frames are the same to callers, which cannot see which way they are stored.
 bool same_frame(const G4AffineTransform& a, const G4AffineTransform& b) {
   for (G4int i = 0; i < 16; ++i) {
     if (std::abs(a[i] - b[i]) > 1e-9 * (1 + std::abs(a[i]))) return false;
@@ -77,7 +77,7 @@ G4double ShadowNavigator::step(const G4ThreeVector& point, const G4ThreeVector& 
   ++differences.steps;
   const double a = std::min(ours, limit), b = std::min(theirs, limit);
   const double difference = a == b ? 0 : std::abs(a - b);
-  // In huge worlds no number is as good as that.
+  // In huge worlds no number is so accurate.
   const double rounding = 1e-14 * (point.mag() + b);
   if (difference > std::max(most_length, rounding)) {
     ++differences.lengths;
@@ -111,7 +111,7 @@ void ShadowNavigator::compare_histories(const char* call, const G4ThreeVector& p
                                              same_frame(fHistory.GetTopTransform(),
                                                         geant4_.history().GetTopTransform())));
   if (!agree) {
-    // Where the point is on a face, either side is right; so is a volume that the track is about to
+    // If the point is on a face, either side is right; so is a volume that the track is about to
     // leave.
     const bool tie =
         state().inside()
@@ -128,7 +128,7 @@ void ShadowNavigator::compare_histories(const char* call, const G4ThreeVector& p
     }
     if (ours != nullptr) geant4_.set(fHistory, point);
   }
-  // Geant4's navigator may have left another copy set up.
+  // Geant4's navigator may have set up another copy.
   if (ours != nullptr) SetupHierarchy();
 }
 
@@ -152,7 +152,7 @@ G4VPhysicalVolume* ShadowNavigator::locate(const G4ThreeVector& point,
     const Crossing* made = made_step({point.x(), point.y(), point.z()});
     const auto vector = [](const Vec3& v) { return G4ThreeVector(v.x, v.y, v.z); };
     double safety = 0;
-    // Of two steps Geant4's has to know the one that was made; what it found last is forgotten.
+    // Geant4's has to know which of two steps was made; what it found last is forgotten.
     if (made != nullptr && made != boundary()) {
       geant4_.LocateGlobalPointWithinVolume(vector(made->start));
       geant4_.ComputeStep(vector(made->start), vector(made->direction), made->limit, safety);

@@ -111,7 +111,7 @@ std::pair<const std::type_index, Maker> entry() {
   return {typeid(S), [](const G4VSolid& s) { return make(static_cast<const S&>(s)); }};
 }
 
-/// Empty where there is no kernel for it.
+/// The solid; empty if there is no kernel for it.
 Solid convert_known(const G4VSolid& solid, ForeignSolids& foreign) {
   static const std::unordered_map<std::type_index, Maker> makers{
       entry<G4Box, box>(),
@@ -155,7 +155,7 @@ Solid convert(const G4VSolid& solid, ForeignSolids& foreign) {
   try {
     if (Solid converted = convert_known(solid, foreign); converted.shape) return converted;
   } catch (const GeometryError&) {
-    foreign.resize(before);  // Geant4 takes what navjit's makers do not
+    foreign.resize(before);  // Geant4 accepts dimensions that navjit's makers refuse
   }
   foreign.push_back(&solid);
   return convert_foreign(solid);

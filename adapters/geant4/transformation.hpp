@@ -8,7 +8,7 @@
 
 namespace navjit::geant4 {
 
-/// Of what a physical volume says now.
+/// From what a physical volume says at this moment.
 inline Transformation transformation(const G4VPhysicalVolume& volume) {
   const G4ThreeVector origin = volume.GetTranslation();
   const G4RotationMatrix* r = volume.GetRotation();

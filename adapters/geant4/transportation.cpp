@@ -15,10 +15,10 @@
 namespace navjit::geant4 {
 namespace {
 
-/// Places whose touchables are kept, a power of two: a shower is in few at a time.
+/// Number of places with a kept touchable, a power of two: a shower is in few at a time.
 constexpr std::size_t places = 256;
 
-/// The particle's, unless it is of another class; null if there is none.
+/// The particle's process, unless it is of another class; null if there is none.
 G4Transportation* plain_transportation(const G4ProcessManager& manager) {
   const G4ProcessVector& list = *manager.GetProcessList();
   for (G4int i = 0; i < static_cast<G4int>(list.entries()); ++i) {
@@ -29,11 +29,11 @@ G4Transportation* plain_transportation(const G4ProcessManager& manager) {
   return nullptr;
 }
 
-/// Geant4 warns where a process becomes the first and another was before, though that has been
-/// removed. While this lives nothing is said of it; all else goes to whom it went to.
+/// Geant4 warns if a process becomes the first and another one was so before, even if that has been
+/// removed. While this object lives, that warning is dropped; all others go to the handler before.
 class WithoutWarningsOfTwoFirsts : public G4VExceptionHandler {
  public:
-  /// `before`: who is the handler. The base class makes itself that.
+  /// `before` is the present handler. The base class makes this object the handler.
   explicit WithoutWarningsOfTwoFirsts(G4VExceptionHandler* before) : before_(before) {}
   ~WithoutWarningsOfTwoFirsts() override {
     G4StateManager::GetStateManager()->SetExceptionHandler(before_);
@@ -116,7 +116,7 @@ Transportation* keep_touchables() {
     G4Transportation* const before = plain_transportation(*manager);
     if (before == nullptr) continue;
     if (made == nullptr) {
-      made = new Transportation;  // Geant4's process table has it from here on
+      made = new Transportation;  // from here on Geant4's process table owns it
       made->SetThresholdWarningEnergy(before->GetThresholdWarningEnergy());
       made->SetThresholdImportantEnergy(before->GetThresholdImportantEnergy());
       made->SetThresholdTrials(before->GetThresholdTrials());

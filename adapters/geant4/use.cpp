@@ -10,7 +10,7 @@ void install(const std::shared_ptr<Session>& session) {
   G4TransportationManager* manager = G4TransportationManager::GetTransportationManager();
   G4Navigator* navigator = session->options().mode == Mode::shadow ? new ShadowNavigator(session)
                                                                    : new Navigator(session);
-  // Geant4 deletes navigators that it has; the one before stays, as others may hold it.
+  // Geant4 deletes the navigators that it has; the previous one stays, as others may hold it.
   G4VPhysicalVolume* world = manager->GetNavigatorForTracking()->GetWorldVolume();
   if (world != nullptr) navigator->SetWorldVolume(world);
   navigator->Activate(true);

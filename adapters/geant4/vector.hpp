@@ -1,4 +1,4 @@
-// Geant4's vectors as navjit's, and the other way round.
+// Converts Geant4's vectors to navjit's, and back.
 #pragma once
 
 #include <G4ThreeVector.hh>

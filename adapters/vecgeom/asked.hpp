@@ -1,4 +1,4 @@
-// What VecGeom's interfaces ask for, of one thread's navigator, in VecGeom's unit.
+// Asks one thread's navigator what VecGeom's interfaces ask, in VecGeom's unit.
 #pragma once
 
 #include <VecGeom/base/Vector3D.h>
@@ -11,11 +11,11 @@ namespace navjit::vecgeom {
 
 using Vector = ::vecgeom::Vector3D<double>;
 
-/// Shared by the navigator and the safety estimator of one world.
+/// The navigator and the safety estimator of one world share it.
 struct Asked {
   const Paths& paths;
   const ThreadNavigators& navigators;
-  double mm;    ///< of VecGeom's unit of length
+  double mm;    ///< VecGeom's unit of length, mm
   double unit;  ///< 1 / mm
 
   Vec3 point(const Vector& p) const { return {mm * p.x(), mm * p.y(), mm * p.z()}; }
@@ -28,7 +28,7 @@ struct Asked {
             double limit) const {
     return navigator.step(state, point(p), direction(d), mm * limit);
   }
-  /// In VecGeom's unit; a limit that was reached is that limit.
+  /// The length in VecGeom's unit; where the limit was reached it is exactly that limit.
   double length(const Step& step, double limit) const {
     return step.boundary ? unit * step.length : limit;
   }

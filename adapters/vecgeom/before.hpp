@@ -1,4 +1,4 @@
-// What VecGeom's volumes had before they were given a navigator of navjit's.
+// Remembers what VecGeom's volumes had before they were given a navigator of navjit.
 #pragma once
 
 #include <VecGeom/navigation/VNavigator.h>
@@ -9,8 +9,8 @@
 
 namespace navjit::vecgeom {
 
-/// By volume. VecGeom has questions in a volume's own coordinates, without a state: what they ask
-/// for has no touchable, and so is answered by what the volume had.
+/// By volume. VecGeom asks some questions in a volume's own coordinates, without a state. They name
+/// no touchable, and so are answered by what the volume had before.
 class Before {
  public:
   struct Had {
@@ -19,7 +19,7 @@ class Before {
   };
   std::unordered_map<const ::vecgeom::LogicalVolume*, Had> all{};
 
-  /// Never navjit's own; VecGeom's simple ones for volumes that had none.
+  /// Never one of navjit; for volumes that had none, VecGeom's simple ones.
   const ::vecgeom::VNavigator& navigator(const ::vecgeom::LogicalVolume& volume,
                                          const ::vecgeom::VNavigator* not_this) const;
   const ::vecgeom::VSafetyEstimator& safety(const ::vecgeom::LogicalVolume& volume,

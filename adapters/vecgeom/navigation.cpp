@@ -1,4 +1,4 @@
-// The runtime, what VecGeom's volumes are given, and who had what.
+// The runtime, what VecGeom's volumes are given, and what they had before.
 #include <VecGeom/management/GeoManager.h>
 
 #include <cmath>
@@ -80,7 +80,7 @@ void Navigation::attach(std::span<const LogicalVolume* const> volumes) {
 }
 
 void Navigation::detach() {
-  // Volumes may be gone: they are looked up, and no pointer to them is followed before.
+  // Volumes may no longer exist: they are looked up before a pointer to them is followed.
   for (const auto& [id, volume] : GeoManager::Instance().GetLogicalVolumesMap()) {
     const auto had = parts_->before.all.find(volume);
     if (had == parts_->before.all.end()) continue;

@@ -3,7 +3,7 @@
 namespace navjit::vecgeom {
 namespace {
 
-/// Writes where a step has led; `out` has the values of `in`.
+/// Writes where a step has led; `out` already has the values of `in`.
 void propagate(const Paths& paths, const State& from, const Navigator& navigator, const Step& step,
                const NavigationState& in, NavigationState& out) {
   if (step.next == from) [[unlikely]]
@@ -127,7 +127,7 @@ bool StepNavigator::CheckDaughterIntersections(const ::vecgeom::LogicalVolume* v
 }
 
 void StepNavigator::Relocate(const Vector& point, const State_t& in, State_t& out) const {
-  // Only VecGeom's helpers call it, with a point beyond the boundary: no direction is needed.
+  // Only VecGeom's helpers call this, with a point beyond the boundary: it needs no direction.
   Navigator& navigator = asked_.navigators.mine();
   const State from = asked_.paths.state(in, out);
   const Vec3 there = navigator.to_global(from, asked_.point(point));

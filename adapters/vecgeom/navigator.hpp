@@ -1,4 +1,4 @@
-// VecGeom's interface for steps, answered by navjit.
+// VecGeom's interface for steps, with navjit's answers.
 #pragma once
 
 #include <VecGeom/navigation/VNavigator.h>
@@ -9,8 +9,8 @@
 
 namespace navjit::vecgeom {
 
-/// Good for all volumes of its world. A step's end is located by navjit, without VecGeom's
-/// relocation; the states are VecGeom's paths.
+/// Serves all volumes of its world. navjit locates the end of a step, without VecGeom's relocation;
+/// the states are VecGeom's paths.
 class StepNavigator final : public ::vecgeom::VNavigator {
  public:
   using State_t = NavigationState;
@@ -47,7 +47,7 @@ class StepNavigator final : public ::vecgeom::VNavigator {
                                const State_t* const* in, double* lengths, const bool* with_safety,
                                double* safeties) const override;
 
-  // In a volume's own coordinates: of what the volume had before.
+  // In a volume's own coordinates: answered by what the volume had before.
   bool CheckDaughterIntersections(const ::vecgeom::LogicalVolume* volume, const Vector& point,
                                   const Vector& direction, const State_t* in, State_t* out,
                                   double& step,
@@ -63,7 +63,7 @@ class StepNavigator final : public ::vecgeom::VNavigator {
   void Relocate(const Vector& point, const State_t& in, State_t& out) const override;
 
  private:
-  /// Adds the daughter that a step led into, if it did, to the path of its start.
+  /// Adds to the path of a step's start the daughter that the step entered, if there is one.
   void push_entered(const State_t& in, const State& from, const Navigator& navigator,
                     const Step& step, State_t& path) const;
 

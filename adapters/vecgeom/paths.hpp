@@ -1,4 +1,4 @@
-// VecGeom's paths and navjit's states: arithmetic one way, the levels that changed the other way.
+// Converts VecGeom's paths to navjit's states, by arithmetic, and back, by the changed levels.
 #pragma once
 
 #include <VecGeom/navigation/NavigationState.h>
@@ -18,42 +18,42 @@ using ::vecgeom::NavigationState;
 using Levels = std::span<const kernels::StackLevel>;  ///< Navigator::levels()
 
 /// Tables of one world, by the numbers of its placed volumes and of the detector's volumes. A path
-/// of VecGeom's is the numbers of the placed volumes from the world down, assemblies among them,
-/// which have no touchables. Immutable once filled in.
+/// of VecGeom is the numbers of the placed volumes from the world down; assemblies are among them,
+/// but have no touchables. Immutable once filled in.
 ///
-/// Values of a path are read and written one by one, never in vectors: wide loads would wait for
-/// what was just written in pieces.
+/// Values of a path are read and written one by one and never as vectors: a wide load would wait
+/// for what was just written in parts.
 class Paths {
  public:
   using Index = NavigationState::Value_t;
 
   /// What a placed volume adds to a path.
   struct Node {
-    TouchableId offset = nowhere;  ///< to the touchable of what it is placed in
+    TouchableId offset = nowhere;  ///< added to the touchable of what it is placed in
     VolumeId volume = 0;
-    bool level = false;  ///< not of an assembly
+    bool level = false;  ///< false for assemblies
   };
 
-  /// For the conversion: by the number of the placed volume.
+  /// For the conversion, by the number of the placed volume.
   std::vector<Node> nodes{};
-  /// By volume: where in `placed` its first daughter is. By that: where in `indices` are the placed
-  /// volumes, assemblies and the daughter itself, that a path to the daughter has more.
+  /// By volume: where its first daughter is in `placed`. There: where `indices` holds the placed
+  /// volumes that a path to the daughter adds, which are assemblies and the daughter itself.
   std::vector<std::uint32_t> first{}, placed{};
   std::vector<Index> indices{};
-  std::vector<TouchableId> touchables{};  ///< by volume: of one placement
+  std::vector<TouchableId> touchables{};  ///< by volume: those of one placement
   Index world{};
-  bool assemblies = false;  ///< whether there are any
+  bool assemblies = false;  ///< whether there are any assemblies
 
-  /// The state of a path. That of a path of another world is of no detector.
+  /// The state of a path. A path of another world gives a state that no detector has.
   State state(const NavigationState& path) const {
     return read(path, [](int, Index) {});
   }
-  /// The same, with the path's values copied. Throws UsageError if `out` has too little room.
+  /// The same, and copies the values of the path. Throws UsageError if `out` has too little room.
   State state(const NavigationState& path, NavigationState& out) const {
     const int length = path.GetCurrentLevel();
     if (length > out.GetMaxLevel() + 1) [[unlikely]]
       refuse_room();
-    // What was left last is below the end, if there is room for it.
+    // What was left last is below the path's end, if there is room for it.
     if (length <= std::min(path.GetMaxLevel(), out.GetMaxLevel()))
       out.SetValueAt(length, path.ValueAt(length));
     return read(path, [&](int i, Index value) {
@@ -63,8 +63,8 @@ class Paths {
   }
 
   /// Makes `out`, which has the values of `in`, the path to where the navigator is, which came
-  /// there from the state of `in`. Below its end is what was left last, as VecGeom wants it, unless
-  /// a volume was entered. Throws UsageError if `out` has too little room.
+  /// there from the state of `in`. Below the end it writes what was left last, as VecGeom wants it,
+  /// unless a volume was entered. Throws UsageError if `out` has too little room.
   void write(const NavigationState& in, const State& from, Levels to, NavigationState& out) const {
     const int depth = static_cast<int>(to.size());
     int common = depth;
@@ -76,8 +76,8 @@ class Paths {
     forget_last_exited(out);
   }
 
-  /// The daughter that the navigator has entered, itself or something in it, from the state of
-  /// `in`; below 0: none.
+  /// The daughter of the state of `in` that the navigator, coming from there, is now in, directly
+  /// or deeper; negative: none.
   int entered(const NavigationState& in, const State& from, Levels to) const {
     std::size_t depth = 0;
     for (int i = 0; i < in.GetCurrentLevel(); ++i) depth += nodes[number(in.ValueAt(i))].level;
@@ -85,7 +85,7 @@ class Paths {
     return static_cast<int>(to[depth].daughter);
   }
 
-  /// The placed volumes from a volume to its daughter.
+  /// Adds the placed volumes on the way from a volume to its daughter.
   void push_daughter(NavigationState& path, VolumeId mother, std::uint32_t daughter) const {
     const std::uint32_t at = first[mother] + daughter;
     for (std::uint32_t i = placed[at]; i < placed[at + 1]; ++i) push(path, indices[i]);
@@ -95,13 +95,13 @@ class Paths {
       refuse_room();
     path.PushIndexType(index);
   }
-  /// VecGeom's navigators do not enter again what is named below the path's end; nothing contains
-  /// the world.
+  /// VecGeom's navigators do not enter again what is named below the path's end. The world serves
+  /// there, since nothing contains it.
   void forget_last_exited(NavigationState& path) const {
     if (path.GetCurrentLevel() <= path.GetMaxLevel())
       path.SetValueAt(path.GetCurrentLevel(), world);
   }
-  /// Of a path whose values are there.
+  /// For a path whose values are already there.
   static void set_length(NavigationState& path, int length) {
 #ifdef VECGEOM_CACHED_TRANS
     path.Clear();
@@ -139,7 +139,7 @@ class Paths {
     return state.touchable() - level.touchable < touchables[level.volume];
   }
 
-  /// Of the path down to that many levels with touchables.
+  /// The length of the path down to that many levels that have touchables.
   int length_of(const NavigationState& path, int levels) const {
     int length = 0;
     while (levels > 0) levels -= nodes[number(path.ValueAt(length++))].level;

@@ -1,4 +1,4 @@
-// VecGeom's interface for safeties, answered by navjit.
+// VecGeom's interface for safeties, with navjit's answers.
 #pragma once
 
 #include "adapters/vecgeom/asked.hpp"
@@ -6,8 +6,8 @@
 
 namespace navjit::vecgeom {
 
-/// What is asked with a state is navjit's; what is asked in a volume's own coordinates, without a
-/// state, is of what the volume had before.
+/// Questions with a state are answered by navjit; questions in a volume's own coordinates, without
+/// a state, are answered by what the volume had before.
 class SafetyEstimator final : public ::vecgeom::VSafetyEstimator {
  public:
   SafetyEstimator(const Asked& asked, const Before& before) : asked_(asked), before_(before) {}

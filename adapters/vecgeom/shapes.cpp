@@ -45,18 +45,18 @@ using ::vecgeom::VPlacedVolume;
 using ::vecgeom::VUnplacedVolume;
 using Vector = ::vecgeom::Vector3D<Precision>;
 
-/// What a maker needs beside the shape.
+/// What a maker of solids needs besides the shape.
 struct Making {
   const std::string& name;
-  double mm;  ///< of VecGeom's unit of length
+  double mm;  ///< VecGeom's unit of length, mm
 
   Vec3 point(const Vector& p) const { return {mm * p.x(), mm * p.y(), mm * p.z()}; }
 };
 
-/// A solid, or nothing: a shape that holds no point.
+/// A solid; nothing for a shape that holds no point.
 using Made = std::optional<Solid>;
 
-/// An operand of a boolean, or what is scaled.
+/// An operand of a boolean, or a shape that is scaled.
 Made placed(const VPlacedVolume& volume, const Making& m) {
   const Made solid = solid_of(*volume.GetUnplacedVolume(), m.name, m.mm);
   const ::vecgeom::Transformation3D& t = *volume.GetTransformation();
@@ -101,7 +101,7 @@ Solid of(const ::vecgeom::UnplacedCutTube& s, const Making& m) {
                        {low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()});
 }
 Solid of(const ::vecgeom::UnplacedCone& s, const Making& m) {
-  // Where the radii are equal, VecGeom widens the outer one by its tolerance, and keeps it beside.
+  // If the radii are equal, VecGeom widens the outer one by its tolerance and keeps the original.
   const auto& cone = s.GetStruct();
   return make_cone(m.name, m.mm * s.GetRmin1(), m.mm * cone.fOriginalRmax1, m.mm * s.GetRmin2(),
                    m.mm * cone.fOriginalRmax2, m.mm * s.GetDz(), s.GetSPhi(), s.GetDPhi());
@@ -154,10 +154,10 @@ Solid of(const ::vecgeom::UnplacedHype& s, const Making& m) {
                    m.mm * s.GetDz());
 }
 Solid of(const ::vecgeom::UnplacedPolycone& s, const Making& m) {
-  // Planes at equal z that VecGeom left out are there again, as steps: each section has both ends.
+  // Each section has both ends: so planes at equal z that VecGeom left out come back as steps.
   const auto& all = s.GetStruct();
   const std::size_t sections = all.fSections.size();
-  const bool exact = all.fZs.size() == sections + 1;  // z without the rounding of section frames
+  const bool exact = all.fZs.size() == sections + 1;  // z without the rounding of sections' frames
   std::vector<ZPlane> planes;
   for (std::size_t i = 0; i < sections; ++i) {
     const auto& section = all.fSections[i];
@@ -235,7 +235,7 @@ Made of(const ::vecgeom::UnplacedScaledShape& s, const Making& m) {
   return whole ? make_scaled(m.name, *whole, by.x(), by.y(), by.z()) : whole;
 }
 
-/// The solid, if the shape is of one of the classes; else nothing is done.
+/// Sets the solid if the shape is of one of the classes; otherwise does nothing.
 template <class... Shapes>
 bool of_any(const VUnplacedVolume& shape, const Making& m, Made& solid) {
   const auto is = [&]<class Shape>(const Shape* as) {
@@ -261,7 +261,7 @@ std::optional<Solid> solid_of(const VUnplacedVolume& shape, const std::string& n
   if (const vg::BooleanStruct* b = vg::BooleanHelper::GetBooleanStruct(&shape))
     return boolean(*b, making);
   Made solid;
-  // What is a special case of something else is of that class, too.
+  // The class of a special case is derived from the general one, too.
   if (of_any<vg::UnplacedBox, vg::UnplacedTube, vg::UnplacedCone, vg::UnplacedTrd,
              vg::UnplacedTrapezoid, vg::UnplacedParallelepiped, vg::UnplacedTet, vg::UnplacedOrb,
              vg::UnplacedSphere, vg::UnplacedTorus2, vg::UnplacedPolycone, vg::UnplacedPolyhedron,

@@ -1,4 +1,4 @@
-// VecGeom's shapes as navjit's solids.
+// Converts VecGeom's shapes to navjit's solids.
 #pragma once
 
 #include <VecGeom/volumes/UnplacedVolume.h>
@@ -11,8 +11,8 @@
 namespace navjit::vecgeom {
 
 /// The solid of a shape whose lengths are in units of `mm` millimetres; nothing if it holds no
-/// point: an intersection of shapes that are apart. Throws GeometryError, naming the shape's class,
-/// if there is no kernel for it, or if its dimensions make no solid.
+/// point, as an intersection of shapes that are apart. Throws GeometryError, which names the
+/// shape's class, if there is no kernel for it, or if its dimensions make no solid.
 std::optional<Solid> solid_of(const ::vecgeom::VUnplacedVolume& shape, const std::string& name,
                               double mm);
 

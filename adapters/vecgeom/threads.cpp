@@ -29,7 +29,7 @@ struct ThreadNavigators::Pool {
   }
 };
 
-/// What a thread has of all pools; gives it back when the thread ends.
+/// The navigators that a thread has from all pools; it gives them back when it ends.
 struct ThreadNavigators::Leases {
   struct Lease {
     std::uint64_t owner;
@@ -70,7 +70,7 @@ Navigator& ThreadNavigators::find() const {
       return *lease.navigator;
     }
   }
-  own.all.reserve(own.all.size() + 1);  // what follows must not lose a lease
+  own.all.reserve(own.all.size() + 1);  // if this throws, no navigator is lost
   Navigator& navigator = pool_->lease();
   own.all.push_back({number_, pool_, &navigator});
   last = {number_, &navigator};

@@ -9,16 +9,16 @@
 
 namespace navjit::vecgeom {
 
-/// Which of its navigators a thread used last.
+/// The navigator that a thread used last, and its owner.
 struct LastNavigator {
   std::uint64_t owner = 0;  ///< 0: none
   Navigator* navigator = nullptr;
 };
 
-/// The navigators of one runtime, one for each thread that asked and lives. They are owned here. A
-/// thread keeps only their addresses, under a number that no other object ever has, so that an
-/// address is never used after its owner is gone. When a thread ends, its navigator waits for the
-/// next new thread: programs that start and end threads do not collect navigators.
+/// The navigators of one runtime: one for each thread that has asked and is still alive. This
+/// object owns them. A thread keeps only their addresses, under a number that no other object ever
+/// gets, so that no address is used after its owner is gone. When a thread ends, its navigator
+/// waits for the next new thread: so programs that start and end threads do not collect navigators.
 class ThreadNavigators {
  public:
   explicit ThreadNavigators(Runtime& runtime);
@@ -26,7 +26,7 @@ class ThreadNavigators {
   ThreadNavigators& operator=(const ThreadNavigators&) = delete;
   ~ThreadNavigators();
 
-  /// The calling thread's. Thread-safe; a comparison where the thread asked this object last.
+  /// That of the calling thread. Thread-safe; a mere comparison if it asked this object last.
   Navigator& mine() const {
     if (last.owner == number_) [[likely]]
       return *last.navigator;
@@ -40,7 +40,7 @@ class ThreadNavigators {
   Navigator& find() const;
   static Leases& leases();
 
-  // The only state outside objects, and none that anything depends on.
+  // This is the only state outside objects, and no answer depends on it.
   static inline thread_local constinit LastNavigator last{};
 
   std::shared_ptr<Pool> pool_;

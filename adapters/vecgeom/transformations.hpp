@@ -1,4 +1,4 @@
-// VecGeom's transformations as navjit's.
+// Converts VecGeom's transformations to navjit's.
 #pragma once
 
 #include <VecGeom/base/Transformation3D.h>
@@ -8,7 +8,7 @@
 
 namespace navjit::vecgeom {
 
-/// From the mother's frame into the daughter's. VecGeom keeps the rotation by columns.
+/// From the mother's frame into the daughter's. VecGeom stores the rotation by columns.
 inline SolidFrame frame_of(const ::vecgeom::Transformation3D& from, double mm) {
   SolidFrame frame;
   for (int i = 0; i < 3; ++i) {
@@ -18,7 +18,7 @@ inline SolidFrame frame_of(const ::vecgeom::Transformation3D& from, double mm) {
   return frame;
 }
 
-/// The same for placements. Throws GeometryError if it is not orthonormal.
+/// The same for placements. Throws GeometryError if the rotation is not orthonormal.
 inline Transformation transformation_of(const ::vecgeom::Transformation3D& from, double mm) {
   const SolidFrame frame = frame_of(from, mm);
   return make_transformation(frame.translation, frame.rotation);

@@ -16,7 +16,7 @@ namespace {
 using ::vecgeom::LogicalVolume;
 using ::vecgeom::VPlacedVolume;
 
-/// The placed volumes from a volume to a daughter: assemblies, then the daughter.
+/// The placed volumes on the way from a volume to a daughter: assemblies, then the daughter.
 using Way = std::vector<Paths::Index>;
 
 class Conversion {
@@ -52,7 +52,7 @@ class Conversion {
   }
 
  private:
-  /// Nothing if the volume holds no point.
+  /// Adds a volume; nothing if it holds no point.
   std::optional<VolumeId> add(const LogicalVolume& volume) {
     if (const auto found = volumes_.find(&volume); found != volumes_.end()) return found->second;
     if (empty_.contains(&volume)) return std::nullopt;
@@ -75,7 +75,7 @@ class Conversion {
     return id;
   }
 
-  /// Places the daughters of `of`, which is the volume itself or an assembly in it, in the volume.
+  /// Places the daughters of `of`, which is the volume `in` or an assembly within it, in `in`.
   void place_daughters(const LogicalVolume& of, const LogicalVolume& in, VolumeId id,
                        const Transformation& outer, const Way& above) {
     for (const VPlacedVolume* placed : of.GetDaughters()) {
@@ -110,7 +110,7 @@ class Conversion {
     return *placeholder_;
   }
 
-  /// Touchables that a placed volume adds to what it is placed in.
+  /// The number of touchables that a placed volume adds to what it is placed in.
   TouchableId touchables(const Detector& detector, const VPlacedVolume& placed) {
     const LogicalVolume* volume = placed.GetLogicalVolume();
     if (empty_.contains(volume)) return 0;
@@ -124,7 +124,7 @@ class Conversion {
     return sum;
   }
 
-  /// The tree is numbered in preorder: a volume itself is one, an assembly is none.
+  /// Numbers the tree in preorder: a volume itself counts one, an assembly counts none.
   void number_daughters(Paths& paths, const Detector& detector, const LogicalVolume& volume,
                         TouchableId next) {
     for (const VPlacedVolume* placed : volume.GetDaughters()) {

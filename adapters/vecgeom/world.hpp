@@ -1,4 +1,4 @@
-// VecGeom's world as a navjit::Detector.
+// Converts VecGeom's world to a navjit::Detector.
 #pragma once
 
 #include <VecGeom/volumes/PlacedVolume.h>
@@ -12,7 +12,7 @@
 
 namespace navjit::vecgeom {
 
-/// What is known of a world that was taken over.
+/// A world that was converted, with the tables that belong to it.
 struct ConvertedWorld {
   Detector detector;
   Paths paths;
@@ -20,9 +20,9 @@ struct ConvertedWorld {
   std::vector<std::string> empty;  ///< volumes that hold no point, and are left out
 };
 
-/// Every volume below the world; daughters of assemblies become daughters of what the assemblies
-/// are placed in. What holds no point is left out, with its daughters: it is never entered. Lengths
-/// are in units of `mm` millimetres. Throws GeometryError, naming the volume.
+/// Converts every volume below the world; daughters of assemblies become daughters of what holds
+/// these. A volume that holds no point is left out with its daughters: no track enters it. Lengths
+/// are in units of `mm` millimetres. Throws GeometryError, which names the volume.
 ConvertedWorld convert(const ::vecgeom::VPlacedVolume& world, double mm,
                        const MaterialOf& material);
 

@@ -13,8 +13,8 @@ namespace navjit::peers {
 
 /// Geant4's own navigator, for measurements beside it and for comparison.
 ///
-/// Geant4 keeps its geometry in singletons, and ends the process where a file is beyond it: a
-/// process reads one detector, and has to be one that may die.
+/// Geant4 keeps its geometry in singletons, and ends the process at a file that it cannot read: so
+/// a process reads one detector, and it must be a process that may die.
 class Geant4Peer {
  public:
   /// One step of a ray.
@@ -23,24 +23,24 @@ class Geant4Peer {
     double length;       ///< mm
   };
 
-  /// Reads a GDML file and has Geant4 optimise its geometry. Throws std::runtime_error where Geant4
+  /// Reads a GDML file and lets Geant4 optimise its geometry. Throws std::runtime_error if Geant4
   /// reads no world.
   explicit Geant4Peer(const std::string& gdml_file);
   Geant4Peer(const Geant4Peer&) = delete;
   Geant4Peer& operator=(const Geant4Peer&) = delete;
   ~Geant4Peer();
 
-  /// The steps of a ray until it leaves the world; none if it starts outside. Ends early where 100
-  /// steps in a row are none.
+  /// The steps of a ray until it leaves the world; none if it starts outside. Ends early after 100
+  /// steps in a row without length.
   std::vector<Segment> trace(const Ray& ray) const;
 
-  /// The same for all rays with nothing recorded: the one to time. Includes locating the starts.
-  /// Returns the number of steps, zero steps among them.
+  /// The same for all rays with nothing recorded, for timing. It includes locating the starts.
+  /// Returns the number of steps, zero steps included.
   std::uint64_t transport(std::span<const Ray> rays) const;
 
-  /// Makes flights, with the safety before each step that does not start on a boundary, which adds
-  /// to `safeties`, mm. Secondaries start from the touchable that they were born in.
-  /// Returns the number of steps, each with the zero steps before it.
+  /// Makes flights, with the safety before each step that does not start on a boundary; their sum
+  /// is added to `safeties`, mm. Secondaries start from the touchable that they were born in.
+  /// Returns the number of steps; the zero steps before a step count as part of it.
   std::uint64_t fly(std::span<const Flight> flights, double& safeties) const;
 
  private:

@@ -66,8 +66,8 @@ class Capture {
   std::streambuf* cerr_;
 };
 
-/// The first element in the text that VecGeom's reader skips without a word, or null. Entities are
-/// not looked into.
+/// The first element in the text that VecGeom's reader skips silently, or null. Entities are not
+/// looked into.
 const char* dropped_element(const std::string& text) {
   static constexpr const char* names[] = {"divisionvol", "replicavol", "paramvol",
                                           "loop",        "variable",   "quantity"};
@@ -107,14 +107,14 @@ class OwnedState {
   NavigationState* state_;
 };
 
-/// Makes a state forget which volume was left last: the entry below its top, which now names a
-/// volume that nothing contains.
+/// Makes a state forget which volume was left last, by the entry below its top: afterwards this
+/// names a volume that nothing contains.
 void forget_last_exited(NavigationState& state, const vecgeom::VPlacedVolume* world) {
   state.SetValueAt(state.GetCurrentLevel(), NavigationState::ToIndex(world));
 }
 
-/// Carries rays through the world. `record(ray, volume, length)` sees every step, `give_up(ray,
-/// volume, zero_steps)` every ray that is stuck after that many last steps of no length.
+/// Carries rays through the world. Calls `record(ray, volume, length)` for every step, and for a
+/// ray that is stuck `give_up(ray, volume, zero_steps)`, after that many last steps of no length.
 template <class Record, class GiveUp>
 VecGeomPeer::Totals run(std::span<const Ray> rays, std::uint64_t max_steps, int depth, bool forget,
                         Record&& record, GiveUp&& give_up) {
@@ -143,7 +143,7 @@ VecGeomPeer::Totals run(std::span<const Ray> rays, std::uint64_t max_steps, int 
           position, direction, vecgeom::kInfLength, *in, *out);
       record(i, volume, step);
       ++steps;
-      // VecGeom answers its tolerance when it finds itself in the wrong volume.
+      // VecGeom returns its tolerance as the step if it finds itself in the wrong volume.
       const bool zero = step <= vecgeom::kTolerance;
       zero_steps = zero ? zero_steps + 1 : 0;
       totals.zero_steps += zero ? 1 : 0;
@@ -157,7 +157,7 @@ VecGeomPeer::Totals run(std::span<const Ray> rays, std::uint64_t max_steps, int 
   return totals;
 }
 
-/// The navigator that a volume gets.
+/// The navigator that a volume gets, by its number of daughters.
 VecGeomNavigator choose(VecGeomNavigator navigator, std::size_t daughters) {
   if (daughters == 0) return VecGeomNavigator::simple;
   if (navigator == VecGeomNavigator::automatic) {
@@ -165,7 +165,7 @@ VecGeomNavigator choose(VecGeomNavigator navigator, std::size_t daughters) {
                 : daughters <= 12 ? VecGeomNavigator::abbox
                                   : VecGeomNavigator::hybrid;
   }
-  // These keep their candidates in arrays of fixed size and do not look whether they fit.
+  // These keep their candidates in arrays of fixed size, and do not check whether they fit.
   if (navigator == VecGeomNavigator::abbox && daughters > VECGEOM_MAXDAUGHTERS)
     navigator = VecGeomNavigator::hybrid;
   if (navigator == VecGeomNavigator::hybrid && daughters > VECGEOM_MAXFACETS)
@@ -267,7 +267,7 @@ void VecGeomPeer::use(VecGeomNavigator navigator) {
     wants_hybrid = wants_hybrid || choices.back().navigator == VecGeomNavigator::hybrid;
     wants_bvh = wants_bvh || choices.back().navigator == VecGeomNavigator::bvh;
   }
-  // Built once, for building again leaks; the plain boxes exist since the geometry was closed.
+  // Built once, since to build again leaks; the plain boxes exist since the geometry was closed.
   if (wants_hybrid && !has_hybrid_) {
     for (const Choice& choice : choices)
       vecgeom::HybridManager2::Instance().InitStructure(choice.volume);
@@ -288,7 +288,7 @@ void VecGeomPeer::use(VecGeomNavigator navigator) {
     } else if (choice.navigator == VecGeomNavigator::hybrid) {
       chosen = vecgeom::HybridNavigator<>::Instance();
       safety = vecgeom::HybridSafetyEstimator::Instance();
-      // Measured: the flat list of boxes locates faster up to some hundreds.
+      // As measured, the flat list of boxes locates faster up to some hundreds of daughters.
       if (choice.volume->GetDaughters().size() > 400)
         locator = vecgeom::THybridLevelLocator<>::GetInstance();
     } else if (choice.navigator == VecGeomNavigator::bvh) {
@@ -373,7 +373,7 @@ VecGeomPeer::Totals VecGeomPeer::fly(std::span<const Flight> flights, bool safet
   Vector position{};
   bool on_boundary = false;
   std::vector<std::unique_ptr<Place>> waiting;
-  std::size_t waits = 0;  // places are kept: a new state is an allocation
+  std::size_t waits = 0;  // places are reused, since a new state is an allocation
   for (const Flight& flight : flights) {
     position = to_vector(flight.start);
     in->Clear();

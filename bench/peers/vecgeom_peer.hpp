@@ -11,14 +11,14 @@
 
 namespace navjit::peers {
 
-/// How VecGeom searches a volume's daughters. Whatever is chosen, a volume without daughters gets
-/// the simple navigator.
+/// How VecGeom searches the daughters of a volume. Whatever is chosen, a volume without daughters
+/// gets the simple navigator.
 enum class VecGeomNavigator {
   simple,
   abbox,
   hybrid,
   bvh,
-  automatic,  ///< by daughters: simple up to 4, abbox up to 12, hybrid above
+  automatic,  ///< by number of daughters: simple up to 4, abbox up to 12, hybrid above
 };
 
 /// A straight ray: mm, unit direction.
@@ -48,14 +48,14 @@ struct Segment {
   bool stuck() const { return length < 0; }
 };
 
-/// VecGeom, for measurements beside it.
+/// VecGeom, to be measured beside navjit.
 ///
 /// VecGeom keeps its geometry in a singleton, so a process can load one world, once.
 ///
-/// VecGeom trusts its input: on a file it does not understand it may abort, crash, hang or silently
-/// build another geometry than the one described. load() refuses what can be told beforehand; give
-/// it unknown files only in a process that may die. Calls on one object must not overlap use(); the
-/// others are const and may run in parallel.
+/// VecGeom trusts its input: on a file that it does not understand it may abort, crash, hang or
+/// silently build another geometry than the file describes. load() refuses what can be recognised
+/// beforehand; give it unknown files only in a process that may die. No call on an object may
+/// overlap with use(); the other functions are const and may run in parallel.
 class VecGeomPeer {
  public:
   /// Steps, their summed length in mm, rays given up.
@@ -63,7 +63,7 @@ class VecGeomPeer {
     std::uint64_t steps = 0;
     double length = 0;
     std::uint64_t stuck = 0;
-    std::uint64_t zero_steps = 0;  ///< those of `steps` that VecGeom made without getting on
+    std::uint64_t zero_steps = 0;  ///< those of `steps` that did not move the ray
   };
 
   /// Located starting points, for one_step() and safety().
@@ -86,50 +86,50 @@ class VecGeomPeer {
     std::unique_ptr<Impl> impl_;
   };
 
-  /// Reads a GDML file, lengths in mm, and installs the automatic navigator. Returns null and says
-  /// why in `error` if VecGeom refuses the file, or if the file holds something that VecGeom drops
-  /// without a word.
+  /// Reads a GDML file, lengths in mm, and installs the automatic navigator. Returns null and gives
+  /// the reason in `error` if VecGeom refuses the file, or if the file holds something that VecGeom
+  /// silently drops.
   static std::unique_ptr<VecGeomPeer> load(const std::string& gdml_file, std::string& error);
 
   VecGeomPeer(const VecGeomPeer&) = delete;
   VecGeomPeer& operator=(const VecGeomPeer&) = delete;
   ~VecGeomPeer();
 
-  /// Names of the logical volumes, the world's among them, as in the GDML file; mirrored copies
-  /// have
-  /// `_refl` appended. Not necessarily unique.
+  /// Names of the logical volumes, also of the world, as in the GDML file;
+  /// mirrored copies have `_refl` appended. They are not necessarily
+  /// unique.
   const std::vector<std::string>& names() const { return names_; }
 
-  /// Installs navigators, with the level locators and safety estimators that belong to them, for
-  /// all volumes.
+  /// Installs navigators for all volumes, with the level locators and safety estimators that belong
+  /// to them.
   void use(VecGeomNavigator navigator);
 
-  /// VecGeom remembers which volume was left last, so as not to enter it again at distance zero;
-  /// but it remembers the placement, not the touchable, and so passes unseen through neighbours
-  /// that are copies of each other. The memory is therefore wiped at each step, unless this asks
-  /// for VecGeom's own behaviour. Wiping takes no measurable time, but makes more zero steps.
+  /// VecGeom remembers which volume was left last, so as not to enter it again at distance zero.
+  /// But it remembers the placement and not the touchable, so that rays pass unseen through
+  /// neighbours that are copies of each other. So this memory is wiped at each step, unless this
+  /// asks for VecGeom's own behaviour. Wiping takes no measurable time, but makes more zero steps.
   void keep_last_exited(bool keep) { keep_last_exited_ = keep; }
 
   /// Every step of every ray until it leaves the world. A ray that starts outside has none; one
   /// that makes 100 zero steps in a row, or `max_steps_per_ray` steps, ends with a stuck segment.
   std::vector<Segment> trace(std::span<const Ray> rays, std::uint64_t max_steps_per_ray) const;
 
-  /// The same loop with nothing recorded: the one to time. Includes locating the starts.
+  /// The same loop with nothing recorded, for timing. It includes locating the starts.
   Totals transport(std::span<const Ray> rays, std::uint64_t max_steps_per_ray) const;
 
-  /// Carries one track along its legs, from a point within the world. Ends early where it is stuck
-  /// or leaves the world.
+  /// Carries one track along its legs, from a point within the world. Ends early if the track is
+  /// stuck or leaves the world.
   std::vector<LegEnd> follow(const double (&start)[3], std::span<const Leg> legs) const;
 
-  /// Makes flights; with the safety before each step that does not start on a boundary, if
-  /// wanted, which adds to `safeties`, mm.
+  /// Makes flights. If `safety` is set it asks for the safety before each step that does not start
+  /// on a boundary, and adds it to `safeties`, mm.
   Totals fly(std::span<const Flight> flights, bool safety, double& safeties) const;
 
   /// Locates the rays' starting points.
   States prepare_states(std::span<const Ray> rays) const;
 
-  /// One step and the relocation behind it for every ray, from states prepared for the same rays.
-  /// If all lie in one volume its navigator is looked up once.
+  /// One step and the relocation after it for every ray, from states prepared for the same rays. If
+  /// all states are in one volume, its navigator is looked up only once.
   Totals one_step(const States& states, std::span<const Ray> rays) const;
 
   /// Sum in mm of the isotropic safeties at the starting points of the rays.
@@ -139,7 +139,7 @@ class VecGeomPeer {
   VecGeomPeer() = default;
 
   std::vector<std::string> names_;
-  std::vector<std::uint32_t> index_of_id_;  // VecGeom's logical volume id to an index into names_
+  std::vector<std::uint32_t> index_of_id_;  // by VecGeom's number of a volume: index into names_
   int state_depth_ = 0;
   bool has_hybrid_ = false;
   bool has_bvh_ = false;

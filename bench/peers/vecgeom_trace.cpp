@@ -1,4 +1,4 @@
-// Steps of rays through a detector as VecGeom makes them, or the time that they take.
+// Prints the steps of rays through a detector as VecGeom makes them, or the time that they take.
 
 #include <algorithm>
 #include <charconv>
@@ -78,8 +78,8 @@ std::optional<std::vector<std::vector<double>>> read_rows(const std::string& fil
   return rows;
 }
 
-/// Reads rays from lines x,y,z,dx,dy,dz under such a header; normalises the directions, unless they
-/// are taken as given.
+/// Reads rays from lines x,y,z,dx,dy,dz under such a header. Normalises the directions, unless they
+/// are to be taken as given.
 std::optional<std::vector<Ray>> read_rays(const std::string& file, bool as_given) {
   const auto rows = read_rows(file, 6, !as_given);
   if (!rows) return std::nullopt;
@@ -91,7 +91,7 @@ std::optional<std::vector<Ray>> read_rays(const std::string& file, bool as_given
   return rays;
 }
 
-/// One track: lines x,y,z,dx,dy,dz,length, of which the first one's point is the start.
+/// Follows one track: lines x,y,z,dx,dy,dz,length; the first line has the start.
 int write_track(const VecGeomPeer& peer, const std::string& legs_file, const std::string& file) {
   const auto rows = read_rows(legs_file, 7, true);
   if (!rows || rows->empty()) return 1;

@@ -52,7 +52,7 @@ std::uint32_t groups_for(std::size_t boxes) {
   return static_cast<std::uint32_t>((boxes + group_width - 1) / group_width);
 }
 
-/// Puts boxes[order[...]] in an order in which, on every level of a regular tree, the boxes below a
+/// Brings `order` into an order in which, on every level of a regular tree, the boxes below a
 /// parent are one cluster: all clusters but the last are full, so that no place is left over.
 void order_for_tree(std::span<const Extent> boxes, Clustering clustering, std::size_t capacity,
                     std::span<std::uint32_t> order) {
@@ -185,7 +185,7 @@ void BoxTree::build_wide_tree(std::span<const Extent> boxes, double tolerance) {
   }
 }
 
-/// Appends the child groups of all clusters; each cluster starts a group of its own.
+/// Appends the child groups of all clusters; each cluster begins with a new group.
 void BoxTree::fill(std::span<const Extent> boxes, double tolerance,
                    std::span<const std::uint32_t> order, std::span<const std::uint32_t> begin) {
   for (std::size_t c = 0; c + 1 < begin.size(); ++c) {

@@ -2,8 +2,8 @@
 // meet?" without ever missing one. After S. Wenzel et al., "Accelerating navigation in the VecGeom
 // geometry modeller": a linear scan of all groups; two levels (BVH_h), where groups of parent boxes
 // stand before clusters of a few groups of children; a regular tree of groups (BVH_p), where each
-// lane is the parent of a whole group below; or, not from there, a tree whose lanes are boxes or
-// groups below as the boxes' sizes have it (geometry/bvh/wide_tree.hpp). docs/bvh.md compares them.
+// lane is the parent of a whole group below. One structure is not from there: a tree whose lanes
+// are boxes or groups, by the boxes' sizes (geometry/bvh/wide_tree.hpp). docs/bvh.md compares them.
 //
 // The traversals are templates in geometry/bvh/box_tree_traversal.hpp, which needs Vc and is slow
 // to parse: include it where they are called, and compile all those places for the same
@@ -19,7 +19,7 @@
 
 namespace navjit::bvh {
 
-/// Boxes in a group. Fixed, so that the layout and the order of visits are those of every machine.
+/// The number of boxes in a group, the same on every machine, and so are layout and visits.
 constexpr std::uint32_t group_width = 8;
 
 /// group_width boxes as structure of arrays; unused lanes hold boxes that nothing meets.
@@ -29,10 +29,10 @@ struct alignas(64) BoxGroup {
 
 /// Immutable after construction; any number of threads may traverse it.
 ///
-/// Contract of all traversals: no box is missed that the question, put in exact arithmetic to the
-/// boxes inflated by the tolerance, would find. Others may be visited: float bounds reach out by at
-/// most 2^-22 of a coordinate. Points and boxes must stay within 1e30 mm of the origin (boxes may
-/// be infinite), directions must have unit length to 1e-3. A box with min > max on an axis is
+/// Contract of all traversals: they miss no box that exact arithmetic would find among the boxes
+/// inflated by the tolerance. They may visit others, too: float bounds reach out by at most 2^-22
+/// of a coordinate. Points and boxes must stay within 1e30 mm of the origin (boxes may be
+/// infinite), and directions must have unit length to 1e-3. A box with min > max on an axis is
 /// empty: it may or may not be visited.
 class BoxTree {
  public:
@@ -43,14 +43,14 @@ class BoxTree {
   BoxTree(std::span<const Extent> boxes, double tolerance, const Structure& structure);
 
   /// Calls visit(index, enter) for every box that the ray from `p` along `v` meets at a path length
-  /// within [0, limit]. `enter` >= 0 is a lower bound of the path length at which it does. `visit`
-  /// returns the limit from there on, at most the present one. A box met at exactly the limit is
-  /// visited. The order is by `enter` within a cluster, and mostly so among clusters.
+  /// within [0, limit]. `enter` >= 0 is a lower bound of the path length at which the ray meets it.
+  /// `visit` returns the limit from there on, at most the present one. A box met at exactly the
+  /// limit is visited. The order is by `enter` within a cluster, and mostly so among clusters.
   template <class Visit>
   void along_ray(const Vec3& p, const Direction& v, double limit, Visit&& visit) const;
 
-  /// Calls visit(index) for every box that contains `p`, until it returns false. The order is that
-  /// of the boxes for Method::linear only.
+  /// Calls visit(index) for every box that contains `p`, until it returns false. Only for
+  /// Method::linear is the order that of the boxes.
   template <class Visit>
   void containing(const Vec3& p, Visit&& visit) const;
 
@@ -66,7 +66,7 @@ class BoxTree {
 
   std::size_t size() const { return size_; }
   const Structure& structure() const { return structure_; }
-  /// Clusters of the lowest level; 0 for Method::linear.
+  /// The number of clusters of the lowest level; 0 for Method::linear.
   std::size_t clusters() const;
   /// Memory held, bytes.
   std::size_t bytes() const;
@@ -102,11 +102,11 @@ class BoxTree {
             std::span<const std::uint32_t> begin);
 
   std::vector<BoxGroup> groups_;  ///< parent groups, by level from the root; then the children's
-  /// Of the box in each lane of a child group; in a wide tree, of any group: of the group below,
-  /// with is_group, where there is one.
+  /// By lane of a child group, and in a wide tree of any group: the number of its box, or that of
+  /// the group below, with is_group, where there is one.
   std::vector<std::uint32_t> index_;
   /// Two levels: the first group of each cluster. Regular tree: the first group below each parent
-  /// group, whose lanes stand for it and those that follow. And one past the last.
+  /// group, whose lanes stand for that group and the next ones. One past the last is at the end.
   std::vector<std::uint32_t> first_group_;
   std::uint32_t parent_groups_ = 0;
   std::size_t size_ = 0;

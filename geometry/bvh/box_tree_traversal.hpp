@@ -11,7 +11,7 @@
 namespace navjit::bvh {
 namespace detail {
 
-/// A candidate as one number: non-negative floats are ordered as their bits are.
+/// A candidate as one number. Non-negative floats have the same order as their bits.
 struct Candidate {
   double distance;
   std::uint32_t number;
@@ -25,14 +25,14 @@ struct Candidate {
   }
 };
 
-/// The groups that are still to be entered. There are at most 11 levels; 7 stay for
-/// each and 8 more come.
+/// The groups that are still to be entered. There are at most 11 levels; each leaves 7 groups
+/// behind, and 8 more come.
 class DepthFirst {
  public:
   bool empty() const { return count_ == 0; }
   std::uint32_t size() const { return count_; }
 
-  /// Keeps those from place `above` on in order, the nearest last; by number among equals.
+  /// Keeps the entries from place `above` on in order: the nearest last, by number among equals.
   void insert(std::uint32_t above, float distance, std::uint32_t number) {
     const std::uint64_t key = Candidate::key(distance, number);
     std::uint32_t at = count_++;
@@ -47,9 +47,9 @@ class DepthFirst {
   std::uint32_t count_ = 0;
 };
 
-/// A few candidates, taken out nearest first and by number among equals. Taking one out looks at
-/// all: most queries shrink their limit at once and need no complete order. Kept small and not
-/// initialised: it lives on the stack of every query. Those who fill it empty it in time.
+/// A few candidates, taken out nearest first and by number among equals. To take one out looks at
+/// all: most queries shrink their limit at once and need no complete order. Small and not
+/// initialised: it is on the call stack of every query. Callers empty it in time.
 class NearestFirst {
  public:
   bool has_room_for_a_group() const { return count_ + group_width <= capacity; }
@@ -76,9 +76,9 @@ class NearestFirst {
 
 }  // namespace detail
 
-/// Tests groups first ... last - 1. `number_of(group, lane)` names a candidate, or is no_box;
-/// `take(number, distance)` receives them nearest first, in batches of a few groups, and returns
-/// the limit from there on. Returns the last limit.
+/// Tests groups first ... last - 1. `number_of(group, lane)` gives the number of a candidate, or
+/// no_box; `take(number, distance)` receives candidates nearest first, in batches of a few groups,
+/// and returns the limit from there on. Returns the last limit.
 template <class Test, class NumberOf, class Take>
 double BoxTree::scan(std::uint32_t first, std::uint32_t last, const Test& test, double limit,
                      const NumberOf& number_of, const Take& take) const {
@@ -108,7 +108,7 @@ double BoxTree::scan(std::uint32_t first, std::uint32_t last, const Test& test, 
   return limit;
 }
 
-/// Depth first, the nearest lane of each group before the others.
+/// Goes depth first, into the nearest lane of each group before the others.
 template <class Test, class Visit>
 void BoxTree::descend(const Test& test, double limit, const Visit& visit) const {
   if (groups_.empty()) return;
@@ -130,7 +130,7 @@ void BoxTree::descend(const Test& test, double limit, const Visit& visit) const 
       }
       continue;
     }
-    // Mostly the first box ends the matter: cheaper to look for it than to sort.
+    // Mostly the first box ends the search: it is cheaper to look for it than to sort.
     for (unsigned bits = verdict.candidates; bits != 0; bits &= bits - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
       const std::uint32_t number = index_of(group, lane);
@@ -146,8 +146,8 @@ void BoxTree::descend(const Test& test, double limit, const Visit& visit) const 
   }
 }
 
-/// The same where lanes are boxes or groups. What is kept are the groups on the way down to the
-/// present one, each with the candidates that are left of it.
+/// The same where lanes are boxes or groups. It keeps the groups on the way down to the present
+/// one, each with those of its candidates that are still to be looked at.
 template <class Test, class Visit>
 void BoxTree::descend_wide(const Test& test, double limit, const Visit& visit) const {
   using detail::Candidates;
@@ -236,7 +236,7 @@ void BoxTree::overlapping(const Extent& box, Visit&& visit) const {
 
 template <class Test, class Visit>
 void BoxTree::visit_overlapping(const Test& test, const Visit& visit) const {
-  // True to go on.
+  // Returns true if the search is to go on.
   const auto scan_children = [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t g = first; g < last; ++g) {
       for (unsigned bits = test(groups_[g]); bits != 0; bits &= bits - 1) {

@@ -35,7 +35,7 @@ Vec3 mean(std::span<const Left> left) {
   return {x / n, y / n, z / n};
 }
 
-/// Among equally far ones the first, as everywhere.
+/// The centre that is furthest away; the first of several that are equally far.
 Vec3 furthest(std::span<const Left> left) {
   return std::max_element(left.begin(), left.end(),
                           [](const Left& a, const Left& b) {

@@ -9,7 +9,7 @@ namespace navjit::bvh {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int max_rounds = 16;  // what comes after moves few boxes, and equalisation moves more
+constexpr int max_rounds = 16;  // more rounds move few boxes, and equalise() moves more
 
 double distance2(const Vec3& a, const Vec3& b) {
   const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
@@ -36,10 +36,10 @@ class KMeans {
   }
 
  private:
-  /// Each centre is one of the points, drawn in proportion to its squared distance from those drawn
-  /// before (Arthur and Vassilvitskii, "k-means++", 2007).
+  /// Each centre is one of the points, drawn with a probability in proportion to its squared
+  /// distance from the centres drawn before (Arthur and Vassilvitskii, "k-means++", 2007).
   void draw_centres() {
-    std::mt19937_64 random(1);  // any seed, as long as it is always the same
+    std::mt19937_64 random(1);  // any seed will do, if it is always the same
     std::vector<double> far(points_.size(), infinity);
     centres_.push_back(points_[0]);
     while (centres_.size() < count_) {
@@ -55,7 +55,7 @@ class KMeans {
     }
   }
 
-  /// Every point to the nearest centre; false if nothing changed.
+  /// Assigns every point to the nearest centre; false if nothing changed.
   bool assign() {
     bool changed = cluster_of_.empty();
     cluster_of_.resize(points_.size());
@@ -96,7 +96,7 @@ class KMeans {
     }
   }
 
-  /// Full clusters all but the smallest, which becomes the last.
+  /// Fills all clusters but the smallest, which becomes the last.
   void equalise() {
     const auto smallest = static_cast<std::uint32_t>(
         std::min_element(members_.begin(), members_.end()) - members_.begin());

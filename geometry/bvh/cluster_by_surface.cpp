@@ -50,7 +50,7 @@ class Divider {
       begin_.push_back(begin_.back() + static_cast<std::uint32_t>(members.size()));
       return;
     }
-    // Boxes without a finite surface have no cost to compare: any place will do.
+    // Boxes without a finite surface have no cost to compare: any place to cut will do.
     Cut best{infinity, middle(members.size())};
     int best_axis = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -84,7 +84,7 @@ class Divider {
       const std::size_t clusters_above = (count - i + capacity_ - 1) / capacity_;
       const double cost = surface_below_[i - 1] * static_cast<double>(clusters_below) +
                           above.half_surface() * static_cast<double>(clusters_above);
-      // Among equals, halves: identical boxes must not be peeled off one cluster at a time.
+      // Among equal costs, halves: identical boxes must not be split off one cluster at a time.
       const bool better =
           cost < best.cost || (cost == best.cost && off_centre(i) < off_centre(best.below));
       if (better) best = {cost, i};
@@ -92,7 +92,7 @@ class Divider {
     return best;
   }
 
-  /// About half of `count` (> capacity) boxes, in full clusters.
+  /// About half of `count` (> capacity) boxes, a whole number of clusters.
   std::size_t middle(std::size_t count) const {
     return std::max<std::size_t>(capacity_, count / 2 / capacity_ * capacity_);
   }

@@ -42,12 +42,12 @@ struct Verdict {
   unsigned candidates;  ///< one bit per lane
 };
 
-/// The candidates of a group that has been tested, of which the nearest is found without a branch.
-/// Each has a key: the bits of its distance, which are ordered as it is, with its lane in the place
-/// of the last three.
+/// The candidates of a group that has been tested. Their nearest is found without a branch. Each
+/// has a key: the bits of its distance, which have the same order as the distance, with the number
+/// of the lane in place of the last three.
 class Candidates {
  public:
-  /// Of lane after lane; those where `mask` is false are none.
+  /// Sets one lane after the other; lanes where `mask` is false are no candidates.
   void set(unsigned lane, const Lanes::Mask& mask, const Lanes& distance) {
     Lanes masked(std::numeric_limits<float>::quiet_NaN());
     masked(mask) = distance;
@@ -57,7 +57,7 @@ class Candidates {
       keys_ = (keys_ & ~lane_bits) | lanes;
     }
   }
-  /// The nearest candidate's key, or one that is none.
+  /// The nearest candidate's key, or a key of none if there is no candidate.
   std::uint32_t nearest() const {
     Keys least = keys_;
     least = smaller(least, __builtin_shufflevector(least, least, 4, 5, 6, 7, 0, 1, 2, 3));
@@ -68,7 +68,7 @@ class Candidates {
   void take_out(std::uint32_t key) { keys_ |= static_cast<Keys>(keys_ == key); }
 
   static bool is_one(std::uint32_t key) { return key < infinite + group_width; }
-  /// At most the candidate's distance.
+  /// A distance that is no more than the candidate's.
   static float least_distance(std::uint32_t key) { return std::bit_cast<float>(key & ~lane_bits); }
   static std::uint32_t lane(std::uint32_t key) { return key & lane_bits; }
 
@@ -158,7 +158,7 @@ class DistanceTest {
     }
   }
 
-  /// A box at exactly the radius cannot reduce it.
+  /// A box at exactly the radius cannot make it smaller.
   static bool within(double distance, double radius) { return distance < radius; }
 
   void operator()(const BoxGroup& group, float radius, Verdict& verdict) const {

@@ -25,13 +25,13 @@ bool has_clustering(Method method) {
 
 }  // namespace
 
-// A single group is a wide tree of one node, whose nearest lane is found without a branch. Of two
-// groups a scan is as fast or faster; with more the wide tree is ahead of all others.
+// A single group is a wide tree of one node, whose nearest lane is found without a branch. For two
+// groups a scan is as fast or faster; for more, the wide tree is faster than all others.
 Structure default_method(std::size_t count) {
   return {count > 8 && count <= 16 ? Method::linear : Method::wide_tree, Clustering::surface};
 }
 
-// Parents, which every query scans, against children.
+// More parents cost every query, since it scans them all; fewer have more children to scan.
 std::uint32_t default_groups_per_cluster(std::size_t count) {
   return count < 512 ? 1 : count < 2048 ? 2 : 4;
 }

@@ -1,4 +1,4 @@
-// Which box structure a set of boxes gets: method, clustering, size of clusters; their names.
+// Which box structure a set of boxes gets: method, clustering and size of clusters, by name too.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,13 @@ namespace navjit::bvh {
 /// The structure that is fastest for `count` boxes, as measured (docs/bvh.md).
 Structure default_method(std::size_t count);
 
-/// What stands for groups_per_cluster == 0.
+/// The size of clusters that groups_per_cluster == 0 stands for.
 std::uint32_t default_groups_per_cluster(std::size_t count);
 
 /// "linear", "two-level:surface", "regular-tree:k-means", ...
 std::string to_string(const Structure& structure);
 
-/// The inverse; ":surface" may be left out. Nothing for any other text.
+/// The inverse of to_string(); ":surface" may be left out. Nothing for any other text.
 std::optional<Structure> parse_structure(std::string_view text);
 
 }  // namespace navjit::bvh

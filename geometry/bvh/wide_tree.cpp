@@ -10,11 +10,11 @@
 namespace navjit::bvh {
 namespace {
 
-/// From this level on ranges are halved, whatever their surface, so that there are not many more.
+/// From this level on ranges are halved, whatever their surface, which bounds the levels.
 constexpr std::uint32_t levels_by_surface = 16;
 
 double edge(double low, double high) {
-  // Products of what is infinite would not compare.
+  // Limited, since infinite products could not be compared.
   return high > low ? std::min(high - low, 1e30) : 0.0;
 }
 double half_surface(const Extent& e) {
@@ -22,7 +22,7 @@ double half_surface(const Extent& e) {
   return x * y + y * z + z * x;
 }
 
-/// The nodes for so many boxes, fractions counted; a lone one needs none of its own.
+/// The number of nodes for so many boxes, as a fraction; a single box needs no node.
 double nodes_for(std::size_t boxes) {
   return boxes < 2 ? 0.0 : static_cast<double>(boxes + wide_tree_lanes - 3) / (wide_tree_lanes - 1);
 }
@@ -93,15 +93,15 @@ class Builder {
     }
   }
 
-  /// A few boxes come apart from many only where the many get smaller by that: else a stack would
-  /// lose plate after plate. `low`: the surface of what is below `at`.
+  /// A few boxes are separated from many only if the many get a smaller box by that: else a stack
+  /// of plates would lose plate after plate. `low`: the surface of what is below `at`.
   bool is_worth_a_lane(const Range& r, std::size_t at, double low) const {
     const std::size_t below = at - r.first, above = r.last - at;
     if (std::min(below, above) * wide_tree_lanes >= r.size()) return true;
     return (below > above ? low : surface_above_[at]) < 0.98 * r.surface;
   }
 
-  /// The same boxes below `at` in all orders as in that of the cut.
+  /// Puts the same boxes below `at` in all orders as in the order of the cut.
   void apply(const Cut& cut, const Range& r) {
     const std::vector<std::uint32_t>& leading = order_[cut.order];
     for (std::size_t i = r.first; i < r.last; ++i) low_side_[leading[i]] = i < cut.at;
@@ -117,7 +117,7 @@ class Builder {
   }
 
   std::size_t cut(const Range& r, bool halve) {
-    // Where surfaces are not asked, along the longest axis.
+    // Where surfaces do not decide, it is cut along the longest axis.
     const Extent bounds = bounds_of(r);
     const double x = edge(bounds.min.x, bounds.max.x), y = edge(bounds.min.y, bounds.max.y),
                  z = edge(bounds.min.z, bounds.max.z);

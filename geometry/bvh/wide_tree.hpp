@@ -1,4 +1,4 @@
-// A tree of boxes whose nodes are as the boxes are: each lane of a node is a box or another node.
+// A tree of boxes with nodes of uneven depth: each lane of a node is a box or another node.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace navjit::bvh {
 
 constexpr std::uint32_t wide_tree_lanes = 8;
 
-/// No path from the root has more nodes.
+/// No path from the root has more nodes than this.
 constexpr std::uint32_t wide_tree_levels = 28;
 
 struct WideNode {
@@ -21,15 +21,15 @@ struct WideNode {
     bool is_box;
   };
   Lane lanes[wide_tree_lanes];
-  std::uint32_t count = 0;  ///< of the lanes in use
+  std::uint32_t count = 0;  ///< the number of lanes in use
 };
 
-/// The root comes first; nothing for no boxes. Ranges of boxes are cut in two where the sum of
-/// (surface of the bounding box) * (nodes for the boxes within) is least, the surface-area
-/// heuristic of ray tracing, with the boxes in order of their centres along each axis or of their
-/// surface: what is far larger than the rest comes apart from it at once. A node takes the cuts of
-/// its largest parts until its lanes are full. Boxes of any size, infinite or empty ones included;
-/// no bound may be NaN. O(n log n) where the cuts are even.
+/// The root comes first; there are no nodes for no boxes. Ranges of boxes are cut in two where the
+/// sum of (surface of the bounding box) * (nodes for the boxes within) is least, the surface-area
+/// heuristic of ray tracing. The boxes are in order of their centres along each axis, or of their
+/// surface: so what is far larger than the rest is cut off at once. A node takes the cuts of its
+/// largest parts until its lanes are full. Boxes may have any size, also infinite or empty; no
+/// bound may be NaN. O(n log n) where the cuts are even.
 std::vector<WideNode> build_wide_tree(std::span<const Extent> boxes);
 
 }  // namespace navjit::bvh

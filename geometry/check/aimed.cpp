@@ -31,14 +31,14 @@ Extent box_in_frame_of(const PlacedSolid& a, const PlacedSolid& b) {
   return box;
 }
 
-/// The line in the mother's frame, seen from one of the solids.
+/// The parts within one of the solids of a line in the mother's frame.
 std::vector<Chord> chords_of(const PlacedSolid& s, const Vec3& p, const Vec3& v, double reach,
                              double rounding) {
   const Direction d = to_local(s.transformation, kernels::make_direction(v.x, v.y, v.z));
   return chords_along(s.solid.any(), to_local(s.transformation, p), {d.x, d.y, d.z}, reach,
                       rounding);
 }
-/// How deep a point of the mother's frame is in the solid; negative if not within by the tolerance.
+/// How deep a point of the mother's frame is in the solid; negative if not by the tolerance.
 double depth_in(const PlacedSolid& s, const Vec3& p, double tolerance) {
   const Vec3 q = to_local(s.transformation, p);
   if (inside(s.solid.any(), q, tolerance) != Side::inside) return -1;

@@ -1,4 +1,4 @@
-// Do two solids hold the same points? Lines aimed at where their boxes meet.
+// Whether two solids hold the same points, by lines that are aimed at where their boxes meet.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,13 @@ struct SharedPoint {
   double depth;  ///< a lower bound of how far they would have to be moved apart, mm
 };
 
-/// Can two solids share a part thicker than the tolerance at all? Not if their boxes, each in its
-/// own frame, are apart.
+/// Whether two solids can share a part thicker than the tolerance at all. They cannot if their
+/// boxes, each in its own frame, are apart.
 bool boxes_meet(const PlacedSolid& a, const PlacedSolid& b, double tolerance);
 
-/// The deepest shared point found on `lines` lines through the part of each solid's box that lies
-/// in the other's. Finds what points on surfaces miss: solids that coincide, plates and wires that
-/// cross. Nothing for solids that merely touch, or that share less than the tolerance.
+/// The deepest shared point that is found on `lines` lines through the part of each solid's box
+/// that lies in the other's. It finds what points on surfaces miss: solids that coincide, plates
+/// and wires that cross. Nothing for solids that only touch, or that share less than the tolerance.
 std::optional<SharedPoint> find_shared_point(const PlacedSolid& a, const PlacedSolid& b,
                                              std::size_t lines, double tolerance, double rounding,
                                              std::uint64_t seed);

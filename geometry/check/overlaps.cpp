@@ -66,7 +66,7 @@ void check_scene(const Geometry& geometry, VolumeId volume, const OverlapOptions
     boxes.push_back(placed_extent(world.volumes[d.volume].solid, d.transformation));
   }
   const bvh::BoxTree tree(boxes, world.tolerance, bvh::default_method(boxes.size()));
-  std::map<const void*, SolidPoints> sampled;  // placed many times, sampled once
+  std::map<const void*, SolidPoints> sampled;  // a solid that is placed many times is sampled once
   Findings findings(volume);
   for (std::uint32_t k = 0; k < scene.daughters.size(); ++k) {
     const Daughter& daughter = scene.daughters[k];
@@ -79,8 +79,8 @@ void check_scene(const Geometry& geometry, VolumeId volume, const OverlapOptions
     const auto check_point = [&](const Vec3& local, double depth) {
       const Vec3 p = to_outer(daughter.transformation, local);
       if (inside(scene.solid, p, options.tolerance) == Side::outside) {
-        // Safety may be less than the depth, and 0 for awkward shapes: outside by the tolerance is
-        // what is known then.
+        // The safety may be less than the depth, and 0 for awkward shapes. Then all that is known
+        // is that the point is outside by the tolerance.
         findings.add(k, Overlap::mother, p,
                      std::max(options.tolerance, depth + safety_to_in(scene.solid, p)));
       }

@@ -14,8 +14,8 @@ struct Line {
   Vec3 p, v;
 };
 
-/// Lines with uniform directions and uniform offsets within the bounding sphere's disk: isotropic
-/// lines, which meet equal areas equally often (Santalo).
+/// A line with a uniform direction and a uniform offset within the bounding sphere's disk. Such
+/// isotropic lines meet equal areas equally often (Santalo).
 Line isotropic_line(std::mt19937_64& random, const Vec3& centre, double radius) {
   const Vec3 v = unit_vector(random);
   const Vec3 a = std::abs(v.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -32,8 +32,8 @@ Vec3 point_in(std::mt19937_64& random, const Extent& e) {
   return {x, y, uniform(random, e.min.z, e.max.z)};
 }
 
-/// Lines through the extent itself, along its long sides or in any direction: a wire or a hoop that
-/// isotropic lines miss is met by these.
+/// A line through the extent itself, along its long sides or in any direction: it meets a wire or a
+/// hoop that isotropic lines miss.
 Line line_through(std::mt19937_64& random, const Extent& e, double radius, bool along) {
   const Vec3 p = point_in(random, e);
   Vec3 v = along ? point_in(random, e) - p : unit_vector(random);
@@ -43,7 +43,7 @@ Line line_through(std::mt19937_64& random, const Extent& e, double radius, bool 
   return {p + (-2 * radius) * v, v};
 }
 
-/// A line through the extent along the axis of this number: what sticks out is often an end.
+/// A line through the extent along the axis of this number: often it is an end that sticks out.
 Line line_along_axis(std::mt19937_64& random, const Extent& e, double radius, int axis) {
   const Vec3 v{axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
   return {point_in(random, e) + (-2 * radius) * v, v};

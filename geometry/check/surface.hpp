@@ -15,13 +15,13 @@ struct SolidPoints {
       interior;  ///< the middles of chords: in the solid, or on a face where it is thin
 };
 
-/// Up to `count` points on the solid's surface: where a few lines along the axes and random
-/// straight lines through its extent cross it (so nearly uniform over the surface for convex
-/// solids, unless they are so thin that most lines miss them). Between every two is a point of the
-/// interior. Deterministic for a seed; fewer than asked, or none, if the solid is hard to hit.
+/// Up to `count` points on the solid's surface: where it is crossed by a few lines along the axes
+/// and by random straight lines through its extent (so nearly uniform over the surface of convex
+/// solids, unless most lines miss them, so thin are they). Between every two is a point of the
+/// interior. Deterministic for a seed; fewer points, or none, if the solid is hard to hit.
 SolidPoints sample_points(const Solid& solid, std::size_t count, double tolerance,
                           std::uint64_t seed);
-/// Those on the surface alone.
+/// The points on the surface alone.
 std::vector<Vec3> surface_points(const Solid& solid, std::size_t count, double tolerance,
                                  std::uint64_t seed);
 

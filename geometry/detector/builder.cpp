@@ -32,14 +32,14 @@ Placement& placement_of(World& world, VolumeId mother, std::uint32_t daughter) {
   return volume.daughters[daughter];
 }
 
-/// Copies that were made before do not change.
+/// Makes a new list, since copies that were made before must not change.
 void add(Auxiliaries& auxiliaries, Auxiliary one) {
   auto more = auxiliaries ? *auxiliaries : std::vector<Auxiliary>{};
   more.push_back(std::move(one));
   auxiliaries = std::make_shared<const std::vector<Auxiliary>>(std::move(more));
 }
 
-/// Whether `inner` is `outer`, or somewhere in it.
+/// Whether `inner` is `outer`, or is somewhere in it.
 bool holds(const World& world, VolumeId outer, VolumeId inner) {
   std::vector<bool> seen(world.volumes.size(), false);
   std::vector<VolumeId> waiting{outer};

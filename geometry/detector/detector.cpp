@@ -10,7 +10,7 @@ namespace navjit {
 namespace {
 
 /// The state at the end of a way down from the world volume; `choose(volume, i)` gives the number
-/// of the daughter at level i.
+/// of the daughter to take at level i.
 template <class Choose>
 State descend(const World& world, std::size_t levels, const Choose& choose) {
   VolumeId volume = world.top;
@@ -24,7 +24,7 @@ State descend(const World& world, std::size_t levels, const Choose& choose) {
   return {touchable, volume};
 }
 
-/// What all[number] is; throws UsageError, with `what` it is, if there is no such thing.
+/// The element all[number]; throws UsageError, which names it by `what`, if there is none.
 template <class T>
 const T& at(const std::vector<T>& all, std::uint32_t number, const char* what) {
   if (number >= all.size()) {

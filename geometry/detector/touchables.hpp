@@ -10,7 +10,7 @@
 
 namespace navjit {
 
-/// A level on the way to a touchable.
+/// One level of the way to a touchable.
 struct TouchableLevel {
   TouchableId touchable;
   VolumeId volume;
@@ -19,7 +19,7 @@ struct TouchableLevel {
   State state() const { return {touchable, volume}; }
 };
 
-/// From the world volume down to a touchable.
+/// The levels from the world volume down to a touchable.
 class TouchableLevels {
  public:
   void push_back(const TouchableLevel& level) { levels_[size_++] = level; }
@@ -32,8 +32,8 @@ class TouchableLevels {
   std::size_t size_ = 0;
 };
 
-/// Throws UsageError if the state is outside the world, or if the world has not so many touchables
-/// or volumes.
+/// Throws UsageError if the state is outside the world, or if the world does not have so many
+/// touchables or volumes.
 void check_state(const World& world, const State& state);
 
 /// Throws UsageError also if the touchable is of another volume than the state says.

@@ -1,10 +1,10 @@
-// <auxiliary>: tags that are kept for the program as they stand.
+// <auxiliary>: tags, which are kept for the program as they stand.
 #include "geometry/gdml/context.hpp"
 
 namespace navjit::gdml {
 namespace {
 
-// As deep as the elements are nested, which is bounded.
+// Recursion goes as deep as the elements are nested, which is bounded.
 std::vector<Auxiliary> read_children(const XmlElement& element) {
   std::vector<Auxiliary> all;
   for (const XmlElement& child : element.children()) {

@@ -1,4 +1,4 @@
-// Solids made of solids: union, subtraction, intersection, many at once, and stretched ones.
+// Solids made of solids: union, subtraction, intersection, multiUnion, and scaled solids.
 #include <algorithm>
 
 #include "geometry/gdml/solids.hpp"
@@ -12,8 +12,8 @@ bool is_zero(const Vector& v) { return v == Vector{0, 0, 0}; }
 
 bool is_moved(const Frame& frame) { return !is_zero(frame.position) || !is_zero(frame.rotation); }
 
-/// The operand where the frame puts it. Booleans place actively, so that the way into the operand
-/// is the inverse rotation.
+/// The operand where the frame puts it. Booleans place actively, so that the rotation into the
+/// operand's frame is the inverse one.
 Solid placed(const Solid& solid, const Frame& frame) {
   if (!is_moved(frame)) return solid;
   double active[9], inverse[9];
@@ -67,7 +67,7 @@ NamedSolid read_boolean(FileContext& file, const XmlElement& element, const std:
   return result;
 }
 
-/// A union of many is one of unions of halves.
+/// Makes a union of many solids from two unions of half of them each.
 Solid union_of_all(const std::string& name, const std::vector<Solid>& nodes, std::size_t first,
                    std::size_t count) {
   if (count == 1) return nodes[first];

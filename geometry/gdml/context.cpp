@@ -9,7 +9,7 @@ bool is_empty(std::string_view text) {
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
-/// How messages call a dimension, and which units they suggest.
+/// What messages call a dimension, and which units they suggest.
 struct DimensionWords {
   const char *kind, *units;
 };
@@ -33,7 +33,7 @@ constexpr DimensionWords words_of(Dimension dimension) {
   return {"this kind", "use a unit that Geant4 knows"};
 }
 
-/// The first element of the tree that defines the name, in any section.
+/// The first element of the tree that defines the name, in whatever section.
 const XmlElement* find_definition(const XmlElement& root, const std::string& what,
                                   const std::string& wanted) {
   const auto defines = [&](const XmlElement& element) {
@@ -180,7 +180,7 @@ void FileContext::charge(const XmlElement& element) {
 }
 
 void FileContext::charge_expression(const XmlElement& element, std::string_view expression) {
-  constexpr std::size_t usual = 128;  // characters; an element has some such attributes
+  constexpr std::size_t usual = 128;  // characters: up to this an expression costs nothing extra
   if (loops == 0 || expression.size() < usual) return;
   session.loop_elements += expression.size() / usual - 1;
   charge(element);
@@ -215,7 +215,7 @@ void FileContext::leave_out(const XmlElement& element, const std::string& messag
     refuse(element,
            "more than " + std::to_string(most) + " definitions cannot be read; mend the file");
   }
-  // The place in the message is that of the part which is wrong.
+  // The place that the message names is that of the part which is wrong.
   const bool whole = message.starts_with(describe(element) + ": ");
   session.notes.add_line("left out, since it cannot be read",
                          message + (whole ? "; left out" : "; left out with " + label(element)));
@@ -238,7 +238,7 @@ void FileContext::define_if_readable(const XmlElement& element, const std::strin
   } catch (const GdmlRefusal&) {
     throw;
   } catch (const GdmlError&) {
-    return;  // nothing can ask for it
+    return;  // nothing can refer to it
   }
   if (name.empty()) return;
   if (what == "value") {

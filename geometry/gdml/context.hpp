@@ -20,11 +20,11 @@ namespace navjit::gdml {
 
 using Vector = std::array<double, 3>;
 
-/// The dimensions of a solid that divisions cut, as the file gives them: half lengths and radii in
-/// mm, angles in rad. Those that a kind does not have are zero.
+/// The dimensions of a solid that can be divided, as the file gives them: half lengths and radii in
+/// mm, angles in rad. Those that a kind of solid does not have are zero.
 struct DivisibleShape {
   std::string_view tag;  ///< "box", "tube", "cone", "trd", "para", "polycone", "polyhedra", "trap"
-  double x1 = 0, y1 = 0, x2 = 0, y2 = 0;  ///< at -hz and at hz; box and para have the first two
+  double x1 = 0, y1 = 0, x2 = 0, y2 = 0;  ///< at -hz and at hz; box and para use the first two
   double hz = 0;
   double alpha = 0, theta = 0, phi = 0;               ///< para, trap
   double rmin1 = 0, rmax1 = 0, rmin2 = 0, rmax2 = 0;  ///< cone; the tube has the first two
@@ -34,7 +34,7 @@ struct DivisibleShape {
 
   friend bool operator==(const DivisibleShape&, const DivisibleShape&) = default;
 };
-/// Throws GeometryError.
+/// Throws GeometryError if the dimensions make no solid.
 Solid make_shape(const std::string& name, const DivisibleShape& shape);
 
 /// A solid of the file. One that is not supported is an error only once it is used.
@@ -45,15 +45,15 @@ struct NamedSolid {
   BooleanSize size;
 };
 
-/// Placements that go together, relative to a frame of their own.
+/// Placements that are made together, relative to a frame of their own.
 struct Assembly {
-  /// A placement, or those of an assembly within.
+  /// A placement, or all those of an assembly within this one.
   struct Part {
     const Assembly* nested = nullptr;
   };
 
   std::vector<Placement> placements{};
-  std::vector<Part> parts{};  ///< of the placements, in order
+  std::vector<Part> parts{};  ///< in the order of the placements
   int depth = 1;              ///< levels of assemblies
 };
 
@@ -76,11 +76,11 @@ struct Session {
   std::size_t loop_elements = 0;
   std::size_t loop_name_bytes = 0;
   std::size_t left_out = 0;
-  /// Of elements within loops, where they are the same every time.
+  /// Those of elements within loops, where they are the same every time.
   std::map<const XmlElement*, Auxiliaries> auxiliaries;
   std::size_t placements = 0;
   std::size_t placement_name_bytes = 0;
-  std::size_t boolean_parts = 0;  ///< of all booleans, counted in each that they are in
+  std::size_t boolean_parts = 0;  ///< of all booleans: a part counts in each that it is in
   World world;
   std::vector<const NamedSolid*> volume_solids;  ///< of the world's volumes
   Notes notes;
@@ -93,8 +93,8 @@ struct Session {
 template <class T>
 using Definitions = StringMap<T>;
 
-/// One GDML file. Names of values and frames are its own; where it lacks a material, solid or
-/// volume, those of the other files that were read hold, as in Geant4's stores.
+/// One GDML file. Names of values and frames are its own; a material, solid or volume that it lacks
+/// is looked for in the other files that were read, as in Geant4's stores.
 struct FileContext {
   explicit FileContext(Session& the_session) : session(the_session) {}
 
@@ -107,29 +107,29 @@ struct FileContext {
   Definitions<Vector> positions, rotations, scales;
   Definitions<double> quantities;
   Definitions<std::uint32_t> materials, elements, isotopes;  ///< indices into the world's
-  /// By their names without the addresses ("0x55d...") that Geant4 appends when it writes; the
-  /// first of several holds.
+  /// Under their names without the addresses ("0x55d...") that Geant4 appends when it writes; of
+  /// several with the same name the first holds.
   Definitions<std::uint32_t> materials_by_bare_name, elements_by_bare_name;
   Definitions<NamedSolid> solids;
   Definitions<VolumeId> volumes;
   Definitions<Assembly> assemblies;
   std::vector<Setup> setups;
-  /// By "KIND NAME": what is wrong with definitions that could not be read.
+  /// Under "KIND NAME": what is wrong with definitions that could not be read.
   Definitions<std::string> broken;
-  int loops = 0;          ///< how many loops we are in: names hold indices there
+  int loops = 0;          ///< how many loops are being read: names hold indices there
   std::string open_name;  ///< the solid, volume or assembly that is being read
 
-  /// Notes something odd at an element; `what` tells the kind, of which only the first few are
-  /// kept.
+  /// Notes something odd at an element; `what` names the kind of note, of which only the first few
+  /// are kept.
   void note(const XmlElement& element, const std::string& what, const std::string& detail = {}) {
     session.notes.add(element, what, detail);
   }
   /// Counts something common that was skipped.
   void skip(const std::string& what) { session.notes.count(what); }
 
-  /// The `name` of an element, indices resolved. Fails if it is missing.
+  /// The `name` of an element with its indices resolved. Fails if it is missing.
   std::string name(const XmlElement& element);
-  /// Empty if there is none.
+  /// The same; empty if there is none.
   std::string optional_name(const XmlElement& element);
   /// The `ref` of an element.
   std::string reference(const XmlElement& element, std::string_view attribute = "ref");
@@ -141,32 +141,32 @@ struct FileContext {
   /// The value of the unit that the attribute names; `fallback` where it is missing.
   double unit(const XmlElement& element, std::string_view attribute, Dimension dimension,
               double fallback = 1);
-  /// A length of at most 1e30 mm, in `unit` mm. Polynomials of such lengths stay finite.
+  /// A length of at most 1e30 mm; `unit` is in mm. Polynomials of such lengths stay finite.
   double length(const XmlElement& element, std::string_view attribute, double unit);
   double length(const XmlElement& element, std::string_view attribute, double unit,
                 double fallback);
-  /// x, y, z in the element's `unit`; a missing one is `fallback`.
+  /// x, y, z in the element's `unit`; a missing coordinate is `fallback`.
   Vector vector(const XmlElement& element, Dimension dimension, double fallback = 0);
-  /// Evaluates an expression, telling where it stands.
+  /// Evaluates an expression; an error says where it stands.
   double evaluate(const XmlElement& element, std::string_view expression, std::string_view what);
 
   /// Resolves indices in a name where it is in a loop, and checks its length.
   std::string resolved(const XmlElement& element, std::string_view text, bool always = false);
 
-  /// Notes that an element was left out, and why, from an error's message.
+  /// Notes that an element was left out, and why: `message` is that of the error.
   void leave_out(const XmlElement& element, const std::string& message);
-  /// Runs `read`, which reads the definition of a `what`. If it cannot be read that is noted, and
-  /// is an error for whoever uses it.
+  /// Runs `read`, which reads the definition of a `what`. If that fails it is noted, and is an
+  /// error only for what uses the definition.
   void define_if_readable(const XmlElement& element, const std::string& what,
                           const std::function<void()>& read);
   /// Runs `body` for every turn of a <loop>.
   void loop(const XmlElement& element, const std::function<void()>& body);
-  /// Charges an element against the limit on loops, if we are in one.
+  /// Charges an element against the limit on loops, if a loop is being read.
   void charge(const XmlElement& element);
   /// The same for an expression, if it is a long one.
   void charge_expression(const XmlElement& element, std::string_view expression);
 
-  /// The definition of a name, of this file or else of one that was read before; null if there is
+  /// The definition of a name, in this file or else in one that was read before; null if there is
   /// none.
   template <class T>
   T* find(Definitions<T> FileContext::*definitions, const std::string& wanted) {
@@ -178,7 +178,7 @@ struct FileContext {
     }
     return nullptr;
   }
-  /// The same. Fails where there is none, saying where it is defined if it is, but too late.
+  /// The same. Fails where there is none, and says where the name is defined if that is too late.
   template <class T>
   T& look_up(Definitions<T> FileContext::*definitions, const XmlElement& element,
              const std::string& what, const std::string& wanted) {
@@ -189,7 +189,7 @@ struct FileContext {
     }
     fail_unknown(element, what, wanted);
   }
-  /// The definition of a name of this file. Fails where there is none, in the same way.
+  /// The definition of a name of this file. Fails in the same way where there is none.
   template <class T>
   T& look_up(Definitions<T>& definitions, const XmlElement& element, const std::string& what,
              const std::string& wanted) {
@@ -208,7 +208,7 @@ struct FileContext {
     }
   }
 
-  /// Fails if the definition of a `what` of this name could not be read.
+  /// Fails if there is a definition of a `what` of this name that could not be read.
   void check_readable(const XmlElement& element, const std::string& what,
                       const std::string& wanted) const;
 
@@ -249,9 +249,9 @@ void read_define(FileContext& file, const XmlElement& section);
 void read_materials(FileContext& file, const XmlElement& section);
 void read_solids(FileContext& file, const XmlElement& section);
 void read_structure(FileContext& file, const XmlElement& section);
-/// Reads another file, once; `from` is the element that asks for it, null for the main file.
+/// Reads another file, once. `from` is the element that asks for it; null for the main file.
 FileContext& read_file(Session& session, const std::filesystem::path& path, const XmlElement* from);
-/// The setup that `wanted` names; where that is empty the one named "Default", or the first.
+/// The setup named `wanted`; where that is empty the one named "Default", or else the first.
 const Setup& choose_setup(const FileContext& file, const std::string& wanted);
 
 }  // namespace navjit::gdml

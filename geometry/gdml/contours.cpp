@@ -36,7 +36,7 @@ NamedSolid read_xtru(FileContext& file, const XmlElement& element, const std::st
       fail(child, "unknown element here; use twoDimVertex or section");
     }
   }
-  // Cutting it into triangles takes time with the square of the corners.
+  // To cut it into triangles takes time with the square of the corners.
   const std::size_t cost = polygon.size() * polygon.size() / 64;
   if (cost > file.session.xml.elements) {
     refuse(element,
@@ -60,7 +60,7 @@ NamedSolid read_arb8(FileContext& file, const XmlElement& element, const std::st
     corners[i] = {file.length(element, attribute + "x", unit),
                   file.length(element, attribute + "y", unit)};
   }
-  // The length is a half.
+  // GDML gives half of the length here.
   return made(make_arb8(name, file.length(element, "dz", unit), corners));
 }
 
@@ -115,7 +115,7 @@ NamedSolid read_generic_polyhedra(FileContext& file, const XmlElement& element,
                                      file.number(element, "deltaphi") * angle));
 }
 
-/// The defined position that an attribute names; a unit of the element multiplies it, as in Geant4.
+/// The defined position that an attribute names, times a unit of the element, as in Geant4.
 Vec3 corner(FileContext& file, const XmlElement& element, std::string_view attribute) {
   const Vector& p =
       file.look_up(file.positions, element, "position", file.reference(element, attribute));
@@ -143,7 +143,7 @@ NamedSolid read_tessellated(FileContext& file, const XmlElement& element, const 
     }
     const std::string_view type = child.find("type").value_or("ABSOLUTE");
     if (type == "RELATIVE") {
-      // The others are counted from the first.
+      // The other corners are relative to the first.
       for (std::size_t i = 1; i < facet.size(); ++i) {
         facet[i].x += facet[0].x;
         facet[i].y += facet[0].y;

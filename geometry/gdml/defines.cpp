@@ -54,13 +54,13 @@ void read_scale(FileContext& file, const XmlElement& element) {
   file.scales.insert_or_assign(file.name(element), file.vector(element, Dimension::other, 1));
 }
 
-/// The elements of a matrix become constants name_i or name_i_j, from 0; expressions write them
-/// name[i] or name[i,j], from 1.
+/// The elements of a matrix become constants name_i or name_i_j, counted from 0; expressions write
+/// them as name[i] or name[i,j], counted from 1.
 void read_matrix(FileContext& file, const XmlElement& element) {
   const std::string name = file.name(element);
   const int columns = file.integer(element, "coldim");
   std::string_view text = element.find("values").value_or("");
-  // An element that cannot be read matters only to who uses it.
+  // An element that cannot be read matters only to what uses it.
   std::vector<std::optional<double>> values;
   std::string problem;
   std::size_t problems = 0;

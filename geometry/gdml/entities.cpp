@@ -19,7 +19,7 @@ bool EntityReferences::declare(std::string_view name, std::string_view text, std
     if (other.users.empty() || other.users.back() != &own) other.users.push_back(&own);
     own.depth = std::max(own.depth, other.depth + 1);
   }
-  // Those that refer to it may have become deeper. Circles through it are the parser's to refuse.
+  // Entities that refer to it may have become deeper. The parser refuses circles through it.
   std::vector<const Entity*> changed{&own};
   while (!changed.empty()) {
     const Entity& entity = *changed.back();

@@ -9,11 +9,11 @@
 
 namespace navjit::gdml {
 
-/// How deep the internal entities of a document refer to one another, kept up to date as they are
-/// declared: the parser may follow them right after.
+/// How deep the internal entities of a document refer to one another. It is kept up to date as they
+/// are declared, since the parser may follow them right after.
 struct EntityReferences {
-  /// Declares an entity and its text; of several declarations of a name the first holds. False
-  /// where some entity is now the first of a chain of more than `deepest`.
+  /// Declares an entity and its text; of several declarations of a name the first holds. False if
+  /// some entity now begins a chain of more than `deepest`.
   bool declare(std::string_view name, std::string_view text, std::size_t deepest);
   bool is_declared(std::string_view name) const {
     const auto found = entities_.find(name);
@@ -23,7 +23,7 @@ struct EntityReferences {
  private:
   struct Entity {
     std::size_t depth = 0;  ///< entities in the longest chain from here; 0 before it is declared
-    std::vector<Entity*> users;  ///< those whose text refers to it
+    std::vector<Entity*> users;  ///< the entities whose text refers to it
   };
   StringMap<Entity> entities_;
 };

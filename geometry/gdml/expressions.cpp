@@ -14,7 +14,7 @@
 namespace navjit::gdml {
 namespace {
 
-// Longer or deeper than anything written by people; bounds the parser's work.
+// Longer and deeper than anything that people write; bounds the parser's work.
 constexpr std::size_t longest_expression = 10'000;
 constexpr std::size_t most_compiled = 100;
 
@@ -38,10 +38,10 @@ bool is_name(std::string_view text) {
 
 std::string in_quotes(std::string_view text) { return "'" + printable(text) + "'"; }
 
-/// What a decimal number that no double is near stands for. strtod() would need a point as the
-/// program's locale has it.
+/// The value of a decimal number that is beyond the range of doubles. strtod() would want the
+/// decimal point of the program's locale.
 double out_of_range(std::string_view text) {
-  // Where the first digit that is not 0 stands: how many powers of ten above or below 1.
+  // Where the first digit other than 0 stands: how many powers of ten above or below 1.
   const std::string_view digits = text.substr(0, text.find_first_of("eE"));
   const std::size_t point = std::min(digits.find('.'), digits.size());
   const std::size_t first = digits.find_first_of("123456789");
@@ -50,7 +50,7 @@ double out_of_range(std::string_view text) {
                                                  : -static_cast<double>(first - point);
   if (digits.size() < text.size()) {
     const std::string_view exponent = text.substr(digits.size() + 1);
-    // As a double, since it may be beyond all whole numbers.
+    // As a double, since the exponent may be beyond all whole numbers.
     double value = 0;
     const std::string_view bare = exponent.substr(exponent.starts_with('+') ? 1 : 0);
     const auto [end, error] =
@@ -63,8 +63,8 @@ double out_of_range(std::string_view text) {
   return text.starts_with('-') ? -size : size;
 }
 
-/// Most values in real files are plain numbers. Those beyond the range of doubles become infinite
-/// or zero.
+/// Reads a plain number; most values in real files are such. Those beyond the range of doubles
+/// become infinite or zero.
 bool read_number(std::string_view text, double& value) {
   if (text.starts_with('+')) text.remove_prefix(1);
   const char first = text.empty() ? ' ' : text[text.starts_with('-') && text.size() > 1];
@@ -77,8 +77,8 @@ bool read_number(std::string_view text, double& value) {
 
 bool is_sign(char c) { return c == '+' || c == '-'; }
 
-/// Signs in a row are one to CLHEP: `--5` is 5, `10-+-3` is 13. Where an operand precedes them the
-/// first is the operator. Returns where they end; one sign alone is left as it is.
+/// CLHEP takes several signs in a row for one: `--5` is 5, `10-+-3` is 13. After an operand the
+/// first of them is the operator. Returns where they end; a single sign is left as it is.
 std::size_t take_signs(const std::string& expression, std::size_t begin, std::string& text) {
   bool negative = false;
   std::size_t end = begin, count = 0;
@@ -101,7 +101,7 @@ std::size_t take_signs(const std::string& expression, std::size_t begin, std::st
   return end;
 }
 
-/// The expression in the parser's spelling. Throws on characters that it could take for more.
+/// The expression in the parser's spelling. Throws on characters that mean more to the parser.
 std::string checked(const std::string& expression) {
   std::string text;
   for (std::size_t i = 0; i < expression.size(); ++i) {
@@ -110,7 +110,7 @@ std::string checked(const std::string& expression) {
       i = take_signs(expression, i, text) - 1;
       continue;
     }
-    // A function's name and its parenthesis may be apart.
+    // There may be blanks between a function's name and its parenthesis.
     if (c == '(') {
       const auto name = text.find_last_not_of(blanks);
       if (name != std::string::npos && name_characters.find(text[name]) != std::string_view::npos) {
@@ -169,8 +169,8 @@ double round_down(double a) { return std::floor(a); }
 
 }  // namespace
 
-/// muParser with its own operators, functions and constants taken out: its power groups from the
-/// right, it assigns to variables, and its optimiser rounds differently.
+/// muParser without its own operators, functions and constants: its power groups from the right, it
+/// assigns to variables, and its optimiser rounds differently.
 struct Evaluator::Parser : mu::Parser {
   explicit Parser(Evaluator& evaluator) {
     ClearConst();
@@ -225,7 +225,7 @@ struct Evaluator::Parser : mu::Parser {
       throw ExpressionError("unknown name " + in_quotes(name) +
                             "; define it before its use (units are mm, cm, deg, ...)");
     }
-    // Nothing that assigns is left in the parser.
+    // This is safe: nothing is left in the parser that assigns.
     return const_cast<double*>(value);
   }
 };
@@ -260,7 +260,7 @@ void Evaluator::set_variable(std::string_view name, double value) {
 
 void Evaluator::define_broken(std::string_view name, const std::string& message) {
   broken_.try_emplace(std::string(trimmed(name)), message);
-  // Parsers remember where the values are of names that they have met.
+  // Parsers remember the addresses of the values whose names they have met.
   compiled_.clear();
   parser_.reset();
 }
@@ -271,7 +271,7 @@ std::optional<double> Evaluator::defined(std::string_view name) const {
   return found->second.number;
 }
 
-/// Elements of a matrix are called like it, with one or two numbers behind.
+/// Elements of a matrix have its name with one or two numbers appended.
 void Evaluator::check_readable(std::string_view name) const {
   for (int indices = 0; indices <= 2; ++indices) {
     const auto found = broken_.find(name);
@@ -314,7 +314,7 @@ double Evaluator::parse(const std::string& expression) {
   try {
     return parse_compiled(expression);
   } catch (...) {
-    // A parser that gave up in the middle is in no state to be asked again.
+    // A parser that failed in the middle cannot be asked again.
     compiled_.erase(expression);
     parser_.reset();
     throw;

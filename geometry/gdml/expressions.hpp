@@ -11,7 +11,7 @@
 
 namespace navjit::gdml {
 
-/// What is wrong with an expression; the caller adds where it stands.
+/// What is wrong with an expression; the caller adds where the expression stands.
 struct ExpressionError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -23,7 +23,7 @@ struct BrokenDefinition : ExpressionError {
 struct StringHash : std::hash<std::string_view> {
   using is_transparent = void;
 };
-/// Keyed by names of the file; looked up without making a string.
+/// A map by names of the file; a look-up makes no string.
 template <class T>
 using StringMap = std::unordered_map<std::string, T, StringHash, std::equal_to<>>;
 
@@ -35,22 +35,22 @@ class Evaluator {
   Evaluator();
   ~Evaluator();
 
-  /// Throws ExpressionError if the file has already defined the name, or it is not a name.
+  /// Throws ExpressionError if the file has already defined the name, or if it is no name.
   void define_constant(std::string_view name, double value);
   void define_variable(std::string_view name, double value);
-  /// From now on whatever uses the name, or an element of the matrix of that name, throws
-  /// BrokenDefinition with this message.
+  /// From now on, an expression with this name, or with an element of the matrix of this name,
+  /// throws BrokenDefinition with this message.
   void define_broken(std::string_view name, const std::string& message);
-  /// The value that the file has defined for the name, if it has.
+  /// The value that the file has defined for the name; nothing if there is none.
   std::optional<double> defined(std::string_view name) const;
-  /// Sets a defined variable; throws ExpressionError otherwise.
+  /// Changes a defined variable; throws ExpressionError if there is none of this name.
   void set_variable(std::string_view name, double value);
 
-  /// A finite number. Throws ExpressionError.
+  /// The value, a finite number. Throws ExpressionError.
   double evaluate(std::string_view expression);
   /// Throws ExpressionError if the value is not an integer that an int holds.
   int evaluate_integer(std::string_view expression);
-  /// Replaces brackets by what GDML means by them: m[i] by m_{i-1}, m[i,j] by m_{i-1}_{j-1}.
+  /// Replaces brackets as GDML means them: m[i] by m_{i-1}, m[i,j] by m_{i-1}_{j-1}.
   std::string resolve_brackets(std::string_view text);
 
  private:
@@ -69,8 +69,8 @@ class Evaluator {
 
   StringMap<Value> values_;
   StringMap<std::string> broken_;
-  StringMap<std::unique_ptr<Parser>> compiled_;  ///< by expression, the first ones met
-  std::unique_ptr<Parser> parser_;               ///< for the others
+  StringMap<std::unique_ptr<Parser>> compiled_;  ///< by expression; those that were met first
+  std::unique_ptr<Parser> parser_;               ///< for all other expressions
 };
 
 }  // namespace navjit::gdml

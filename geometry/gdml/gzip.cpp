@@ -9,7 +9,7 @@
 namespace navjit::gdml {
 namespace {
 
-constexpr int gzip_only = 15 + 16;  // the largest window; no other format than gzip
+constexpr int gzip_only = 15 + 16;  // the largest window; no format other than gzip
 constexpr std::string_view magic = "\x1f\x8b";
 
 struct Inflater {
@@ -41,7 +41,7 @@ Expected<std::string> unpack_gzip(std::string_view contents, std::size_t most) {
       contents.remove_prefix(stream.avail_in);
     }
     if (status == Z_STREAM_END) {
-      // Members follow one another; what pads a file to the length of a block does not count.
+      // Members follow one another; zeros that pad a file to the length of a block are skipped.
       while (stream.avail_in > 0 && *stream.next_in == 0) {
         ++stream.next_in;
         --stream.avail_in;

@@ -12,8 +12,8 @@ namespace navjit::gdml {
 /// Whether the contents of a file are compressed by gzip, whatever its name.
 bool is_gzipped(std::string_view contents);
 
-/// The text of a gzipped file, all its members, or what is wrong: it is more than `most` bytes, or
-/// the contents are damaged. Never holds more than `most` bytes and a block.
+/// The text of all members of a gzipped file, or what is wrong: it is longer than `most` bytes, or
+/// the contents are damaged. Never holds more than `most` bytes and one block.
 Expected<std::string> unpack_gzip(std::string_view contents, std::size_t most);
 
 }  // namespace navjit::gdml

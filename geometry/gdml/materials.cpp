@@ -1,5 +1,5 @@
 // <materials>: isotopes, elements, and materials with their densities, states and radiation
-// lengths. What cannot be read of them counts as not given: no step depends on it.
+// lengths. What cannot be read counts as not given, since no step depends on it.
 #include <algorithm>
 #include <cmath>
 
@@ -9,12 +9,12 @@
 namespace navjit::gdml {
 namespace {
 
-/// More than any material is made of; bounds what mixtures of mixtures cost.
+/// More components than any material has; bounds what mixtures of mixtures cost.
 constexpr std::size_t most_components = 120;
 
 double unit_value(std::string_view name) { return find_unit(name)->value; }
 
-/// What `read` makes of an element; nothing, and a note, where it cannot be read.
+/// What `read` makes of an element; nothing, with a note, if the element cannot be read.
 template <class F>
 auto if_readable(FileContext& file, const XmlElement& element, F&& read)
     -> std::optional<decltype(read())> {
@@ -28,7 +28,7 @@ auto if_readable(FileContext& file, const XmlElement& element, F&& read)
   }
 }
 
-/// A number that is not negative.
+/// A number that must not be negative.
 std::optional<double> number_of(FileContext& file, const XmlElement& element,
                                 const std::string& attribute) {
   return if_readable(file, element, [&] {
@@ -38,8 +38,8 @@ std::optional<double> number_of(FileContext& file, const XmlElement& element,
   });
 }
 
-/// The value of the element's child `tag`, or of the quantity that `tag`ref names, in `unit`.
-/// Nothing where it is negative.
+/// The value, in `unit`, of the element's child `tag`, or of the quantity that `tag`ref names.
+/// Nothing if it is negative.
 std::optional<double> read_quantity(FileContext& file, const XmlElement& element,
                                     const std::string& tag, std::string_view unit,
                                     Dimension dimension) {
@@ -67,12 +67,12 @@ std::optional<double> read_quantity(FileContext& file, const XmlElement& element
   return std::nullopt;
 }
 
-/// g/cm3; 0 where the file gives none.
+/// The density in g/cm3; 0 where the file gives none.
 double read_density(FileContext& file, const XmlElement& material) {
   return read_quantity(file, material, "D", "g/cm3", Dimension::density).value_or(0);
 }
 
-/// g/mole; 0 where the file gives none. Units of mass do as well.
+/// The molar mass in g/mole; 0 where the file gives none. Units of mass serve as well.
 double molar_mass(FileContext& file, const XmlElement& element) {
   return read_quantity(file, element, "atom", "g/mole", Dimension::other).value_or(0);
 }
@@ -92,7 +92,7 @@ void merge(std::vector<ElementShare>& all, const ElementShare& one) {
   all.push_back(one);
 }
 
-/// Nothing if it is too much, or of no mass.
+/// The shares, made to add up to one; nothing if they are too many, or have no mass.
 std::vector<ElementShare> normalised(std::vector<ElementShare> all) {
   double mass = 0;
   for (const ElementShare& share : all) mass += share.fraction;
@@ -101,7 +101,7 @@ std::vector<ElementShare> normalised(std::vector<ElementShare> all) {
   return all;
 }
 
-/// Adds what is defined to the world's and under its name.
+/// Adds a definition to the world's list and under its name.
 template <class T>
 void define_in(FileContext& file, std::vector<T>& all,
                Definitions<std::uint32_t> FileContext::*definitions, const XmlElement& element,
@@ -111,7 +111,7 @@ void define_in(FileContext& file, std::vector<T>& all,
   all.push_back(std::move(value));
 }
 
-/// The same, to be found without its address, too.
+/// The same; it is found also by its name without an address.
 template <class T>
 void define_in(FileContext& file, std::vector<T>& all,
                Definitions<std::uint32_t> FileContext::*definitions,
@@ -129,7 +129,7 @@ void read_isotope(FileContext& file, const XmlElement& element) {
   define_in(file, file.session.world.isotopes, &FileContext::isotopes, element, std::move(isotope));
 }
 
-/// One given by its isotopes has their mean mass.
+/// An element that is given by its isotopes has their mean mass.
 void read_element(FileContext& file, const XmlElement& element) {
   const World& world = file.session.world;
   Element made{.name = file.name(element),
@@ -153,7 +153,7 @@ void read_element(FileContext& file, const XmlElement& element) {
             &FileContext::elements_by_bare_name, element, std::move(made));
 }
 
-/// What a material is made of, by mass. Empty if some of it is not known.
+/// What a material is made of, by mass. Empty if a part of it is not known.
 std::vector<ElementShare> read_shares(FileContext& file, const XmlElement& material,
                                       const std::string& material_name) {
   World& world = file.session.world;
@@ -213,7 +213,7 @@ void read_material(FileContext& file, const XmlElement& element) {
             &FileContext::materials_by_bare_name, element, std::move(material));
 }
 
-/// What materials are made of is read before them: some files give it only afterwards.
+/// These are read before materials: some files give them only after the materials.
 constexpr struct {
   std::string_view tag;
   ElementReader read;

@@ -10,23 +10,23 @@
 
 namespace navjit::gdml {
 
-/// Collects notes. Of each kind the first few are kept, the others are counted, and so are kinds
-/// beyond a number that only a hostile file has.
+/// Collects notes. Of each kind the first few are kept and the others counted; kinds beyond a
+/// number that only a hostile file reaches are counted, too.
 struct Notes {
   static constexpr std::size_t lines_of_a_kind = 3;
   static constexpr std::size_t most_kinds = 100;
 
   /// Something odd in the file: "FILE:LINE: <element>: what: detail". `what` tells the kind.
   void add(const XmlElement& element, const std::string& what, const std::string& detail = {});
-  /// The same with a line that is made already.
+  /// The same for a line that is already complete.
   void add_line(const std::string& what, const std::string& line);
-  /// Something common that means nothing for the geometry, or is as Geant4 has it: only counted.
+  /// Something common that means nothing for the geometry, or is read as in Geant4: only counted.
   void count(const std::string& what);
   /// Adds what was collected to a report.
   void tell(GdmlReport& report) const;
 
  private:
-  /// Counts one of a kind; true where its line is to be kept.
+  /// Counts a note of a kind; true if its line is to be kept.
   bool wanted(const std::string& what);
   static std::size_t* counter(std::map<std::string, std::size_t>& kinds, const std::string& what);
 

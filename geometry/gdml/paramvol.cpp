@@ -10,9 +10,9 @@ struct Parameterised {
   Mother& mother;
   VolumeId volume = 0;
   std::string_view kind{};  ///< the tag of the volume's solid
-  std::string name{};       ///< of the placements, but for their number
+  std::string name{};       ///< the name of the placements, without their number
   int copies = 0;
-  /// The dimensions last given and the volume that has them: often they change rarely.
+  /// The dimensions that were given last, and the volume that has them: often they change rarely.
   std::optional<DivisibleShape> last_shape{};
   VolumeId last = 0;
 };
@@ -49,7 +49,7 @@ void read_parameters(Parameterised& all, const XmlElement& element) {
       fail(child, "unknown element in parameters; use position, rotation or dimensions");
     }
   }
-  // Their order counts, not the number they give, as in Geant4.
+  // The order of the copies counts, not the number that they give, as in Geant4.
   copy.copy_number = all.copies;
   copy.name = all.name + '_' + std::to_string(all.copies++);
   copy.transformation = at_element(element, [&] { return placement_frame(frame); });

@@ -22,9 +22,9 @@ Target find_target(FileContext& file, const XmlElement& element, const std::stri
   return {nullptr, file.look_up(&FileContext::volumes, element, "volume", name), name};
 }
 
-/// Geant4 looks in the working folder only. Where the command is started in another one, names may
-/// count from the file that has them, from the main file, or from a folder above that: the top of a
-/// project that keeps its files in `geometry/` and starts Geant4 beside it.
+/// Geant4 looks in the working folder only. Since the command may be started in another folder,
+/// names may also be relative to the file that has them, to the main file, or to a folder above
+/// that: the top of a project that keeps its files in `geometry/` and starts Geant4 there.
 fs::path module_path(FileContext& file, const XmlElement& element, std::string_view name) {
   const fs::path path(name);
   std::error_code error;
@@ -65,8 +65,8 @@ Target find_in_module(FileContext& file, const XmlElement& element) {
   return find_target(module, *setup.world_element, setup.world);
 }
 
-/// -1 or 1 for every axis. As Geant4, drops the size of a scale that does not reflect, and refuses
-/// to reflect and stretch at once.
+/// -1 or 1 for every axis. As Geant4 does, it drops the size of a scale that does not reflect, and
+/// refuses to reflect and stretch at once.
 Vector signs(FileContext& file, const XmlElement& element, Vector scale) {
   bool stretches = false;
   for (double& s : scale) {
@@ -82,7 +82,7 @@ Vector signs(FileContext& file, const XmlElement& element, Vector scale) {
   return scale;
 }
 
-/// `next`: the first that has no number yet, and how many daughters there are before it.
+/// `next`: the first daughter that has no number yet; so many daughters are before it.
 void number_from(const Assembly& assembly, std::size_t base, std::span<Placement> daughters,
                  std::size_t& next) {
   const std::size_t before = base == 0 ? next : base;

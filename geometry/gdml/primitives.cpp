@@ -1,6 +1,6 @@
-// Solids that are given by their own dimensions. GDML gives whole lengths of boxes and trapezoids
-// and along z; the factories take halves. Those that take numbers and nothing else say themselves
-// what they are called (SolidFacts::elements).
+// Solids that are given by their own dimensions. GDML gives whole lengths of boxes, of trapezoids
+// and along z; the makers of solids take halves. Solids that take numbers and nothing else say
+// themselves what GDML calls them (SolidFacts::elements).
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace {
 constexpr double right_angle = 1.5707963267948966;
 
 /// Reads the dimensions of one element in its units; mm and rad where it names none. The unit of
-/// angles is looked at where there is an angle: a box may name any, as for Geant4.
+/// angles is looked at only if there is an angle: a box may name any, as in Geant4.
 class Dimensions {
  public:
   Dimensions(FileContext& file, const XmlElement& element)
@@ -40,8 +40,8 @@ class Dimensions {
   double angle(const char* attribute, double fallback) const {
     return file_.number(element_, attribute, fallback) * angle_unit();
   }
-  /// An angle of which only the tangent matters: less half turns, as in Geant4. 0 where there is
-  /// none.
+  /// An angle of which only the tangent matters: multiples of half a turn are taken off, as in
+  /// Geant4. 0 where there is none.
   double slant(const char* attribute) const {
     const double given = angle(attribute, 0);
     if (!(std::abs(given) > right_angle) || !std::isfinite(given)) return given;
@@ -50,7 +50,7 @@ class Dimensions {
              .c_str());
     return std::remainder(given, 2 * right_angle);
   }
-  /// A number of sides, which cost memory as elements do.
+  /// A number of sides; they cost memory as elements do, and are counted like them.
   int sides(const char* attribute) const {
     const int n = file_.integer(element_, attribute);
     check_count(n, "sides");
@@ -59,7 +59,7 @@ class Dimensions {
     file_.session.xml.elements -= cost;
     return n;
   }
-  /// Notes something assumed.
+  /// Notes that something was assumed.
   void note(const char* what) const { file_.note(element_, what); }
   bool has(const char* attribute) const { return element_.find(attribute).has_value(); }
   [[noreturn]] void refuse(const char* problem) const { fail(element_, problem); }
@@ -161,7 +161,7 @@ DivisibleShape read_polyhedra(const Dimensions& d) {
           .sides = d.sides("numsides")};
 }
 
-// What a paramvol gives has names of its own; the length is a whole one nevertheless.
+// In a paramvol the attributes have other names; the length is a whole one nevertheless.
 DivisibleShape read_tube_dimensions(const Dimensions& d) {
   return {.tag = "tube",
           .hz = d.half("hz"),
@@ -176,7 +176,7 @@ DivisibleShape read_polycone_dimensions(const Dimensions& d) {
           .delta = d.angle("openPhi"),
           .planes = d.z_planes()};
 }
-// Geant4 takes these radii for those of the edges.
+// Geant4 takes these radii as those of the edges.
 DivisibleShape read_polyhedra_dimensions(const Dimensions& d) {
   DivisibleShape shape{.tag = "polyhedra",
                        .start = d.angle("startPhi", 0),
@@ -210,8 +210,8 @@ Solid read_twistedtrap(const Dimensions& d, const std::string& name) {
   return trap;
 }
 
-// Either radii at the ends and a length, or radii in the middle and the z of the ends; the azimuth
-// is given, or is one of so many segments.
+// There are either radii at the ends and a length, or radii in the middle and the z of the ends.
+// The azimuth is given, or is that of one of so many segments.
 Solid read_twistedtubs(const Dimensions& d, const std::string& name) {
   const double twist = d.angle("twistedangle");
   const double segments = d.plain("nseg", 0);

@@ -1,4 +1,4 @@
-// The reader of GDML files (navjit/gdml.hpp) for what goes on with the world itself.
+// The reader of GDML files (navjit/gdml.hpp) for callers that need the world itself.
 #pragma once
 
 #include "geometry/model/world.hpp"
@@ -6,7 +6,7 @@
 
 namespace navjit {
 
-/// As read_gdml; the world is finished.
+/// As read_gdml(); the world that it returns is finished.
 World read_world(const std::filesystem::path& path, const GdmlOptions& options = {},
                  GdmlReport* report = nullptr);
 

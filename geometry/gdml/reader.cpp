@@ -1,4 +1,4 @@
-// A GDML file from its root: sections, setups and modules.
+// Reads a GDML file from its root: sections, setups and modules.
 #include "geometry/gdml/read_world.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ void read_setup(FileContext& file, const XmlElement& setup) {
   }
 }
 
-/// Of the main file only.
+/// The tags of the main file count, those of modules do not.
 void read_userinfo(FileContext& file, const XmlElement& element) {
   if (&file != file.session.files_in_order.front())
     return file.skip("skipped <userinfo> of a module");

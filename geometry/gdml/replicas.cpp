@@ -22,7 +22,7 @@ VolumeId placed_volume(FileContext& file, const XmlElement& element) {
   return file.look_up(&FileContext::volumes, volume, "volume", file.reference(volume));
 }
 
-/// Adds copy `i`, turned by `turn` about z; its name ends in its number.
+/// Adds copy `i`, turned by `turn` about z; the name of the copy ends in its number.
 void add_copy(FileContext& file, const XmlElement& element, Mother& mother, VolumeId volume, int i,
               const double (&translation)[3], double turn) {
   Placement copy;
@@ -56,7 +56,7 @@ bool nearly_equal(const DivisibleShape& a, const DivisibleShape& b) {
                     });
 }
 
-/// Volumes with the slices' shapes, whatever their own: Geant4 imposes them.
+/// Volumes with the slices' shapes, whatever their own shapes are: Geant4 imposes the slices'.
 struct SliceVolumes {
   FileContext& file;
   const XmlElement& element;
@@ -92,7 +92,7 @@ DivisionAxis division_axis(const XmlElement& element) {
   return static_cast<DivisionAxis>(found - std::begin(names));
 }
 
-/// Geant4 wants an angle as the unit of radii; what it makes of that is its value.
+/// Geant4 wants an angle as the unit of radii, and takes its value as a number.
 double division_unit(FileContext& file, const XmlElement& element, DivisionAxis axis) {
   const auto named = element.find("unit");
   const auto unit = named ? find_unit(*named) : std::nullopt;
@@ -101,7 +101,7 @@ double division_unit(FileContext& file, const XmlElement& element, DivisionAxis 
                    axis == DivisionAxis::phi ? Dimension::angle : Dimension::length);
 }
 
-/// What the daughters must be made of, in one word: Geant4 changes no other dimensions.
+/// Whether the daughters are of the kind that they must be: Geant4 changes no other dimensions.
 bool same_kind(const NamedSolid* daughter, const DivisibleShape& mother) {
   if (daughter == nullptr || daughter->element == nullptr) return false;
   const std::string_view tag = daughter->element->tag;
@@ -130,7 +130,7 @@ Division read_counts(FileContext& file, const XmlElement& element, const Divisib
   }
   const int sections = static_cast<int>(shape.planes.size()) - 1;
   if (shape.sides > 0 && d.axis == DivisionAxis::phi) {
-    // Between the edges, whatever width and offset say.
+    // Between the edges, whatever `width` and `offset` say.
     if (number > 0 && number != shape.sides) {
       fail(element, "a polyhedra is divided in phi into as many slices as it has sides, " +
                         std::to_string(shape.sides));

@@ -1,5 +1,5 @@
-// The pieces that solids are divided into, with the conventions of Geant4's G4PVDivision where
-// those keep within the solid (docs/gdml.md).
+// The pieces that solids are divided into, by the conventions of Geant4's G4PVDivision if they keep
+// within the solid (docs/gdml.md).
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,7 +11,7 @@ namespace {
 
 bool has_planes(const DivisibleShape& s) { return !s.planes.empty(); }
 
-/// Rising in z; fails if they turn back.
+/// The planes with z rising; fails if they turn back.
 std::vector<ZPlane> rising(std::vector<ZPlane> planes, const std::string_view& tag) {
   if (planes.front().z > planes.back().z) std::reverse(planes.begin(), planes.end());
   const bool turns = std::adjacent_find(planes.begin(), planes.end(),
@@ -27,7 +27,7 @@ ZPlane between(const ZPlane& a, const ZPlane& b, double z) {
   return {z, a.rmin + part * (b.rmin - a.rmin), a.rmax + part * (b.rmax - a.rmax)};
 }
 
-/// The planes from z1 to z2, the outermost cut there if need be.
+/// The planes from z1 to z2; the outermost ones are cut there if need be.
 std::vector<ZPlane> cut_planes(const std::vector<ZPlane>& planes, double z1, double z2) {
   const double slight = 1e-12 * std::max({std::abs(planes.front().z), std::abs(planes.back().z)});
   std::vector<ZPlane> cut;
@@ -42,7 +42,7 @@ std::vector<ZPlane> cut_planes(const std::vector<ZPlane>& planes, double z1, dou
   return cut;
 }
 
-/// Along z, from z1 to z2 as the file's planes count.
+/// Cuts along z, from z1 to z2 as the file counts its planes.
 void cut_along_z(DivisibleShape& s, double z1, double z2) {
   if (has_planes(s)) {
     s.planes = cut_planes(rising(s.planes, s.tag), z1, z2);
@@ -61,7 +61,7 @@ void cut_along_z(DivisibleShape& s, double z1, double z2) {
   s.rmax1 = at(whole.rmax1, whole.rmax2, z1), s.rmax2 = at(whole.rmax1, whole.rmax2, z2);
 }
 
-/// The sides across x (or y) of a trd lean: a piece is a trap of as much of either end.
+/// The sides across x (or y) of a trd lean: a piece is a trap with the same fraction of both ends.
 void cut_trd(Slice& piece, const Division& d, int i) {
   DivisibleShape& s = piece.shape;
   const bool x = d.axis == DivisionAxis::x;
@@ -99,7 +99,7 @@ void cut_para(Slice& piece, const Division& d, double middle) {
   }
 }
 
-/// Every plane of a polycone is divided evenly; the far end of a cone likewise.
+/// Divides every plane of a polycone evenly, and the far end of a cone likewise.
 void cut_outwards(DivisibleShape& s, const Division& d, int i) {
   const auto part = [&](double& rmin, double& rmax, double width) {
     const double from = rmin;

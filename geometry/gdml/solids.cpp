@@ -1,4 +1,4 @@
-// <solids>: dispatch by tag.
+// <solids>: chooses the reader by the tag.
 #include "geometry/gdml/solids.hpp"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 
 namespace navjit::gdml {
 
-/// What a reader of solids makes of an element.
+/// A function that makes a solid from an element.
 using SolidReader =
     std::function<NamedSolid(FileContext&, const XmlElement&, const std::string& name)>;
 
@@ -18,19 +18,19 @@ struct SolidKindReader {
   NamedSolid (*read)(FileContext&, const XmlElement&, const std::string& name);
 };
 
-/// A solid of which SolidFacts says what GDML calls it.
+/// A solid whose element in GDML is described by SolidFacts.
 NamedSolid read_by_numbers(FileContext& file, const XmlElement& element, const std::string& name,
                            const SolidElement& words);
 /// box, tube, cone, ...
 std::span<const SolidKindReader> primitive_readers();
 /// tube, polycone and polyhedra as a paramvol gives their dimensions
 std::span<const SolidKindReader> dimension_readers();
-/// xtru, arb8, tessellated, ...: what is given by corners and contours
+/// xtru, arb8, tessellated, ...: solids that are given by corners and contours
 std::span<const SolidKindReader> contour_readers();
 /// union, subtraction, intersection
 std::span<const SolidKindReader> boolean_readers();
 
-/// The solid of a kind that the dimensions in a paramvol give. Fails on unknown kinds.
+/// The solid of a kind whose dimensions a paramvol gives. Fails on unknown kinds.
 NamedSolid read_dimensions(FileContext& file, const XmlElement& element, std::string_view kind,
                            const std::string& name);
 
@@ -38,12 +38,12 @@ NamedSolid read_dimensions(FileContext& file, const XmlElement& element, std::st
 const NamedSolid& find_solid(FileContext& file, const XmlElement& element,
                              std::string_view attribute = "ref");
 
-/// A position or rotation given by an element: inline, or by reference to a definition.
-/// Tags: `prefix` + "position", "rotation", and the same with "ref". Both zero if not given.
+/// A position and rotation, given by an element in place or by reference to a definition. The tags
+/// are `prefix` + "position" or "rotation", also with "ref" appended. Both zero if not given.
 struct Frame {
   Vector position{0, 0, 0}, rotation{0, 0, 0};
 };
-/// True if the child is one of these; the frame then has it.
+/// True if the child is a position or rotation; `frame` then has it.
 bool read_frame(FileContext& file, const XmlElement& child, std::string_view prefix, Frame& frame);
 
 }  // namespace navjit::gdml

@@ -42,7 +42,7 @@ void read_daughters(FileContext& file, const XmlElement& section, Mother& mother
   }
 }
 
-/// One of which the name is all that is known: no step depends on more.
+/// A material of which only the name is known: no step depends on more.
 std::uint32_t unknown_material(FileContext& file, const std::string& name) {
   auto& materials = file.session.world.materials;
   const auto [position, added] =
@@ -116,7 +116,7 @@ VolumeId box_around(FileContext& file, const XmlElement& element, const std::str
   }
   number_imprint(assembly, box.daughters, 0);
   const Vec3 half = half_lengths_around(file.session.world, assembly.placements);
-  // Room around, so that no face is on the world's.
+  // There is room around it, so that no face is on one of the world's.
   box.solid = make_box(name, 1.01 * half.x + 1, 1.01 * half.y + 1, 1.01 * half.z + 1);
   box.material = unknown_material(file, "");
   file.note(element, "the world is an assembly, which Geant4 refuses: put it in a box");
@@ -125,7 +125,7 @@ VolumeId box_around(FileContext& file, const XmlElement& element, const std::str
 
 VolumeId with_solid(FileContext& file, const XmlElement& element, VolumeId id, Solid solid,
                     std::size_t size) {
-  // Copies cost memory as elements do, and more of it.
+  // Copies cost memory as elements do, and more.
   const std::size_t cost = 16 + size + file.session.world.volumes[id].name.size() / 16;
   if (cost > file.session.xml.elements) {
     refuse(element,
@@ -169,7 +169,7 @@ void read_structure(FileContext& file, const XmlElement& section) {
   for (const XmlElement& element : section.children()) {
     file.charge(element);
     if (element.tag == "volume" || element.tag == "assembly") {
-      // Where a volume is asked for an assembly may stand in.
+      // An assembly may stand where a volume is asked for.
       file.define_if_readable(element, "volume", [&] {
         element.tag == "volume" ? read_volume(file, element) : read_assembly(file, element);
       });

@@ -1,5 +1,5 @@
-// Values follow from the definitions of the SI and the Review of Particle Physics; which names
-// there are is what CLHEP's evaluator and Geant4's table of units know.
+// The values follow from the definitions of the SI and from the Review of Particle Physics; the
+// names are those that CLHEP's evaluator and Geant4's table of units know.
 #include "geometry/gdml/units.hpp"
 
 #include <numbers>
@@ -28,7 +28,7 @@ constexpr auto length = Dimension::length, angle = Dimension::angle, density = D
                pressure = Dimension::pressure, other = Dimension::other;
 
 // clang-format off
-/// What expressions know as well as `unit` attributes. The frequent ones first: the search is linear.
+/// What both expressions and `unit` attributes know. Frequent ones are first: the search is linear.
 constexpr Unit in_expressions[] = {
     {"mm", mm, length}, {"cm", cm, length}, {"deg", pi / 180, angle}, {"rad", 1, angle},
     {"degree", pi / 180, angle}, {"radian", 1, angle}, {"m", m, length}, {"um", micro * m, length},
@@ -131,7 +131,7 @@ constexpr Unit in_attributes[] = {
     {"kGy", kilo * gray, other}, {"mGy", milli * gray, other}, {"uGy", micro * gray, other},
     {"perCent", 1e-2, other}, {"perThousand", 1e-3, other}, {"perMillion", 1e-6, other},
     {"percent", 1e-2, other}, {"%", 1e-2, other},
-    // Not in Geant4's table, but in that of programs which add to it.
+    // These are not in Geant4's table, but in those of programs that add to it.
     {"in", 2.54 * cm, length}, {"inch", 2.54 * cm, length}, {"ft", 30.48 * cm, length},
     {"foot", 30.48 * cm, length},
 };

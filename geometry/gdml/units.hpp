@@ -14,10 +14,10 @@ struct Unit {
   Dimension dimension;
 };
 
-/// The unit of this name or symbol as a `unit` attribute gives it, if it is known.
+/// The unit that has this name or symbol in a `unit` attribute, if it is known.
 std::optional<Unit> find_unit(std::string_view name);
 /// The value of a name that expressions know without a definition: units, pi, twopi, halfpi, ...
-/// Fewer units than attributes have, as in Geant4.
+/// These are fewer units than attributes have, as in Geant4.
 std::optional<double> find_builtin(std::string_view name);
 
 }  // namespace navjit::gdml

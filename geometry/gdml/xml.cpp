@@ -24,8 +24,8 @@ struct ParserDeleter {
 };
 using ParserPtr = std::unique_ptr<std::remove_pointer_t<XML_Parser>, ParserDeleter>;
 
-/// Expat knows UTF-8, UTF-16, ISO-8859-1 and US-ASCII. Of the other names in use, only ASCII's
-/// matter: markup and numbers are in ASCII, and in names other bytes need only stay distinct.
+/// Expat knows UTF-8, UTF-16, ISO-8859-1 and US-ASCII. For other encodings only their ASCII part
+/// matters: markup and numbers are in ASCII, and in names other bytes need only stay distinct.
 int XMLCALL on_unknown_encoding(void*, const XML_Char* name, XML_Encoding* encoding) {
   std::string lower;
   for (const char* c = name; *c != '\0'; ++c) lower += (*c >= 'A' && *c <= 'Z') ? *c + 32 : *c;
@@ -40,8 +40,8 @@ int XMLCALL on_unknown_encoding(void*, const XML_Char* name, XML_Encoding* encod
   return XML_STATUS_OK;
 }
 
-/// Where <auxiliary> may stand. Anywhere else it is nobody's, and in the way of those who know all
-/// children that they may have.
+/// Where <auxiliary> may stand. Anywhere else nothing reads it, and it would disturb the readers
+/// that know all children that an element may have.
 bool may_have_tags(std::string_view tag) {
   constexpr std::string_view tags[] = {
       "volume",    "physvol", "userinfo", "auxiliary", "assembly", "structure",  "define",
@@ -66,8 +66,8 @@ std::string percent_decoded(std::string_view text) {
   return decoded;
 }
 
-/// Builds the tree from expat's callbacks. These are called from C, so none lets an exception
-/// through: the first problem is kept and the parsers are stopped.
+/// Builds the tree from expat's callbacks. They are called from C, so no exception may leave them:
+/// the first problem is kept and the parsers are stopped.
 class Builder {
  public:
   Builder(XmlDocument& document, const GdmlLimits& limits, XmlBudget& budget)
@@ -114,7 +114,7 @@ class Builder {
   std::vector<Open> open_;
   std::string text_;
   std::size_t entities_ = 0, parameter_entities_ = 0;
-  std::string unread_;  ///< declarations that could not be read, and why; empty: all were
+  std::string unread_;  ///< declarations that could not be read, and why; empty if all were
   EntityReferences references_;
   std::string problem_;
   bool out_of_memory_ = false;
@@ -158,8 +158,8 @@ void Builder::on_start(void* self, const XML_Char* tag, const XML_Char** attribu
   builder->guarded([&] { builder->start(tag, attributes); });
 }
 
-/// Where declarations are missing, expat takes entities in attributes that it does not know for
-/// nothing, and tells nobody: the tag's own text has them.
+/// Where declarations are missing, expat silently replaces an unknown entity in an attribute by
+/// nothing; therefore the text of the tag is searched for entities.
 void Builder::check_entities() {
   int offset = 0, size = 0;
   XML_Parser parser = sources_.back().parser;
@@ -205,7 +205,7 @@ void Builder::start(const XML_Char* tag, const XML_Char** attributes) {
   if (open_.empty()) {
     document_.root = element;
   } else if (element->tag == "auxiliary" && !may_have_tags(open_.back().element->tag)) {
-    // Stays out of the tree.
+    // It stays out of the tree.
   } else {
     Open& mother = open_.back();
     if (mother.last_child != nullptr) {
@@ -238,7 +238,7 @@ void Builder::on_text(void* self, const XML_Char* text, int length) {
   });
 }
 
-// Expat bounds how much text entities expand to, but follows a chain of them by recursion.
+// Expat bounds the length of expanded entities, but it follows a chain of them by recursion.
 void Builder::on_entity(void* self, const XML_Char* name, int is_parameter, const XML_Char* value,
                         int length, const XML_Char*, const XML_Char*, const XML_Char*,
                         const XML_Char*) {
@@ -267,7 +267,7 @@ void Builder::fail_undeclared(std::string_view name) {
 
 void Builder::on_skipped_entity(void* self, const XML_Char* name, int is_parameter) {
   auto* builder = static_cast<Builder*>(self);
-  if (is_parameter != 0) return;  // what it would have declared is missed where it is used
+  if (is_parameter != 0) return;  // what it would have declared is reported where it is used
   builder->guarded([&] { builder->fail_undeclared(name); });
 }
 
@@ -286,7 +286,7 @@ int Builder::on_external_entity(XML_Parser argument, const XML_Char* context, co
 void Builder::external_entity(const XML_Char* context, const char* base, const char* system_id) {
   std::string name = system_id;
   const std::string what = "external entity '" + printable(name) + "' ";
-  // Declarations, of a DTD or a parameter entity: who uses none of them can do without.
+  // Declarations, of a DTD or a parameter entity; a file that uses none can do without them.
   const bool declarations = context == nullptr;
   if (name.starts_with("file:")) {
     name.erase(0, 5);
@@ -335,7 +335,7 @@ Expected<std::string> Builder::read_file(const fs::path& path) {
 void Builder::parse_text(XML_Parser parser, const std::string& file, const std::string& text) {
   sources_.push_back({parser, &file});
   XML_SetBase(parser, file.c_str());
-  // As few pieces as expat's int allows: it looks at an unfinished token again with each.
+  // As few pieces as expat's int allows: with each it looks again at an unfinished token.
   constexpr std::size_t piece = std::size_t{1} << 30;
   XML_Status status = XML_STATUS_OK;
   std::size_t begin = 0;

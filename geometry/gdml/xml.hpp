@@ -1,4 +1,4 @@
-// XML text into a tree of elements that know their file and line.
+// Reads XML text into a tree of elements that know their file and line.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct XmlAttribute {
   std::string_view name, value;
 };
 
-/// An element; all it points to belongs to its XmlDocument.
+/// An element; everything that it points to belongs to its XmlDocument.
 struct XmlElement {
   std::string_view tag;
   std::string_view text;  ///< character data, kept for <expression> only
@@ -48,7 +48,7 @@ struct XmlElement {
   Children children() const { return {first_child}; }
 };
 
-/// Owns a tree in one arena: it is freed at once, however deep it is.
+/// Owns a tree in one arena, so that it is freed at once, however deep it is.
 struct XmlDocument {
   std::pmr::monotonic_buffer_resource arena;
   std::deque<std::string> files;
@@ -56,37 +56,37 @@ struct XmlDocument {
   bool ends_in_junk = false;  ///< there is text or a further element behind the root's end
 };
 
-/// What may still be read, shared by a file and its modules.
+/// What may still be read: shared by a file and its modules.
 struct XmlBudget {
   std::size_t bytes;
   std::size_t elements;
 };
 
-/// Reads a document with its external entities. `from`: the element that asked for it, for the
-/// message where the file cannot be opened; may be null. Throws GdmlError.
+/// Reads a document with its external entities. `from` is the element that asked for it, which the
+/// message names if the file cannot be opened; it may be null. Throws GdmlError.
 std::unique_ptr<XmlDocument> parse_xml(const std::filesystem::path& path, const GdmlLimits& limits,
                                        XmlBudget& budget, const XmlElement* from = nullptr);
 
-/// Text from a file made fit for a one-line message: control characters replaced, cut if long.
+/// Text from a file, fit for a one-line message: no control characters, cut if too long.
 std::string printable(std::string_view text, std::size_t longest = 200);
-/// The same for the name of a file, which is given whole.
+/// The same for the name of a file, of which nothing is cut.
 inline std::string printable_path(std::string_view path) { return printable(path, 4096); }
 /// "<tag name='...'>"
 std::string label(const XmlElement& element);
 /// "FILE:LINE: <tag name='...'>"
 std::string describe(const XmlElement& element);
-/// A file that asks for too much, or for something without an end: refused even where nothing uses
-/// it.
+/// The file asks for too much, or for something without an end: this is an error even where nothing
+/// uses it.
 struct GdmlRefusal : GdmlError {
   using GdmlError::GdmlError;
 };
 
-/// Throws GdmlError: "FILE:LINE: <tag name='...'>: problem". Where the element is a definition,
-/// that matters only once something uses it.
+/// Throws GdmlError: "FILE:LINE: <tag name='...'>: problem". If the element is a definition, the
+/// error matters only once something uses it.
 [[noreturn]] void fail(const XmlElement& element, const std::string& problem);
 /// Throws GdmlRefusal with the same message.
 [[noreturn]] void refuse(const XmlElement& element, const std::string& problem);
-/// Throws GdmlError: the message of the definition that could not be read, and who needs it.
+/// Throws GdmlError: the message of the definition that could not be read, and what needs it.
 [[noreturn]] void fail_needing(const XmlElement& element, const std::string& message);
 
 }  // namespace navjit::gdml

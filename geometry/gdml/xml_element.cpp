@@ -1,4 +1,4 @@
-// Elements as looked up and as named in messages.
+// How elements are looked up, and how messages name them.
 #include <algorithm>
 
 #include "geometry/gdml/xml.hpp"
@@ -14,7 +14,7 @@ std::optional<std::string_view> XmlElement::find(std::string_view attribute) con
 
 std::string printable(std::string_view text, std::size_t longest) {
   std::size_t length = std::min(text.size(), longest);
-  // Not within a UTF-8 character.
+  // Do not cut within a UTF-8 character.
   while (length > 0 && length < text.size() && (text[length] & 0xc0) == 0x80) --length;
   std::string line(text.substr(0, length));
   for (char& c : line) {
@@ -49,7 +49,7 @@ void refuse(const XmlElement& element, const std::string& problem) {
 
 void fail_needing(const XmlElement& element, const std::string& message) {
   constexpr std::string_view needed = " (needed by ";
-  // One that needs it is enough, however long the chain.
+  // One element that needs it is named, however long the chain.
   if (message.find(needed) != std::string::npos) throw GdmlError(message);
   throw GdmlError(message + std::string(needed) + describe(element) + ')');
 }

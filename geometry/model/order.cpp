@@ -3,7 +3,7 @@
 namespace navjit {
 namespace {
 
-// As deep as the tree, which is bounded.
+// Recursion goes as deep as the tree, which is bounded.
 void visit(const World& world, VolumeId volume, std::vector<bool>& seen,
            std::vector<VolumeId>& order) {
   if (seen[volume]) return;

@@ -1,4 +1,4 @@
-// The volumes of a tree in an order in which they can be worked on.
+// An order of the volumes of a tree in which each comes after its daughters.
 #pragma once
 
 #include <vector>

@@ -8,8 +8,8 @@ namespace navjit {
 
 double radiation_length(double z, double a) {
   if (!(z >= 0.5 && a > 0 && z < 1000 && std::isfinite(a))) return 0;
-  // ln of what screens the field of the nucleus, and that of its electrons. Light atoms are not
-  // described by the statistical model.
+  // Logarithms of what screens the field of the nucleus, and that of its electrons. The statistical
+  // model does not describe light atoms.
   struct Logarithms {
     double nucleus, electrons;
   };

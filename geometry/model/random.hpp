@@ -1,4 +1,4 @@
-// Random numbers that are the same with every standard library, unlike its distributions.
+// Random numbers that, unlike the standard distributions, are the same with every library.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ inline double uniform(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
 }
 
-/// Isotropic.
+/// A unit vector with an isotropic distribution.
 inline Vec3 unit_vector(std::mt19937_64& random) {
   const double c = uniform(random, -1, 1), phi = uniform(random, 0, 2 * std::numbers::pi);
   const double s = std::sqrt(1 - c * c);

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-/// Sines and cosines of right angles come out a rounding away from what was meant. Adding +0
-/// makes a negative zero positive, so that equal frames have equal bits.
+/// Corrects sines and cosines of right angles, which are wrong by a rounding. Adding +0 makes a
+/// negative zero positive, so that equal frames have equal bits.
 double rectified(double entry) {
   for (const double exact : {-1.0, 0.0, 1.0}) {
     if (std::abs(entry - exact) <= 1e-15) return exact;

@@ -1,4 +1,4 @@
-// Frames (navjit/transformation.hpp) for what navigates.
+// Frames (navjit/transformation.hpp) for code that navigates.
 //
 // Directions get +0 added to each component, so that dropping terms cannot change the sign of a
 // zero. See docs/numerics.md.

@@ -3,8 +3,8 @@
 
 namespace navjit {
 
-/// A material of no elements and of no more than this is a vacuum, g/cm3: a kilometre of it stops
-/// nothing.
+/// A material without elements whose density, in g/cm3, is no more than this is a vacuum: a
+/// kilometre of it stops nothing.
 constexpr double most_density_of_vacuum = 1e-9;
 
 }  // namespace navjit

@@ -28,8 +28,8 @@ struct Visit {
   throw GeometryError("volumes contain one another: " + path + world.volumes[again].name);
 }
 
-/// Volumes reachable from the top, each after all its daughters. A loop, and no recursion, since a
-/// hostile chain of volumes may be longer than the call stack.
+/// Volumes reachable from the top, each after all its daughters. A loop and no recursion, since a
+/// hostile chain of volumes may be longer than the call stack allows.
 std::vector<VolumeId> daughters_first(const World& world) {
   enum class State : char { unseen, open, done };
   std::vector<State> states(world.volumes.size(), State::unseen);
@@ -102,7 +102,7 @@ bool is_finished(const World& world) {
   }
   for (const LogicalVolume& volume : world.volumes) {
     if (volume.touchables == 0) continue;  // not reached from the top
-    // A daughter's tree is smaller than its mother's, so that sums that are right exclude cycles.
+    // A daughter's tree is smaller than its mother's: where all sums are right there is no cycle.
     TouchableId sum = 1;
     for (const Placement& placement : volume.daughters) {
       if (placement.volume >= world.volumes.size() || placement.offset != sum) return false;

@@ -1,4 +1,4 @@
-// Boxes eight to a block (kernels/boxes.h), for compiled-ahead code.
+// Boxes, eight to a block (kernels/boxes.h), for code that is compiled with the library.
 #pragma once
 
 #include "geometry/navigation/navigation_stack.hpp"

@@ -9,11 +9,11 @@
 namespace navjit::generic {
 namespace {
 
-constexpr unsigned no_daughter = ~0U;  ///< more than any number
+constexpr unsigned no_daughter = ~0U;  ///< greater than any daughter's number
 
-/// The daughter, other than `blocked`, with the local point. Where daughters overlap the last in
-/// file order wins, as in Geant4. Where `confirm(k)` fails there is none. `around`: the blocked
-/// daughter's neighbours, if the point is there.
+/// The daughter, other than `blocked`, that holds the local point. Where daughters overlap the last
+/// in file order wins, as in Geant4. A daughter for which `confirm(k)` is false does not count.
+/// `around`: the neighbours of the blocked daughter, if the point is in its box.
 template <class Confirm>
 unsigned find_daughter(const PackedScene& scene, const Vec3& p, const Direction& v, int blocked,
                        double tolerance, const NeighbourLists::Of* around, const Confirm& confirm) {
@@ -54,8 +54,8 @@ unsigned find_daughter(const PackedScene& scene, const Vec3& p, const Direction&
   return found;
 }
 
-/// The same for a point without a direction, out of the way of those that have one: on a face that
-/// daughters share, the first in file order wins; well inside, the rule is that of find_daughter.
+/// The same for a point without a direction, apart from the frequent case: on a face that daughters
+/// share, the first in file order wins; well inside, the rule is that of find_daughter.
 [[gnu::noinline]] unsigned find_daughter_undirected(const PackedScene& scene, const Vec3& p,
                                                     double tolerance) {
   const Direction none = kernels::make_heading(0.0, 0.0, 0.0);
@@ -84,9 +84,9 @@ struct Hit {
   unsigned daughter;
 };
 
-/// The nearest daughter ahead, nearer than `distance`, the mother's exit; on ties the first in file
-/// order. Daughters beyond `limit` may be left out, and one at distance zero where `confirm(k)`
-/// fails.
+/// The nearest daughter ahead that is nearer than `distance`, which is that to the mother's exit;
+/// of equally near ones the first in file order. Daughters beyond `limit` may be left out, and so
+/// may one at distance zero for which `confirm(k)` is false.
 template <class Confirm>
 Hit nearest_daughter(const PackedScene& scene, const Vec3& p, const Direction& v, double distance,
                      double limit, double tolerance, const Confirm& confirm) {
@@ -120,7 +120,7 @@ bool enter(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
            const Vec3& direction) {
   enter_world(stack, geometry.world().top);
   stack.boundary = 0;
-  // Nearly all rays start well within a world that is a box.
+  // Nearly all rays start well inside a world that is a box.
   const Extent& well_inside = geometry.well_inside();
   if ((point.x > well_inside.min.x) & (point.x < well_inside.max.x) &
       (point.y > well_inside.min.y) & (point.y < well_inside.max.y) &
@@ -167,24 +167,24 @@ void locate_from(const Geometry& geometry, NavigationStack& stack, const Vec3& p
 
 namespace {
 
-/// The heading in a level's frame; `v` is that in the world.
+/// The heading in a level's frame; `v` is the heading in the world.
 Direction heading_in(const StackLevel& level, const Direction& v) {
   return level.rotation == nullptr ? v : kernels::to_local_heading(level, v.x, v.y, v.z);
 }
 
-/// `v`: the heading in the world. `confirmed`: as relocate_in_own_frames().
+/// `v` is the heading in the world. `confirmed`: as in relocate_in_own_frames().
 void relocate_after(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
                     const Direction& v, int blocked, bool confirmed) {
   const double tolerance = geometry.tolerance();
   const StackLevel* level = &stack.levels[stack.depth];
   const PackedScene* scene = &geometry.packed(level->volume);
-  // Most volumes that are entered have no daughters: where in them the point is does not matter.
+  // Most volumes that are entered have no daughters: then the place of the point does not matter.
   if (blocked < 0 && scene->count == 0) return;
   Vec3 p = kernels::to_local(*level, point.x, point.y, point.z);
   Direction heading = heading_in(*level, v);
   const auto move_to = [&](const StackLevel& next) {
     p = kernels::to_local(next, point.x, point.y, point.z);
-    // Levels without a rotation of their own share their mother's.
+    // Levels without a rotation of their own share that of their mother.
     if (next.rotation != level->rotation || next.rotation == next.own_rotation) {
       heading = heading_in(next, v);
     }
@@ -192,7 +192,7 @@ void relocate_after(const Geometry& geometry, NavigationStack& stack, const Vec3
   };
   const NeighbourLists::Of* around = nullptr;
   if (blocked >= 0) {
-    // Out of a daughter: the mother may end at the same place.
+    // The track came out of a daughter: the mother may end at the same place.
     for (;;) {
       around = scene->lists == nullptr ? nullptr : scene->lists + blocked;
       if (around != nullptr && !is_there(*around, p)) around = nullptr;
@@ -223,7 +223,7 @@ void relocate_after(const Geometry& geometry, NavigationStack& stack, const Vec3
   }
 }
 
-/// A step along the stack's ray.
+/// Makes a step along the stack's ray.
 double step_along_ray(const Geometry& geometry, NavigationStack& stack, const Vec3& point,
                       double limit) {
   const StackLevel& level = stack.levels[stack.depth];
@@ -235,7 +235,7 @@ double step_along_ray(const Geometry& geometry, NavigationStack& stack, const Ve
                           : kernels::to_local_direction(level, given[0], given[1], given[2]);
   const double out = distance_out_here(scene.solid, p, v, geometry.tolerance());
   const InOwnFrame in_own_frame{stack, scene, point, stack.ray.direction, geometry.tolerance()};
-  // Where the mother ends at once no daughter is nearer: so a reflected photon goes back.
+  // If the mother ends at once, no daughter is nearer: so a reflected photon goes back.
   const Hit hit =
       out == 0 ? Hit{out, no_daughter}
                : nearest_daughter(scene, p, v, out, limit, geometry.tolerance(), in_own_frame);
@@ -286,8 +286,8 @@ double safety(const Geometry& geometry, const NavigationStack& stack, const Vec3
   const PackedScene& scene = geometry.packed(level.volume);
   const Vec3 p = kernels::to_local(level, point.x, point.y, point.z);
   double safety = std::min(safety_to_out(scene.solid, p), enough + 2 * geometry.tolerance());
-  // `bound` is the distance to the daughter's box: with it the answer is the same whether the
-  // search left the daughter out or not.
+  // `bound` is the distance to the daughter's box. With it the answer is the same, whether or not
+  // the search left the daughter out.
   const auto test = [&](unsigned k, double bound) {
     const PackedDaughter& d = scene.daughters[k];
     const double away = safety_to_in(d.solid, local(d, p));
@@ -304,7 +304,7 @@ double safety(const Geometry& geometry, const NavigationStack& stack, const Vec3
     case Search::bvh:
       scene.boxes->near(p, safety, test);
   }
-  // Frames are composed and applied with rounding; a bound must stay below the truth all the same.
+  // Frames are composed and applied with rounding, and yet the bound must not exceed the truth.
   return std::min(enough, std::max(0.0, safety - geometry.tolerance()));
 }
 
@@ -312,7 +312,7 @@ void restore(const Geometry& geometry, NavigationStack& stack, TouchableId touch
   const World& world = geometry.world();
   stack.left.daughter = kernels::LeftForGood::none;
   stack.left.from = -1;
-  // Keep the levels whose range of touchables holds the one asked for.
+  // Keeps the levels whose range of touchables holds the one that is asked for.
   while (stack.depth >= 0) {
     const StackLevel& level = stack.levels[stack.depth];
     if (touchable >= level.touchable &&

@@ -43,10 +43,10 @@ Vec3 half_lengths_around(const World& world, std::span<const Placement> placemen
 
 namespace {
 
-/// Below this number of daughters each is tested without a box: a guess, not yet measured.
+/// With fewer daughters than this each is tested without a box: a guess, not yet measured.
 constexpr std::size_t boxes_from = 4;
 
-/// The boxes of a scene, nothing for a scene that is searched without.
+/// The box structure of a scene; nothing for a scene that is searched without one.
 std::optional<bvh::Structure> choose(const LogicalVolume& volume, const GeometryOptions& options) {
   using Force = GeometryOptions::Force;
   const std::size_t daughters = volume.daughters.size();
@@ -89,7 +89,7 @@ Geometry::Geometry(std::shared_ptr<const World> world, const GeometryOptions& op
   check_names(*world_, options);
   std::size_t total = 0;
   for (const LogicalVolume& volume : world_->volumes) total += volume.daughters.size();
-  daughters_.reserve(total);  // spans into it are taken below
+  daughters_.reserve(total);  // spans of it are taken below
   scenes_.resize(world_->volumes.size());
   for (std::size_t v = 0; v < scenes_.size(); ++v) {
     const LogicalVolume& volume = world_->volumes[v];

@@ -1,4 +1,4 @@
-// The world prepared for navigation: per volume a compact scene with its acceleration structure.
+// The world prepared for navigation: for each volume a compact scene with its search structure.
 #pragma once
 
 #include <memory>
@@ -46,7 +46,7 @@ struct Scene {
 /// Immutable, shared by all threads. Keeps the world alive.
 class Geometry {
  public:
-  /// Throws GeometryError if the options name a volume that is not there.
+  /// Throws GeometryError if the options name a volume that does not exist.
   explicit Geometry(std::shared_ptr<const World> world, const GeometryOptions& options = {});
   Geometry(const Geometry&) = delete;
   Geometry& operator=(const Geometry&) = delete;
@@ -57,7 +57,7 @@ class Geometry {
   const Scene& scene(VolumeId volume) const { return scenes_[volume]; }
   /// The same, as the generic navigator reads it.
   const PackedScene& packed(VolumeId volume) const { return packed_[volume]; }
-  /// The number of its daughter whose tree holds the touchable that is `below` > 0 after it.
+  /// The daughter of the volume whose tree holds the touchable that is `below` > 0 after it.
   std::size_t daughter_holding(VolumeId volume, TouchableId below) const {
     const PackedScene& scene = packed_[volume];
     return navjit::daughter_holding(std::span(scene.daughters, scene.count), below,
@@ -65,10 +65,10 @@ class Geometry {
   }
   std::size_t size() const { return scenes_.size(); }
   double tolerance() const { return world_->tolerance; }
-  /// A box, mm, of which all is in the world, farther from its surface than the tolerance; empty
+  /// A box, mm, that is all in the world and farther from its surface than the tolerance; empty
   /// where the world is no box.
   const Extent& well_inside() const { return well_inside_; }
-  /// Empty where there are too many.
+  /// The table is empty where there are too many touchables.
   const TouchableTable& touchables() const { return touchables_; }
 
  private:
@@ -83,7 +83,7 @@ class Geometry {
 /// The box around a placed solid in its mother's frame, mm.
 Extent placed_extent(const Solid& solid, const Transformation& transformation);
 
-/// Half lengths of the least box about the origin that holds all of these, mm.
+/// Half lengths of the smallest box about the origin that holds all of these placements, mm.
 Vec3 half_lengths_around(const World& world, std::span<const Placement> placements);
 
 }  // namespace navjit

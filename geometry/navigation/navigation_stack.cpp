@@ -12,7 +12,7 @@ bool identical(const NavigationStack& a, const NavigationStack& b) {
     if (x.touchable != y.touchable || x.volume != y.volume || x.daughter != y.daughter) {
       return false;
     }
-    // Values, not bytes: the sign of a zero in a frame cannot reach an answer (docs/numerics.md).
+    // Values and not bytes: the sign of a zero in a frame changes no answer (docs/numerics.md).
     for (int j = 0; j < 3; ++j) {
       if (x.translation[j] != y.translation[j]) return false;
     }
@@ -44,7 +44,7 @@ Transformation frame_of(const StackLevel& level) {
 void copy(const NavigationStack& from, NavigationStack& to) {
   to.depth = from.depth;
   to.boundary = from.boundary;
-  to.left = {};  // of the ray, which is not copied
+  to.left = {};  // it belongs to the ray, which is not copied
   for (int i = 0; i <= from.depth; ++i) {
     to.levels[i] = from.levels[i];
     const double* rotation = from.levels[i].rotation;

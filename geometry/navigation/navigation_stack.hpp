@@ -1,4 +1,4 @@
-// The navigation stack (navjit/detail/navigation_stack.h) for compiled-ahead code.
+// The navigation stack (navjit/detail/navigation_stack.h) for code compiled with the library.
 #pragma once
 
 #include "geometry/model/world.hpp"
@@ -14,11 +14,11 @@ using kernels::NavigationStack;
 using kernels::StackLevel;
 static_assert(kernels::stack_levels == max_depth);
 
-/// Compares what a navigator may read: depth, and every level's volume, touchable and frame, bit
-/// for bit.
+/// Compares what a navigator may read: the depth, and the volume, touchable and frame of every
+/// level, bit for bit.
 bool identical(const NavigationStack& a, const NavigationStack& b);
 
-/// Puts the stack into the world volume, and nothing else on it.
+/// Brings the stack to the world volume, with no other level on it.
 void enter_world(NavigationStack& stack, VolumeId top);
 
 /// Pushes a daughter of the innermost level, by its placement.
@@ -33,10 +33,10 @@ inline void push(NavigationStack& stack, const Transformation& t, VolumeId volum
   }
 }
 
-/// From the world into a level.
+/// The transformation from the world into a level.
 Transformation frame_of(const StackLevel& level);
 
-/// Copies a stack, with the rotations of the copy pointing into the copy.
+/// Copies a stack; the rotations of the copy point into the copy.
 void copy(const NavigationStack& from, NavigationStack& to);
 
 }  // namespace navjit

@@ -10,22 +10,22 @@
 namespace navjit {
 namespace {
 
-/// With more neighbours the boxes' hierarchy is the better search: a guess.
+/// With more neighbours than this the tree of boxes is the better search: a guess.
 constexpr std::size_t most_neighbours = 32;
-/// In a lattice of thousands of daughters, each with 26 neighbours, what a step reads of the lists
-/// is in no cache: then a search of the scene is faster. A lattice of 1728 (1.4 MB) was slower
-/// without its lists, and one of 4096 (3.5 MB) 1.3 times as fast.
+/// In a lattice of thousands of daughters, each with 26 neighbours, the lists that a step reads are
+/// in no cache: then a search of the scene is faster. A lattice of 1728 (1.4 MB) was slower without
+/// its lists, and one of 4096 (3.5 MB) was 1.3 times as fast without them.
 constexpr std::size_t most_bytes = 1'500'000;
-/// Few neighbours are few lines to wait for, where a search reads several: detectors of 4800 to
+/// A few neighbours take a few cache lines, where a search reads several: detectors of 4800 to
 /// 11,520 daughters with 4 to 7 neighbours each (200 to 330 bytes, 1.6 to 2.9 MB) were 1.03 to 1.41
-/// times as fast with lists, three arrays made for this 0.88 to 1.02. Those of 19,000 to 42,000 (4
-/// to 8.5 MB) had 0.96 to 1.11 once, and 0.59 to 0.91 an hour later: others use that cache, too.
+/// times as fast with lists, three arrays made for this test 0.88 to 1.02. With 19,000 to 42,000 (4
+/// to 8.5 MB) it was 0.96 to 1.11, and 0.59 to 0.91 an hour later: others use that cache, too.
 constexpr std::size_t most_bytes_each = 400, most_bytes_of_few = 3'000'000;
-/// From this number on neighbours have blocks: a guess.
+/// From this number of neighbours on they have blocks of boxes: a guess.
 constexpr std::size_t blocks_from = 3;
 
-/// Rounding to the nearest float keeps order: a point in the box is in the rounded one once it is
-/// rounded, too.
+/// Rounding to the nearest float keeps the order: a point in the box, once it is rounded, is in the
+/// rounded box.
 void append_blocks(std::span<const std::uint32_t> found, std::span<const Extent> boxes,
                    double margin, std::vector<kernels::BoxBlock>& blocks) {
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -50,9 +50,9 @@ bool meet(const Extent& a, const Extent& b) {
          a.min.z <= b.max.z && b.min.z <= a.max.z;
 }
 
-/// Parts of a box are not divided that are less than this of its radius: a guess.
+/// Parts of a box smaller than this fraction of its radius are not divided: a guess.
 constexpr double least_part = 1.0 / 64;
-/// Nor are the boxes of all daughters of a scene together, in more than this: a guess.
+/// All boxes of a scene's daughters together are not divided into more parts: a guess.
 constexpr std::size_t most_parts_of_all = 4'000'000;
 
 Vec3 centre_of(const Extent& e) {
@@ -63,7 +63,7 @@ double radius_of(const Extent& e) {
   return std::hypot(e.max.x - e.min.x, e.max.y - e.min.y, e.max.z - e.min.z) / 2;
 }
 
-/// Cuts the box in the middle of its longest edge: what is left of it, and the other half.
+/// Cuts the box in the middle of its longest edge. Keeps one half and returns the other.
 Extent cut_in_half(Extent& box) {
   Extent other = box;
   double* const low[3] = {&other.min.x, &other.min.y, &other.min.z};
@@ -74,7 +74,7 @@ Extent cut_in_half(Extent& box) {
   return other;
 }
 
-/// Told by safeties at the centres of parts, which get smaller where one does not tell it.
+/// Asks for safeties at the centres of parts; a part whose safety is too small is divided.
 bool holds_parts_deep(const kernels::AnySolid<double>& mother, const Extent& box, double margin,
                       std::size_t most_parts) {
   const double least_radius = least_part * radius_of(box);
@@ -84,7 +84,7 @@ bool holds_parts_deep(const kernels::AnySolid<double>& mother, const Extent& box
     parts.pop_back();
     const double safety = safety_to_out(mother, centre_of(part)), radius = radius_of(part);
     if (safety > radius + margin) continue;
-    // Where the centre itself is not deep enough no division helps.
+    // If the centre itself is not deep enough, no division helps.
     if (!(safety > margin) || radius < least_radius || asked >= most_parts) return false;
     parts.push_back(cut_in_half(part));
     parts.push_back(part);
@@ -117,7 +117,7 @@ std::size_t NeighbourLists::bytes() const {
 NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxes,
                                const bvh::BoxTree* tree, double tolerance) {
   NeighbourLists result;
-  // Daughters may stick out of their mother.
+  // Daughters may stick out of their mother: so their boxes count for the margin.
   double margin = search_margin(mother.extent, tolerance);
   for (const Extent& box : boxes) margin = std::max(margin, search_margin(box, tolerance));
   if (!std::isfinite(margin)) return result;
@@ -133,7 +133,7 @@ NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxe
       return found.size() <= most_neighbours;
     };
     if (tree != nullptr) {
-      // The tree's boxes reach out by the tolerance alone.
+      // The tree's own boxes reach out by the tolerance only.
       tree->overlapping(inflated(box, margin), test);
     } else {
       for (std::uint32_t other = 0; other < boxes.size(); ++other) test(other);

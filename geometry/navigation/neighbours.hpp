@@ -1,12 +1,12 @@
-// What a track may meet where it leaves a daughter, known before it does: few others touch it.
+// What a track may meet where it leaves a daughter is known beforehand: few others touch it.
 //
 // A daughter's box with a margin holds every point at which a track can leave it. Only daughters
 // whose boxes, with the same margin, meet that box can contain such a point; and where the box lies
 // well inside the mother, the mother contains it. The margin is far above the tolerance and the
 // rounding of a position, so that no answer depends on it.
 //
-// Neighbours of which there are several have their boxes, with that margin and in single precision,
-// in blocks of eight: mostly one look tells that none or one of them can contain the point.
+// Several neighbours have their boxes, with that margin and in single precision, in blocks of
+// eight: mostly one look shows that none or one of them can contain the point.
 #pragma once
 
 #include <cstdint>
@@ -26,15 +26,15 @@ class BoxTree;
 
 struct NeighbourLists {
   using Of = kernels::NeighbourList;
-  std::vector<Of> of;                     ///< by daughter; empty: unknown
-  std::vector<std::uint32_t> neighbours;  ///< of one daughter: last in file order first
+  std::vector<Of> of;                     ///< by daughter; empty: not known
+  std::vector<std::uint32_t> neighbours;  ///< of each daughter, last in file order first
   std::vector<kernels::BoxBlock> blocks;  ///< of the neighbours, in that order
 
-  /// Memory held.
+  /// The memory that this holds.
   std::size_t bytes() const;
-  /// Whether a processor keeps all of it at hand.
+  /// Whether all of it stays in a processor's cache.
   bool are_near() const;
-  /// Those of a daughter; null if they are unknown or the point is not in its box.
+  /// The neighbours of a daughter; null if they are unknown or the point is not in its box.
   const Of* at(unsigned daughter, const Vec3& p) const {
     return daughter < of.size() && is_there(of[daughter], p) ? &of[daughter] : nullptr;
   }
@@ -43,16 +43,16 @@ struct NeighbourLists {
   }
 };
 
-/// `boxes`: around the daughters in their mother's frame; `tree`: the same boxes, or null. Empty
-/// where a search reads less than what they hold.
+/// `boxes` are around the daughters, in their mother's frame; `tree` holds the same boxes, or is
+/// null. The lists are empty where a search would read less than they hold.
 NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxes,
                                const bvh::BoxTree* tree, double tolerance);
 
 /// A box is asked about in no more parts than this: a guess.
 constexpr std::size_t most_parts_of_box = 512;
 
-/// Whether every point of the box is deeper in the solid than the margin, told by the safeties of
-/// so many of its parts at the most, but by one at least; false where that is not known.
+/// Whether every point of the box is deeper in the solid than the margin. The safeties of at most
+/// `most_parts` of its parts, and of one at least, tell it; false where that is not known.
 bool holds_deep(const Solid& mother, const Extent& box, double margin,
                 std::size_t most_parts = most_parts_of_box);
 

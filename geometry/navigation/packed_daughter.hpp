@@ -14,7 +14,7 @@ inline void push(NavigationStack& stack, const PackedDaughter& d, unsigned index
   }
 }
 
-/// In the daughter's frame, but for its rotation.
+/// The point in the daughter's frame, except for the daughter's rotation.
 inline Vec3 translated(const PackedDaughter& d, const Vec3& p) {
   return {p.x - d.translation[0], p.y - d.translation[1], p.z - d.translation[2]};
 }
@@ -26,7 +26,7 @@ inline Vec3 local(const PackedDaughter& d, const Vec3& p) {
   return d.rotation == nullptr ? q : rotated(d.rotation, q.x, q.y, q.z);
 }
 
-// Most volumes are boxes: their kernels are inlined here, in front of the switch over all kinds.
+// Most volumes are boxes: their kernels are inlined here, before the switch over all kinds.
 
 inline bool contains_here(const kernels::AnySolid<double>& solid, const Vec3& p, const Direction& v,
                           double tolerance) {
@@ -44,7 +44,7 @@ inline double distance_out_here(const kernels::AnySolid<double>& solid, const Ve
   return distance_to_out(solid, p, v, tolerance);
 }
 
-/// `v` needs no reciprocals.
+/// The reciprocals of `v` are not read.
 inline bool contains_local(const PackedDaughter& d, const Vec3& p, const Direction& v,
                            double tolerance) {
   const Vec3 q = translated(d, p);
@@ -69,9 +69,9 @@ inline double distance_local(const PackedDaughter& d, const Vec3& p, const Direc
   return distance_to_in(d.solid, q, v, tolerance);
 }
 
-/// Whether daughter `k` of the innermost level contains the global point in its own frame. It and
+/// Whether daughter `k` of the innermost level contains the global point in its own frame. This and
 /// the way through its mother's frame may differ in the last bit, and so in which side of a face a
-/// ray along it is on. Writes to the level above the innermost.
+/// ray along it is on. Writes to the place behind the innermost level.
 struct InOwnFrame {
   NavigationStack& stack;
   const PackedScene& scene;

@@ -14,12 +14,12 @@
 namespace navjit {
 namespace {
 
-/// Keeps one copy of equal bytes. What fits into a line does not cross two.
+/// Keeps one copy of equal bytes. A value that fits into a cache line is in one line only.
 class SharedBytes {
  public:
   explicit SharedBytes(std::pmr::memory_resource& memory) : memory_(memory) {}
 
-  /// `label` tells apart what happens to have the same bytes.
+  /// `label` distinguishes values of different meaning that happen to have the same bytes.
   template <class Value>
   const Value* keep(int label, const Value& value) {
     static_assert(std::is_trivially_copyable_v<Value> && alignof(Value) <= step);
@@ -49,7 +49,7 @@ class SharedBytes {
   std::pmr::memory_resource& memory_;
   std::map<std::pair<int, std::string_view>, const void*> known_;
   char* line_ = nullptr;
-  std::size_t left_ = 0;  ///< bytes of the line
+  std::size_t left_ = 0;  ///< bytes left in the cache line
 };
 
 }  // namespace
@@ -66,7 +66,7 @@ PackedScenes::PackedScenes(std::span<const Scene> scenes)
   };
   std::size_t total = 0;
   for (const Scene& scene : scenes) total += scene.daughters.size();
-  daughters_.reserve(total);  // pointers into it are taken below
+  daughters_.reserve(total);  // pointers to its elements are taken below
   scenes_.reserve(scenes.size());
   per_touchable_.reserve(scenes.size());
   for (const Scene& scene : scenes) {

@@ -1,5 +1,5 @@
-// What the generic navigator reads of a scene at every step, in whole cache lines: in a detector of
-// thousands of volumes little of what a step meets is at hand, and it waits for every line that it
+// What the generic navigator reads of a scene at every step, in whole cache lines. In a detector of
+// thousands of volumes little of this is in a cache, and a step waits for every line that it
 // touches.
 #pragma once
 
@@ -24,8 +24,8 @@ enum class Search : std::uint8_t { none, all, linear_boxes, bvh };
 
 constexpr std::size_t cache_line = 64;
 
-/// A daughter: one line. Its solid and its rotation are elsewhere, shared by those of the same
-/// bits.
+/// A daughter: one cache line. Its solid and its rotation are elsewhere; daughters whose bits are
+/// equal share them.
 struct alignas(cache_line) PackedDaughter {
   double translation[3];
   const double* rotation;  ///< outer-to-local, row-major; null: the identity
@@ -35,21 +35,21 @@ struct alignas(cache_line) PackedDaughter {
 };
 static_assert(sizeof(PackedDaughter) == cache_line);
 
-/// A logical volume: one line.
+/// A logical volume: one cache line.
 struct alignas(cache_line) PackedScene {
   kernels::AnySolid<double> solid;
   const PackedDaughter* daughters;
   const bvh::BoxTree* boxes;        ///< null: none
-  const NeighbourLists::Of* lists;  ///< by daughter; null: unknown
-  const std::uint32_t* neighbours;  ///< as `lists` counts them
-  const kernels::BoxBlock* blocks;  ///< of their boxes, likewise
-  std::uint32_t count;              ///< of daughters
+  const NeighbourLists::Of* lists;  ///< by daughter; null: not known
+  const std::uint32_t* neighbours;  ///< as `lists` refers to them
+  const kernels::BoxBlock* blocks;  ///< the neighbours' boxes, likewise
+  std::uint32_t count;              ///< the number of daughters
   Search search;
 };
 static_assert(sizeof(PackedScene) == cache_line);
 
-/// By volume. Points into the scenes that it was made from, and into their world's solids: those
-/// have to outlive it.
+/// By volume. It points into the scenes that it was made from, and into the solids of their world:
+/// those have to outlive it.
 class PackedScenes {
  public:
   PackedScenes() = default;
@@ -63,7 +63,7 @@ class PackedScenes {
   std::vector<PackedScene> scenes_;
   std::vector<PackedDaughter> daughters_;
   std::vector<double> per_touchable_;
-  /// Of shapes and rotations.
+  /// Holds shapes and rotations.
   std::unique_ptr<std::pmr::monotonic_buffer_resource> memory_;
 };
 

@@ -1,4 +1,4 @@
-// The scene template and what it is made of (kernels/scene.h), for compiled-ahead code.
+// The scene template and its parts (kernels/scene.h), for code that is compiled with the library.
 #pragma once
 
 #include "geometry/navigation/neighbours.hpp"

@@ -14,10 +14,10 @@ const Geometry& geometry_of(const Context* context) {
   return *static_cast<const Geometry*>(context->geometry);
 }
 
-/// As generic::relocate_in_own_frames(), by way of the table. Whoever navigates the innermost
-/// volume finds the next touchable as after any other step. If each volume that was entered
-/// contains the point in its own frame, too, it is the right one: those that do not are passed
-/// over, and no others.
+/// As generic::relocate_in_own_frames(), but through the dispatch table. The navigator of the
+/// innermost volume finds the next touchable as after any other step. That is the right one if each
+/// volume that was entered contains the point in its own frame, too: only those that do not are
+/// passed over.
 void relocate(NavigationStack* stack, const Context* context, double x, double y, double z,
               int blocked) {
   const int depth = stack->depth;
@@ -26,7 +26,7 @@ void relocate(NavigationStack* stack, const Context* context, double x, double y
   kernels::relocate_in_table(stack, context, stack->levels[depth].volume, x, y, z, blocked);
   const Geometry& geometry = geometry_of(context);
   const double* const u = stack->ray.given;
-  int i = 0;  // the first level that was entered: what is left is not entered again
+  int i = 0;  // the first level that was entered: what was left must not be entered again
   const int shared = std::min(depth, stack->depth);
   while (i <= shared && stack->levels[i].touchable == before[i]) ++i;
   for (; i <= stack->depth; ++i) {
@@ -48,7 +48,7 @@ void leave_at_once(NavigationStack* stack, const Context* context, double x, dou
   stack->boundary = 1;
   const int left = static_cast<int>(stack->levels[stack->depth].daughter);
   if (--stack->depth >= 0) relocate(stack, context, x, y, z, left);
-  // It was no more than within the tolerance of its end: the ray may come into it again.
+  // It was within the tolerance of its end and no farther: the ray may come into it again.
   stack->left.daughter = kernels::LeftForGood::none;
   stack->left.from = -1;
 }
@@ -60,7 +60,7 @@ double return_at_once(NavigationStack* stack, const Context* context, double x, 
   const double tolerance = geometry.tolerance();
   const StackLevel& level = stack->levels[stack->depth];
   const PackedScene& scene = geometry.packed(level.volume);
-  // What the level above the innermost says may be of another place: it is no more than a guess.
+  // The place behind the innermost level may be left from an earlier step: it is only a guess.
   const unsigned left = stack->levels[stack->depth + 1].daughter;
   if (left >= scene.count || scene.lists == nullptr) return unknown;
   const Vec3 p = kernels::to_local(level, x, y, z);
@@ -74,7 +74,7 @@ double return_at_once(NavigationStack* stack, const Context* context, double x, 
   const generic::InOwnFrame in_own_frame{*stack, scene, point, stack->ray.direction, tolerance};
   const double distance = generic::distance_local(scene.daughters[left], p, v, tolerance);
   if (distance != 0 || !in_own_frame(left)) return unknown;
-  // Of several the first in file order is entered. Those that hold the point are neighbours.
+  // Of several the first in file order is entered. All that hold the point are neighbours.
   const std::uint32_t* const neighbours = scene.neighbours + around.first;
   for (std::uint32_t n = 0; n < around.count; ++n) {
     const std::uint32_t k = neighbours[n];

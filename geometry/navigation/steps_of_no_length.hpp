@@ -1,6 +1,6 @@
-// Steps of length zero, as an optical photon makes them after a reflection: it is in the volume
-// behind the boundary, and its direction leads back. Specialised navigators leave them to these
-// functions, which give what generic::step() gives, and spare the search among all daughters.
+// Steps of length zero, as an optical photon makes them after a reflection: the photon is in the
+// volume behind the boundary, and its direction leads back. Specialised navigators call these
+// functions for them; they give what generic::step() gives, without a search among all daughters.
 #pragma once
 
 #include "geometry/navigation/navigation_stack.hpp"

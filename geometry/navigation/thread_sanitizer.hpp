@@ -1,6 +1,6 @@
-// Generated code is not instrumented: the thread sanitizer does not see it load a record from the
-// dispatch table, and takes what the record points to for a race. Both sides tell it; elsewhere
-// this is nothing.
+// Generated code is not instrumented: the thread sanitizer does not see it load an entry from the
+// dispatch table, and reports a race on what the entry points to. So both sides tell the sanitizer;
+// in other builds these functions do nothing.
 #pragma once
 
 #ifdef __SANITIZE_THREAD__
@@ -10,14 +10,14 @@ extern "C" void __tsan_release(void*);
 
 namespace navjit {
 
-/// By who made it: what is there is complete, before other threads are shown the address.
+/// Called by the maker: all of it is complete before other threads see the address.
 inline void tell_published([[maybe_unused]] const void* address) {
 #ifdef __SANITIZE_THREAD__
   __tsan_release(const_cast<void*>(address));
 #endif
 }
 
-/// By who was given the address.
+/// Called by a thread that was given the address.
 inline void tell_received([[maybe_unused]] const void* address) {
 #ifdef __SANITIZE_THREAD__
   __tsan_acquire(const_cast<void*>(address));

@@ -27,8 +27,8 @@ TouchableTable::TouchableTable(const Geometry& geometry) {
     t.rotation = static_cast<std::uint32_t>(rotations_.size());
   };
   keep(0);
-  // In preorder, which is that of their numbers.
-  std::vector<std::size_t> next{0};  // daughter of each level
+  // Visits them in preorder, which is the order of their numbers.
+  std::vector<std::size_t> next{0};  // the next daughter to visit, for each level
   while (!next.empty()) {
     const StackLevel& level = stack->levels[stack->depth];
     const auto daughters = geometry.scene(level.volume).daughters;

@@ -1,4 +1,4 @@
-// A straight line that something is transported along.
+// A straight line along which something is transported.
 #pragma once
 
 #include "navjit/vector.hpp"

@@ -7,7 +7,7 @@
 namespace navjit {
 namespace {
 
-/// splitmix64 (Steele, Lea and Flood 2014): a good generator even from consecutive seeds.
+/// splitmix64 (Steele, Lea and Flood 2014): good numbers even from consecutive seeds.
 struct Generator {
   std::uint64_t state;
   double operator()() {
@@ -25,13 +25,13 @@ Vec3 RayMaker::aimed_start(Random& random, const Vec3& direction) const {
   const Solid& world = world_.volumes[world_.top].solid;
   const Direction back = kernels::make_direction(-direction.x, -direction.y, -direction.z);
   Vec3 point{};
-  // Boxes may stick out of a world that is none. After so many tries the ray starts outside.
+  // Boxes may stick out of a world that is no box. After so many tries the ray starts outside.
   for (int tries = 0; tries < 100; ++tries) {
     const auto boxes = static_cast<double>(target_->boxes());
     const double which = random() * boxes, u = random(), v = random(), w = random();
     point = target_->point(static_cast<std::uint64_t>(std::min(which, boxes - 1)), u, v, w);
     if (inside(world.any(), point, world_.tolerance) != Side::inside) continue;
-    // Just within the world, whatever rounding does.
+    // Just inside the world, whatever rounding does.
     const double way = (1 - 0x1p-30) * distance_to_out(world.any(), point, back, world_.tolerance);
     return {point.x - way * direction.x, point.y - way * direction.y, point.z - way * direction.z};
   }

@@ -1,4 +1,4 @@
-// Rays made up.
+// Makes rays up.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,22 @@
 
 namespace navjit {
 
-/// Which rays are made up.
+/// Which rays are to be made.
 struct RaySource {
-  std::optional<Vec3> origin{};                    ///< default: points spread over the world
+  std::optional<Vec3> origin{};                    ///< default: points spread evenly over the world
   std::optional<std::pair<double, double>> eta{};  ///< pseudorapidity about +z; default: isotropic
   std::uint64_t seed = 1;
   /// A logical volume, or "auto": isotropic rays through points of its boxes (Target), from where
-  /// they enter the world. Neither origin nor eta then. Empty: not aimed.
+  /// they enter the world; then there is neither origin nor eta. Empty: the rays are not aimed.
   std::string aim{};
 };
 
-/// Makes rays up. A ray depends on the source, the world and its number alone, so that any number
-/// of threads makes the same rays, and none is kept: each begins a generator of its own
-/// (splitmix64) from the seed and the number.
+/// Makes rays up. A ray depends only on the source, the world and its number, so that any number of
+/// threads makes the same rays, and none need be kept: each ray has a generator of its own
+/// (splitmix64), which starts from the seed and the number.
 class RayMaker {
  public:
-  /// The world has to outlive it. Throws as Target.
+  /// The world has to outlive the ray maker. Throws as Target does.
   RayMaker(const World& world, RaySource source);
 
   Ray ray(std::uint64_t number) const;

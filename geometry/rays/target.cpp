@@ -13,7 +13,7 @@ Vec3 point_of(const Extent& box, double u, double v, double w) {
           box.min.z + w * (box.max.z - box.min.z)};
 }
 
-/// Around all daughters, as far as they are within their mother.
+/// The box around all daughters, so far as they are within their mother.
 Extent around_daughters(const World& world, const LogicalVolume& mother) {
   const double infinity = std::numeric_limits<double>::infinity();
   Extent box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};

@@ -15,7 +15,7 @@ Vec3 narrow(const WidePoint& p) {
   return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
 }
 
-/// Far more than the rounding of everything that the box was made from.
+/// The box with a margin far larger than the rounding of everything that it was made from.
 Extent inflated(const Extent& e, double tolerance) {
   const double size = std::max({std::abs(e.min.x), std::abs(e.min.y), std::abs(e.min.z),
                                 std::abs(e.max.x), std::abs(e.max.y), std::abs(e.max.z)});
@@ -29,13 +29,13 @@ bool within(const Extent& e, const Vec3& p) {
          p.z <= e.max.z;
 }
 
-/// False only if the ray surely meets the box nowhere within `limit`.
+/// False only if the ray certainly does not meet the box within `limit`.
 bool may_meet(const Extent& e, const Vec3& p, const Vec3& v, double limit) {
   double enter = 0, leave = limit;
   const double low[3] = {e.min.x, e.min.y, e.min.z}, high[3] = {e.max.x, e.max.y, e.max.z};
   const double at[3] = {p.x, p.y, p.z}, slope[3] = {v.x, v.y, v.z};
   for (int i = 0; i < 3; ++i) {
-    if (std::abs(slope[i]) < 1e-12) continue;  // by the other axes alone
+    if (std::abs(slope[i]) < 1e-12) continue;  // the other axes decide alone
     double a = (low[i] - at[i]) / slope[i], b = (high[i] - at[i]) / slope[i];
     if (a > b) std::swap(a, b);
     enter = std::max(enter, a);
@@ -90,7 +90,7 @@ Chain chain_of(const World& world, TouchableId touchable) {
 }
 
 WideGeometry::WideGeometry(std::shared_ptr<const World> world) : world_(std::move(world)) {
-  std::map<const void*, std::size_t> known;  // shapes that volumes share
+  std::map<const void*, std::size_t> known;  // volumes may share shapes
   for (const LogicalVolume& volume : world_->volumes) {
     const auto [entry, fresh] = known.try_emplace(volume.solid.shape.get(), solids_.size());
     if (fresh) solids_.push_back(std::make_shared<const WideSolid<Quad>>(volume.solid));
@@ -230,7 +230,7 @@ std::vector<WideStep> WideGeometry::trace(const Vec3& point, const Vec3& directi
   return steps;
 }
 
-/// One step. Leaves the levels at the next touchable; none if the world has been left.
+/// Makes one step. Leaves the levels at the next touchable; there are none outside the world.
 Quad WideGeometry::next(std::vector<Level>& levels, VolumeId& surface) const {
   const Quad tol = world_->tolerance;
   const Level& level = levels.back();
@@ -313,7 +313,7 @@ Quad WideGeometry::nearest_surface(const Chain& chain, const WidePoint& point) c
 
 double WideGeometry::across(const Chain& chain, const Vec3& start, const Vec3& direction,
                             Quad length, Quad right) const {
-  // The right end need not be 0 from all surfaces: along a face it is as far as the ray.
+  // The right end need not be on a surface: along a face it is as far from it as the ray is.
   const auto away = [&](Quad t) {
     return nearest_surface(chain, kernels::advance(widen(start), widen_direction(direction), t));
   };

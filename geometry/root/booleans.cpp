@@ -1,4 +1,4 @@
-// TGeoCompositeShape: a boolean of two shapes, each with a matrix.
+// TGeoCompositeShape: a boolean of two shapes, each of which has a matrix.
 #include <algorithm>
 
 #include "geometry/root/composites.hpp"

@@ -1,4 +1,4 @@
-// Numbers and texts of ROOT's files, one after the other: big-endian, never beyond the end.
+// Reads numbers and texts of ROOT's files in sequence: big-endian, never beyond the end.
 #pragma once
 
 #include <bit>
@@ -12,12 +12,12 @@
 
 namespace navjit::root {
 
-/// Bytes that are not what the format has there. The message lacks the file.
+/// The bytes are not what the format has there. The message does not name the file.
 struct FormatError : RootError {
   using RootError::RootError;
 };
 
-/// A place in some bytes, from which they are read.
+/// A place in a sequence of bytes, from which they are read.
 class Bytes {
  public:
   explicit Bytes(std::string_view all, std::size_t at = 0) : all_(all), at_(at) {
@@ -28,7 +28,7 @@ class Bytes {
   std::size_t left() const { return all_.size() - at_; }
   std::string_view all() const { return all_; }
 
-  /// All throw FormatError where there are fewer bytes left.
+  /// All of these throw FormatError where too few bytes are left.
   std::string_view take(std::size_t count) {
     if (count > left()) too_short();
     at_ += count;
@@ -50,12 +50,12 @@ class Bytes {
   std::uint64_t u64() { return number<std::uint64_t>(); }
   float f32() { return std::bit_cast<float>(u32()); }
   double f64() { return std::bit_cast<double>(u64()); }
-  /// TString: a length of one byte, or of four after 255, then the text.
+  /// A TString: a length of one byte, or one of four bytes after the byte 255, and then the text.
   std::string_view text() {
     const std::size_t brief = u8();
     return take(brief == 255 ? u32() : brief);
   }
-  /// Up to a zero, which is skipped.
+  /// A text up to a zero byte, which is skipped.
   std::string_view zero_ended() {
     const std::size_t end = all_.find('\0', at_);
     if (end == std::string_view::npos) too_short();
@@ -71,10 +71,10 @@ class Bytes {
   std::size_t at_;
 };
 
-/// What stands before an object or a part of it: how long it is, and the version of its class.
+/// What stands before an object or a part of one: its length, and the version of its class.
 struct VersionHeader {
   std::uint16_t version = 0;
-  std::size_t end = 0;  ///< 0: the file does not say
+  std::size_t end = 0;  ///< 0: the file does not give it
 };
 
 constexpr std::uint32_t byte_count_mask = 0x40000000;
@@ -93,7 +93,7 @@ inline VersionHeader version_header(Bytes& bytes) {
   return header;
 }
 
-/// The bits of a TObject, which alone has no length before it.
+/// The bits of a TObject, which is the only one that has no length before it.
 inline std::uint32_t object_bits(Bytes& bytes) {
   bytes.skip(2);  // version
   bytes.skip(4);  // unique number

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view magic = "root";
 constexpr int deepest_folder = 32;
 
-/// Places in files of more than 2 GB take eight bytes; a version tells.
+/// A place in a file of more than 2 GB takes eight bytes; the version shows it.
 std::uint64_t place(Bytes& bytes, bool large) { return large ? bytes.u64() : bytes.u32(); }
 
 Key parse_key(Bytes& bytes) {
@@ -63,10 +63,10 @@ Container::Container(const fs::path& path, const RootLimits& limits) : limits_(l
   place(bytes, large);  // free segments
   bytes.skip(8);        // their bytes and number
   const std::uint32_t name_bytes = bytes.u32();
-  bytes.skip(1 + 4);  // bytes of a place, compression
+  bytes.skip(1 + 4);  // bytes of a place, and the compression
   infos_ = place(bytes, large);
   read_folder(begin, name_bytes, 0);
-  // Of several cycles of a name the newest, where the first stands.
+  // Of several cycles of a name it takes the newest, at the place of the first.
   std::map<std::pair<std::string, std::string>, std::size_t> first;
   std::vector<Key> newest;
   for (Key& key : keys_) {
@@ -93,7 +93,7 @@ std::string Container::read(std::uint64_t at, std::size_t count) {
 }
 
 Key Container::key_at(std::uint64_t at) {
-  // Longer names than that are none.
+  // No valid key has names longer than this allows.
   constexpr std::uint64_t most = 70'000;
   if (at >= size_) throw FormatError("it ends too early; copy it again");
   const std::string bytes = read(at, std::min(most, size_ - at));
@@ -119,7 +119,7 @@ void Container::read_folder(std::uint64_t seek, std::size_t before, int depth) {
   place(bytes, large);
   const std::uint64_t keys_at = place(bytes, large);
   if (keys_at == 0 || keys_bytes == 0) return;  // an empty folder, or a file that was not closed
-  // A folder within itself would be read again and again.
+  // Without this, a folder that contains itself would be read again and again.
   list_bytes_ += keys_bytes;
   if (list_bytes_ > size_) throw FormatError("its folders have more in them than the file is long");
   const std::string list = read(keys_at, keys_bytes);
@@ -147,7 +147,7 @@ std::string Container::object(const Key& key) {
                       " bytes; raise RootLimits::max_bytes if this is meant");
   }
   if (key.bytes < key.key_bytes) throw FormatError("a record is shorter than its head");
-  // As ROOT has it: what did not become shorter is not packed.
+  // ROOT does not pack an object that would not become shorter.
   const std::size_t bytes = std::min(key.bytes - key.key_bytes, key.object_bytes);
   std::string packed = read(key.seek + key.key_bytes, bytes);
   if (bytes == key.object_bytes) return packed;

@@ -1,4 +1,4 @@
-// A ROOT file as a container: what it holds, by name and class, and the bytes of each.
+// A ROOT file as a container: what it holds, by name and class, and the bytes of each object.
 #pragma once
 
 #include <cstdint>
@@ -15,29 +15,29 @@ namespace navjit::root {
 /// One object of the file.
 struct Key {
   std::string type, name;
-  int cycle = 0;                   ///< the higher the newer, among those of one name
+  int cycle = 0;                   ///< of objects of one name, the newer has the higher cycle
   std::uint64_t seek = 0;          ///< where its record begins
-  std::uint32_t bytes = 0;         ///< of the record, as it is in the file
-  std::uint32_t object_bytes = 0;  ///< of the object, unpacked
-  std::uint16_t key_bytes = 0;     ///< of what stands before the object
+  std::uint32_t bytes = 0;         ///< length of the record in the file
+  std::uint32_t object_bytes = 0;  ///< length of the object, unpacked
+  std::uint16_t key_bytes = 0;     ///< length of what stands before the object
 };
 
-/// An open file. Throws FormatError throughout.
+/// An open file. All functions throw FormatError.
 class Container {
  public:
   Container(const std::filesystem::path& path, const RootLimits& limits);
 
-  /// Those of the file and of its folders, in order; of several cycles of a name the newest.
+  /// The keys of the file and of its folders, in order; of several cycles of a name, the newest.
   const std::vector<Key>& keys() const { return keys_; }
   /// The object's bytes, unpacked.
   std::string object(const Key& key);
-  /// The list of StreamerInfos, which describe the classes; nothing where there is none.
+  /// The list of StreamerInfos, which describe the classes; nothing if the file has none.
   std::optional<Key> streamer_infos();
 
  private:
   std::string read(std::uint64_t at, std::size_t count);
   Key key_at(std::uint64_t at);
-  /// The keys of the folder whose own record is at `seek`.
+  /// Reads the keys of the folder whose own record is at `seek`.
   void read_folder(std::uint64_t seek, std::size_t before, int depth);
 
   const RootLimits& limits_;

@@ -1,4 +1,4 @@
-// TGeoXtru: a polygon along sections, which may have steps.
+// TGeoXtru: a polygon along sections, which may form steps.
 #include "geometry/root/composites.hpp"
 
 namespace navjit::root {
@@ -14,7 +14,7 @@ MadeSolid read_extruded(Reading& reading, const Object& s) {
   if (reading.corner_pairs > most_pairs) s.fail("the polygons have too many corners in all");
   std::vector<PlanarPoint> polygon;
   for (std::size_t i = 0; i < corners; ++i) polygon.push_back({cm * x[i], cm * y[i]});
-  // Two sections at one z are a step: one body ends there, another begins.
+  // Two sections at one z form a step: one body ends there, and another one begins.
   std::vector<std::vector<ExtrudedSection>> bodies(1);
   for (std::size_t i = 0; i < sections; ++i) {
     if (i > 0 && z[i] == z[i - 1]) {

@@ -19,7 +19,7 @@ void turn(Frame& frame, const Object& matrix) {
   std::ranges::copy(matrix.numbers("fRotationMatrix", 9).first(9), frame.rotation);
 }
 
-/// Of three numbers; -1 is a reflection.
+/// Scales by three numbers; -1 is a reflection.
 void scale(Frame& frame, const Object& matrix) {
   const std::span<const double> factors = matrix.numbers("fScale", 3);
   for (std::size_t i = 0; i < 9; ++i) {
@@ -32,8 +32,8 @@ void scale(Frame& frame, const Object& matrix) {
 
 double dot(const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// Rows that are unit vectors at right angles. Angles that were written with few digits leave
-/// matrices that are so only roughly.
+/// Makes the rows unit vectors at right angles to one another. Matrices from angles that were
+/// written with few digits are orthonormal only roughly.
 void make_orthonormal(Reading& reading, const Object& matrix, double (&r)[9]) {
   double error = 0;
   for (int i = 0; i < 3; ++i) {
@@ -56,7 +56,7 @@ void make_orthonormal(Reading& reading, const Object& matrix, double (&r)[9]) {
   }
 }
 
-/// The line of a parallelepiped's or trap's middles: how far it leans for each length along z.
+/// How far the line through the middles of a parallelepiped or trap leans for each length along z.
 struct Lean {
   double x, y;
 };

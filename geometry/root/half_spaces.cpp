@@ -1,5 +1,5 @@
-// TGeoHalfSpace, and booleans of such. They have no end; but of an operand only what is near the
-// other one counts: near to it a box with one face on the plane is the same as half of space.
+// TGeoHalfSpace, and booleans of such. They are infinite; but of an operand only what is near the
+// other one counts. There, a box with one face on the plane is the same as a half space.
 #include <algorithm>
 #include <cmath>
 
@@ -8,24 +8,24 @@
 namespace navjit::root {
 namespace {
 
-/// The box goes from the plane to beyond the region, and aside by as much.
+/// The box reaches from the plane to beyond the region, and as far to the sides.
 Solid box_of(const Object& half, const Transformation& at, const Extent& region) {
   const std::span<const double> p = half.numbers("fP", 3), n = half.numbers("fN", 3);
   const double length = std::hypot(n[0], n[1], n[2]);
   if (!(length > 0)) half.fail("its plane has no direction");
   const Vec3 z = direction_to_outer(at, {n[0] / length, n[1] / length, n[2] / length});
   const Vec3 on = to_outer(at, {cm * p[0], cm * p[1], cm * p[2]});
-  // Any two directions across it.
+  // Any two directions across it will do.
   const Vec3 aside = std::abs(z.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   Vec3 x = aside - dot(aside, z) * z;
   x = (1 / norm(x)) * x;
   const Vec3 y{z.y * x.z - z.z * x.y, z.z * x.x - z.x * x.z, z.x * x.y - z.y * x.x};
-  // Planes beyond the region are all the same.
+  // Planes beyond the region all have the same effect there.
   const Vec3 centre = 0.5 * (region.min + region.max);
   const double around = norm(region.max - region.min);
   const double away = std::clamp(dot(on - centre, z), -around, around);
   const double reach = 2 * around;
-  // Inside is where the normal points from.
+  // The inside is where the normal comes from.
   const Vec3 middle = centre + (away - reach) * z;
   return make_placed(
       half.name, make_box(half.name, reach, reach, reach),

@@ -5,7 +5,7 @@
 namespace navjit::root {
 namespace {
 
-/// A TNamed within an object.
+/// Reads a TNamed within an object.
 std::string named_at(Bytes& at) {
   const VersionHeader header = version_header(at);
   object_bits(at);
@@ -18,7 +18,7 @@ std::string named_at(Bytes& at) {
   return name;
 }
 
-/// "TGeoFacet" for "vector<TGeoFacet>"; empty for all else.
+/// "TGeoFacet" for "vector<TGeoFacet>"; empty for everything else.
 std::string_view content_of(std::string_view type) {
   if (type.starts_with("std::")) type.remove_prefix(5);
   constexpr std::string_view start = "vector<";
@@ -26,7 +26,7 @@ std::string_view content_of(std::string_view type) {
   return type.substr(start.size(), type.size() - start.size() - 1);
 }
 
-/// A TStreamerElement, of any class.
+/// Reads a TStreamerElement of any class.
 Member member_at(const RecordBytes& record, Reference reference) {
   const Located found = record.locate(reference);
   Bytes at(record.bytes.substr(0, found.end), found.begin);

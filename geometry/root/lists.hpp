@@ -9,8 +9,8 @@
 
 namespace navjit::root {
 
-/// The objects of a TObjArray, TList or THashList, which begins at `at`; none of another class.
-/// `spend` is called with the number of them before there is memory for it. Throws FormatError.
+/// The objects of a TObjArray, TList or THashList that begins at `at`; none for other classes.
+/// `spend` is called with their number before memory is taken for them. Throws FormatError.
 std::vector<Reference> list_at(const RecordBytes& record, std::string_view type, Bytes at,
                                const std::function<void(std::size_t)>& spend);
 

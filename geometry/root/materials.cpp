@@ -8,9 +8,9 @@ namespace navjit::root {
 namespace {
 
 constexpr std::size_t most_components = 10'000;
-constexpr double density_of_space = 1e-25;  ///< between galaxies, g/cm3, as Geant4 has it
+constexpr double density_of_space = 1e-25;  ///< between galaxies, g/cm3, as in Geant4
 
-/// Numbers that are none make a material less known, and no file unreadable.
+/// A value that is no positive number is taken as not known; the file is still read.
 double or_zero(double value) { return std::isfinite(value) && value > 0 ? value : 0; }
 
 std::uint32_t add_element(Reading& reading, Element element) {
@@ -21,7 +21,7 @@ std::uint32_t add_element(Reading& reading, Element element) {
   return found->second;
 }
 
-/// `a`: molar mass, where the element itself says none.
+/// `a` is the molar mass where the element itself gives none.
 std::uint32_t read_element(Reading& reading, const Object& given, double a) {
   Element element{.name = given.name, .formula = given.name, .z = or_zero(given.number("fZ", 0))};
   const double own = or_zero(given.number("fA", 0));
@@ -75,7 +75,7 @@ std::vector<ElementShare> shares_of(Reading& reading, const Object& material) {
   const double z = or_zero(material.number("fZ", 0)), a = or_zero(material.number("fA", 0));
   if (const Reference element = material.reference("fElement")) {
     const Object& given = reading.objects.at(element);
-    // An effective charge is no element's.
+    // An effective charge is not that of an element.
     if (given.number("fZ", 0) == z) return {{read_element(reading, given, a), 1}};
   }
   if (z < 0.5 || a == 0) return {};
@@ -92,8 +92,8 @@ Material make(Reading& reading, const Object& given) {
     material.temperature = kelvin;
   }
   material.elements = shares_of(reading, given);
-  // ROOT gives no radiation length to what has less of either, whatever its density: a vacuum. A
-  // density of 0 would say that it is not known.
+  // ROOT gives no radiation length to a material whose A or Z is less than this, whatever its
+  // density: it is a vacuum. A density of 0 would mean that it is not known.
   constexpr double least = 0.9;
   if (!given.is("TGeoMixture") &&
       (given.number("fZ", 0) < least || given.number("fA", 0) < least)) {
@@ -105,7 +105,7 @@ Material make(Reading& reading, const Object& given) {
     }
   }
   const double per_area = navjit::radiation_length(reading.world, material.elements);
-  constexpr double no_interaction = 1e20;  // ROOT's figure for a vacuum
+  constexpr double no_interaction = 1e20;  // ROOT's value for a vacuum
   const double own = std::abs(given.number("fRadLen", 0));
   if (per_area > 0 && material.density > 0) {
     material.radiation_length = per_area / material.density * cm;

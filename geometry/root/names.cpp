@@ -11,7 +11,7 @@ unsigned char byte_at(std::string_view text, std::size_t i) {
   return static_cast<unsigned char>(text[i]);
 }
 
-/// Bytes of the character of UTF-8 that begins there; 0 if there is none.
+/// The length in bytes of the UTF-8 character that begins there; 0 if there is none.
 std::size_t character_at(std::string_view text, std::size_t i) {
   const unsigned char first = byte_at(text, i);
   if (first < 0x80) return 1;
@@ -25,7 +25,7 @@ std::size_t character_at(std::string_view text, std::size_t i) {
   }
   constexpr std::uint32_t first_of_length[] = {0, 0, 0x80, 0x800, 0x10000};
   const bool surrogate = code >= 0xd800 && code < 0xe000;
-  // The last two of each plane are no characters; XML does not have them.
+  // The last two codes of each plane are no characters; XML does not allow them.
   const bool none = (code & 0xfffe) == 0xfffe;
   return code < first_of_length[length] || code > 0x10ffff || surrogate || none ? 0 : length;
 }

@@ -1,4 +1,4 @@
-// Numbers of all types that members have.
+// Reads numbers of all types that members have.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace navjit::root {
 
-/// Bytes of a number of a type, 1 to 19; 0 for those that have no fixed size.
+/// The bytes of a number of a type from 1 to 19; 0 for types without a fixed size.
 inline std::size_t number_size(std::uint32_t type) {
   constexpr std::size_t sizes[] = {0, 1, 2, 4, 8, 4, 4, 0, 8, 4, 1, 1, 2, 4, 8, 4, 8, 8, 1, 0};
   return type < std::size(sizes) ? sizes[type] : 0;

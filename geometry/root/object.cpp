@@ -1,4 +1,4 @@
-// What is asked of one object.
+// The questions that one object answers.
 #include <algorithm>
 #include <cmath>
 

@@ -11,7 +11,7 @@
 namespace navjit::root {
 namespace {
 
-/// Members that detectors are made of; all others are skipped.
+/// The members that detectors are made of; all others are skipped.
 constexpr auto wanted_members =
     std::to_array<std::string_view>({"fA",        "fAbundances",  "fAlpha",
                                      "fAlpha1",   "fAlpha2",      "fAmixture",
@@ -59,7 +59,7 @@ bool is_vector_read(std::string_view name) { return name == "fVertices" || name 
 
 bool is_pointer(std::uint32_t type) { return type == pointer || type == pointer_any; }
 
-/// Skips what has its length before it; false where it has none.
+/// Skips an object that has its length before it; false if it has none.
 bool skip_object(Bytes& at) {
   const VersionHeader header = version_header(at);
   if (header.end == 0) return false;
@@ -74,7 +74,7 @@ Objects::Objects(std::string bytes, const Key& key, const Layouts& layouts)
       record_{bytes_, key.key_bytes},
       own_type_(key.type),
       layouts_(layouts),
-      // Each byte is a part of few objects; of many only in a file that is made to be.
+      // In ordinary files each byte is a part of few objects; a hostile file could exceed this.
       budget_(4 * bytes_.size() + 100'000) {}
 
 void Objects::spend(std::size_t amount) {
@@ -128,7 +128,7 @@ void Objects::read_class(Bytes& at, std::string_view type, Object& into, Counter
       counters.emplace_back(member.name, ahead.u32());
       read_member(in, member, counters, into);
     } else if (!read_member(in, member, counters, into)) {
-      break;  // what follows cannot be found
+      break;  // what follows cannot be located
     }
   }
   finish();
@@ -157,7 +157,7 @@ bool Objects::read_member(Bytes& at, const Member& member, const Counters& count
   }
   if (type == text) {
     const std::string_view value = at.text();
-    // TNamed's own layout has it, where it is no base.
+    // Where TNamed is no base, it stands here by its own layout.
     if (member.name == "fName") {
       spend(value.size());
       into.name = readable(value);
@@ -193,7 +193,7 @@ bool Objects::read_member(Bytes& at, const Member& member, const Counters& count
     const std::size_t size = number_size(of);
     std::size_t count = member.length;
     if (variable) {
-      if (at.u8() == 0) return true;  // none was written
+      if (at.u8() == 0) return true;  // no array was written
       const auto counter = std::find_if(counters.begin(), counters.end(),
                                         [&](const auto& c) { return c.first == member.counter; });
       if (counter == counters.end()) return false;
@@ -213,7 +213,7 @@ bool Objects::read_member(Bytes& at, const Member& member, const Counters& count
     return true;
   }
   if (!member.content.empty() && is_vector_read(member.name)) return read_vector(at, member, into);
-  // Objects in place, containers of the standard library, what classes write by themselves.
+  // Objects in place, containers of the standard library, and classes that write themselves.
   const bool several = type == basic_end + embedded || type == basic_end + embedded_any;
   for (std::uint32_t i = 0; i < (several ? member.length : 1); ++i) {
     if (!skip_object(at)) return false;

@@ -1,4 +1,4 @@
-// The objects of one record, each read when it is asked for.
+// The objects of one record; each is read when it is asked for.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@
 
 namespace navjit::root {
 
-/// An object, with those of its members that geometries are made of. Throws RootError where a
-/// member is asked for that it does not have.
+/// An object with those of its members that geometries are made of. Throws RootError if it lacks a
+/// member that is asked for.
 struct Object {
   using Value = std::variant<double, std::vector<double>, Reference>;
 
@@ -29,13 +29,13 @@ struct Object {
   bool is(std::string_view wanted) const { return type == wanted; }
   double number(std::string_view member) const;
   double number(std::string_view member, double fallback) const;
-  /// A number that counts: a whole one of at most `most`.
+  /// A member that is a count: a whole number of at most `most`.
   std::size_t count(std::string_view member, std::size_t most) const;
-  /// At least so many numbers, finite ones.
+  /// A member with at least so many numbers, all of them finite.
   std::span<const double> numbers(std::string_view member, std::size_t least) const;
-  /// 0 where there is no such member.
+  /// The member; 0 if there is none.
   Reference reference(std::string_view member) const;
-  /// "TGeoTube 'pipe'".
+  /// For messages: "TGeoTube 'pipe'".
   std::string label() const;
   /// Throws a RootError: the label and the problem.
   [[noreturn]] void fail(const std::string& problem) const;
@@ -44,20 +44,20 @@ struct Object {
   const Value* find(std::string_view member) const;
 };
 
-/// All objects of a record. Throws FormatError throughout.
+/// All objects of a record. All functions throw FormatError.
 class Objects {
  public:
   Objects(std::string bytes, const Key& key, const Layouts& layouts);
 
   /// The object that a pointer names; the same one each time.
   const Object& at(Reference reference);
-  /// The same for one that is asked for once; it is not kept.
+  /// The same for an object that is asked for only once; it is not kept.
   Object read(Reference reference);
-  /// Those of a list; none for 0.
+  /// The objects of a list; none for 0.
   std::vector<Reference> list(Reference reference);
 
  private:
-  /// Lengths of arrays, which stand before them, by the members that have them.
+  /// Lengths of arrays, by the members that hold them, which stand before the arrays.
   using Counters = std::vector<std::pair<std::string_view, std::uint32_t>>;
   void read_class(Bytes& at, std::string_view type, Object& into, Counters& counters, int depth);
   bool read_member(Bytes& at, const Member& member, const Counters& counters, Object& into);

@@ -1,6 +1,6 @@
-// Pointers between the objects of one record. An object stands in full where a pointer to it is
-// written first; pointers after that say where. So any object can be read by itself, without those
-// before it.
+// Pointers between the objects of one record. Where a pointer to an object is written first, the
+// object follows in full; later pointers name its place. So any object can be read by itself,
+// without those before it.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace navjit::root {
 
-/// Names an object of a record, as the file does: by its place. 0: none. 1: the record's own.
+/// Names an object of a record by its place, as the file does. 0: none. 1: the record's own.
 using Reference = std::uint32_t;
 constexpr Reference own_object = 1;
 
 /// Where an object is.
 struct Located {
   std::string_view type;           ///< its class
-  std::size_t begin = 0, end = 0;  ///< of what the class wrote, in the record
+  std::size_t begin = 0, end = 0;  ///< the bytes that the class wrote, in the record
 };
 
-/// The bytes of a record's object. Places in a file count from the key before it.
+/// The bytes of a record's object. Places in a file count from the key that precedes it.
 struct RecordBytes {
   std::string_view bytes;
   std::size_t key_bytes = 0;

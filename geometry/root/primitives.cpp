@@ -1,4 +1,4 @@
-// Shapes of ROOT's that are made of numbers alone. Lengths are cm there, angles degrees.
+// ROOT's shapes that are given by numbers alone. Their lengths are in cm, angles in degrees.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,12 +15,12 @@ constexpr double degree = std::numbers::pi / 180;
 double length(const Object& shape, std::string_view member) { return cm * shape.number(member); }
 double angle(const Object& shape, std::string_view member) { return degree * shape.number(member); }
 
-/// One of which only the tangent matters: less half turns. Files have 334 degrees for -26.
+/// An angle of which only the tangent matters, less half turns: files have 334 degrees for -26.
 double slant(const Object& shape, std::string_view member) {
   return degree * std::remainder(shape.number(member), 180);
 }
 
-/// An azimuth from fPhi1 to fPhi2, which is beyond it.
+/// An azimuth from fPhi1 to the larger fPhi2.
 struct Azimuth {
   double start, delta;
 };
@@ -100,7 +100,7 @@ Solid read_arb8(const Object& s) {
   return make_arb8(s.name, length(s, "fDz"), corners);
 }
 
-/// Edges may have no length. The corners say the same.
+/// Edges may have no length; the corners say the same.
 Solid read_trap(const Object& s) {
   constexpr std::string_view edges[] = {"fH1", "fBl1", "fTl1", "fH2", "fBl2", "fTl2"};
   const auto is_none = [&](std::string_view edge) { return s.number(edge) == 0; };
@@ -109,7 +109,7 @@ Solid read_trap(const Object& s) {
                    length(s, "fBl1"), length(s, "fTl1"), slant(s, "fAlpha1"), length(s, "fH2"),
                    length(s, "fBl2"), length(s, "fTl2"), slant(s, "fAlpha2"));
 }
-/// Its corners are turned already.
+/// The corners in the file are turned already.
 Solid read_twisted_trap(const Object& s) {
   return s.number("fTwistAngle") == 0 ? read_trap(s) : read_arb8(s);
 }
@@ -131,7 +131,7 @@ Solid read_torus(const Object& s) {
                     angle(s, "fPhi1"), delta_phi(s));
 }
 
-/// The half axes are where other tubes have their radii.
+/// The half axes are in the members that hold the radii of other tubes.
 Solid read_elliptical_tube(const Object& s) {
   return make_eltube(s.name, length(s, "fRmin"), length(s, "fRmax"), length(s, "fDz"));
 }
@@ -171,7 +171,7 @@ constexpr Reader readers[] = {
     {"TGeoParaboloid", read_paraboloid},
 };
 
-/// Null for a class that has none.
+/// The reader of a class; null if there is none.
 const Reader* reader_of(const Object& shape) {
   const auto* found =
       std::ranges::find_if(readers, [&](const Reader& r) { return shape.is(r.type); });

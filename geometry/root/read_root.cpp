@@ -1,4 +1,4 @@
-// A detector from a file: which object of it, and the world about it.
+// Reads a detector from a file: finds the object to read, and makes the world around it.
 #include <algorithm>
 
 #include "geometry/gdml/xml.hpp"
@@ -39,7 +39,7 @@ const Key& choose(const std::vector<Key>& keys, const std::string& wanted) {
                     known);
 }
 
-/// A top that has no solid of its own gets a box about what is in it.
+/// If the top has no solid of its own, the world is a box around what is in it.
 VolumeId world_about(Reading& reading, const Object& volume, const MadeVolume& made) {
   if (!made.assembly) return made.id;
   if (made.placements.empty()) volume.fail("it is empty");

@@ -1,4 +1,4 @@
-// Shapes of ROOT's, those that are made of others among them.
+// Reads ROOT's shapes, also those that are made of others.
 #include <algorithm>
 
 #include "geometry/root/composites.hpp"
@@ -38,7 +38,7 @@ MadeSolid make(Reading& reading, Reference reference, std::size_t depth) {
 }  // namespace
 
 void check_nesting(Reading& reading, const Object& shape, std::size_t depth) {
-  // Of what is read by recursion; what is made of it may have fewer levels.
+  // This counts what is read by recursion; the solid that is made may have fewer levels.
   const std::size_t most = std::max(reading.limits.max_solid_depth, reading.limits.max_solid_chain);
   if (depth > most) {
     shape.fail("more than " + std::to_string(most) +

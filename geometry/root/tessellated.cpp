@@ -1,5 +1,5 @@
-// TGeoTessellated: facets of three or four vertices. Of its members two have been there since its
-// first version: the vertices, and for each facet the numbers of its own.
+// TGeoTessellated: facets of three or four vertices. Two members have been there since the first
+// version: the vertices, and the numbers of the vertices of each facet.
 #include "geometry/root/reading.hpp"
 #include "geometry/solids/bodies.hpp"
 
@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t corners_at_most = 4;
 
-/// The vertices that facets have, each once, by its number among all.
+/// The vertices that facets use, each once, by its number among all vertices.
 class Corners {
  public:
   Corners(const Object& shape, std::span<const double> coordinates)

@@ -17,7 +17,7 @@ namespace {
                     " data are damaged; copy the file again, or make it again");
 }
 
-/// `window`: zlib's, negative for a stream without zlib's own header.
+/// `window` is zlib's parameter; it is negative for a stream without zlib's header.
 void inflate_into(std::string_view packed, char* out, std::size_t size, int window) {
   z_stream stream{};
   if (inflateInit2(&stream, window) != Z_OK) throw std::bad_alloc();

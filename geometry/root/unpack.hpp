@@ -1,4 +1,4 @@
-// ROOT's compressed blocks.
+// Unpacks ROOT's compressed blocks.
 #pragma once
 
 #include <cstddef>
@@ -7,9 +7,9 @@
 
 namespace navjit::root {
 
-/// The bytes that are packed in a sequence of blocks (zlib, LZMA, LZ4, Zstandard, and the deflate
-/// of files before 2002), `size` in all. Throws FormatError where they are damaged. Memory is taken
-/// as blocks are unpacked, at most 16 MB at once.
+/// The bytes, `size` in all, of a sequence of packed blocks (zlib, LZMA, LZ4, Zstandard, and the
+/// deflate of files before 2002). Throws FormatError if they are damaged. Memory is taken as blocks
+/// are unpacked, at most 16 MB at once.
 std::string unpack(std::string_view blocks, std::size_t size);
 
 }  // namespace navjit::root

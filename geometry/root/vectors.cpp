@@ -1,4 +1,4 @@
-// Members that are a std::vector of objects, where these are made of numbers alone.
+// Reads members that are a std::vector of objects which are made of numbers alone.
 #include <algorithm>
 #include <optional>
 
@@ -8,14 +8,14 @@
 namespace navjit::root {
 namespace {
 
-/// Members of objects that are kept, by the vectors that these are in.
+/// The members of objects in vectors that are kept, written with the name of the vector.
 constexpr std::string_view kept[] = {"fFacets.fIvert", "fFacets.fNvert", "fVertices.fVec"};
 
-/// A member of the objects: so many numbers of a type in each.
+/// One member of all objects: so many numbers of a type in each object.
 struct Column {
   std::uint32_t type = 0;
   std::size_t width = 1;
-  std::optional<std::string_view> name{};  ///< under which they are kept
+  std::optional<std::string_view> name{};  ///< the name under which they are kept
   std::vector<double> numbers{};
 
   std::size_t bytes() const { return width * number_size(type); }
@@ -25,7 +25,7 @@ struct Column {
   }
 };
 
-/// None if a member is something else than numbers.
+/// The columns; none if a member is anything else than numbers.
 std::vector<Column> columns_of(const Layout& layout, const std::string& vector) {
   std::vector<Column> columns;
   for (const Member& member : layout) {
@@ -40,7 +40,7 @@ std::vector<Column> columns_of(const Layout& layout, const std::string& vector) 
   return columns;
 }
 
-/// A class that counts no versions has a checksum there.
+/// A class without versions has version 0, and after it a checksum.
 std::uint16_t skip_checksum(Bytes& at, std::uint16_t version) {
   if (version == 0) at.skip(4);
   return version;
@@ -53,7 +53,7 @@ bool Objects::read_vector(Bytes& at, const Member& member, Object& into) {
   if (header.end == 0) return false;
   Bytes in(at.all().substr(0, header.end), at.at());
   at = Bytes(at.all(), header.end);
-  // Either one member of all objects after the other, or one object after the other.
+  // The members follow member by member for all objects, or else object by object.
   constexpr std::uint16_t by_members = 1U << 14;
   const bool by_member = (header.version & by_members) != 0;
   std::uint16_t version = by_member ? skip_checksum(in, in.u16()) : 0;

@@ -1,4 +1,4 @@
-// ROOT's volumes, assemblies and nodes.
+// Reads ROOT's volumes, assemblies and nodes.
 #include <cmath>
 
 #include "geometry/gdml/xml.hpp"
@@ -7,7 +7,7 @@
 namespace navjit::root {
 namespace {
 
-constexpr int deepest = 256;  // levels, those of assemblies counted
+constexpr int deepest = 256;  // levels, with those of assemblies
 
 void add(Reading& reading, const Object& volume, std::vector<Placement>& to, Placement placement) {
   reading.name_bytes += placement.name.size();
@@ -31,7 +31,7 @@ void read_node(Reading& reading, Reference reference, const Object& mother, int 
   const Object node = reading.objects.read(reference);
   const Reference below = node.reference("fVolume");
   if (below == 0) node.fail("it places no volume");
-  constexpr std::uint32_t may_overlap = 1U << 13 | 1U << 17;  // before 2010, and since
+  constexpr std::uint32_t may_overlap = 1U << 13 | 1U << 17;  // until 2010, and since then
   if ((node.bits & may_overlap) != 0) {
     reading.notes.count(
         "placements may overlap others (ROOT's \"many\"): where they do the first one counts; see "
@@ -72,7 +72,7 @@ MadeVolume make(Reading& reading, Reference reference, int depth) {
   if (shape == 0) volume.fail("it has no shape");
   MadeVolume made;
   made.assembly = reading.objects.at(shape).is("TGeoShapeAssembly");
-  // A world has to have an inside.
+  // The world itself must have an inside.
   made.empty = depth > 0 && is_flat(reading.objects.at(shape)) &&
                reading.objects.list(volume.reference("fNodes")).empty();
   if (made.empty) return made;

@@ -14,7 +14,7 @@ struct AnySolid {
   const void* shape;
 };
 
-/// In a function of its own, which alone saves and clears wide registers.
+/// Is a function of its own, so that only it saves and clears wide registers.
 template <class F, class Shape>
 [[gnu::noinline]] decltype(auto) visit_apart(F& f, const Shape& shape) {
   return f(shape);
@@ -76,7 +76,7 @@ Real safety_to_out(const AnySolid<Real>& s, const Vec3<Real>& p) {
   return visit(s, [&](const auto& shape) { return safety_to_out(shape, p); });
 }
 
-// Booleans look through to what their operands are made of.
+// Booleans ask what their operands are made of.
 template <class Real>
 Real furthest_out(const AnySolid<Real>& s, const Vec3<Real>& p, const Direction<Real>& v,
                   Real tol) {

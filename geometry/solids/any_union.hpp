@@ -1,4 +1,4 @@
-// Unions of any solids: by their two operands, or where there are many parts by the boxes of all.
+// Unions of any solids: asked by their two operands or, if they have many parts, by all boxes.
 #pragma once
 
 #include <type_traits>
@@ -7,7 +7,7 @@
 
 namespace navjit::kernels {
 
-// Of many parts, in double precision (union_parts.cpp).
+// For many parts, in double precision (union_parts.cpp).
 bool is_wide_enough(const UnionParts& s, double tol);
 bool contains(const UnionParts& s, const Vec3<double>& p, const Direction<double>& v, double tol);
 double furthest_out(const UnionParts& s, const Vec3<double>& p, const Direction<double>& v,
@@ -20,7 +20,7 @@ double safety_to_out(const UnionParts& s, const Vec3<double>& p);
 template <class Real>
 using UnionPair = Union<const AnyOperand<Real>&, const AnyOperand<Real>&>;
 
-/// ask(parts), or ask(the two operands).
+/// Returns ask(parts), or ask(the two operands).
 template <class Real, class Ask>
 auto ask_union(const AnyUnion<Real>& s, Real tol, const Ask& ask) {
   if constexpr (std::is_same_v<Real, double>) {

@@ -15,7 +15,7 @@ double dot(const PlanarPoint& a, const PlanarPoint& b) { return a.x * b.x + a.y 
 PlanarPoint minus(const PlanarPoint& a, const PlanarPoint& b) { return {a.x - b.x, a.y - b.y}; }
 double length(const PlanarPoint& a) { return std::hypot(a.x, a.y); }
 
-/// The side between the lines from a to c and from b to d, with the solid to the left of a..b.
+/// The side between the lines from a to c and from b to d; the solid is to the left of a..b.
 struct SideCorners {
   PlanarPoint a, b, c, d;
 
@@ -28,7 +28,7 @@ struct SideCorners {
 };
 
 kernels::Plane<double> flat_side(const SideCorners& s, double hz) {
-  // The diagonals: they exist also where one edge has no length.
+  // These are the diagonals: they exist also if one edge has no length.
   const Vec3 u{s.d.x - s.a.x, s.d.y - s.a.y, 2 * hz}, w{s.c.x - s.b.x, s.c.y - s.b.y, 2 * hz};
   Vec3 n{u.y * w.z - u.z * w.y, u.z * w.x - u.x * w.z, u.x * w.y - u.y * w.x};
   const double norm = std::hypot(n.x, n.y, n.z);
@@ -39,8 +39,8 @@ kernels::Plane<double> flat_side(const SideCorners& s, double hz) {
           -(n.x * (s.a.x + s.b.x + s.c.x + s.d.x) + n.y * (s.a.y + s.b.y + s.c.y + s.d.y)) / 4};
 }
 
-/// With u = z / hz the edge at z starts at A + u A' and runs along E + u E'; behind it is where the
-/// product of E + u E' and (x, y) - A - u A' is positive.
+/// With u = z / hz the edge at z starts at A + u A' and runs along E + u E'. A point is behind it
+/// where the product of E + u E' and (x, y) - A - u A' is positive.
 kernels::TwistedFace<double> twisted_side(const SideCorners& s, double hz) {
   const PlanarPoint a{(s.a.x + s.c.x) / 2, (s.a.y + s.c.y) / 2};
   const PlanarPoint da{(s.c.x - s.a.x) / (2 * hz), (s.c.y - s.a.y) / (2 * hz)};
@@ -52,7 +52,7 @@ kernels::TwistedFace<double> twisted_side(const SideCorners& s, double hz) {
           e.y * k,  -e.x * k,  cross(e, a) * k};
 }
 
-/// The plane that a side is near, and how near (SidePlanes) within |x| <= far.x and so on.
+/// The plane that a side is near, and how near (SidePlanes), within |x| <= far.x and so on.
 struct NearPlane {
   kernels::Plane<double> plane;
   double reach, lean;
@@ -86,8 +86,8 @@ NearPlane plane_near(const SideCorners& s, double hz, const Vec3& far) {
                    far.z * std::hypot(1, dot(along, drift)))};
 }
 
-/// With room for rounding, here and where planes are asked; useless if the side twists too much, or
-/// if the solid is so small that it may be no larger than the tolerance.
+/// With room for rounding, both here and where planes are asked. The plane is made useless if the
+/// side twists too much, or if the solid may be no larger than the tolerance.
 NearPlane made_safe(NearPlane near, const Vec3& far) {
   const double size = far.x + far.y + far.z;
   near.lean += 0x1p-40;
@@ -179,10 +179,10 @@ Solid make_arb8(std::string name, double hz, std::span<const PlanarPoint, 8> giv
   return detail::make_solid(std::move(name), SolidKind::arb8, shape, e);
 }
 
-/// The integral over z of the area within, from the straight lines that the corners run along.
+/// The integral over z of the section's area, from the lines along which the corners run.
 double SolidFacts<kernels::Arb8<double>>::volume(const Shape& s) {
   const kernels::TwistedFace<double>* faces[] = {&s.first, &s.second, &s.third, &s.fourth};
-  // Corners where two neighbouring sides meet; the area is quadratic in z.
+  // The corners are where two neighbouring sides meet; the area is quadratic in z.
   const auto area_at = [&](double z) {
     double x[4], y[4];
     int corners = 0;
@@ -201,7 +201,7 @@ double SolidFacts<kernels::Arb8<double>>::volume(const Shape& s) {
     }
     return std::abs(twice) / 2;
   };
-  // Gauss's three points, so that no section is looked at where a side has no length.
+  // Gauss's three points are not at the ends, where a side may have no length.
   const double far = s.hz * std::sqrt(0.6);
   return s.hz / 9 * (5 * area_at(-far) + 8 * area_at(0) + 5 * area_at(far));
 }

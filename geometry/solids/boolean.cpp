@@ -1,11 +1,11 @@
 // Solids made of solids: a solid in a frame of its own, and the three booleans.
 //
-// Many holes or many welded parts come as chains, one operand a level. Asked level by level, a
-// chain of n takes the time of n^2 operands for one distance. So a union of unions is made anew, as
-// a balanced tree of parts that are close together, where the boxes of operands leave out most of
-// the tree; and what is cut from a solid is cut from it as one union: ((A - B) - C) = A - (B + C).
-// Of more than a few parts the boxes lie beside the tree as well, to be looked at eight at once.
-// A union that is moved is the union of its parts, moved: so chains may be moved link by link.
+// Many holes or many welded parts come as chains, with one operand for each level. If it is asked
+// level by level, a chain of n takes the time of n^2 operands for one distance. So a union of
+// unions is remade as a balanced tree of parts that are close together, where the boxes of operands
+// exclude most of the tree; and what is cut from a solid is cut as one union: ((A - B) - C) = A -
+// (B + C). More than a few parts also have their boxes beside the tree, to be looked at eight at
+// once. A moved union is the union of its moved parts: so chains may be moved link by link.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -24,7 +24,7 @@ struct Holder : Shape {
   Solid a, b;
 };
 
-/// The shape is held by what made it, below.
+/// The solid holds its shape by way of Holder; see make_boolean() and make_placed().
 template <class Shape>
 const Holder<Shape>& holder_of(const Solid& solid) {
   return static_cast<const Holder<Shape>&>(*static_cast<const Shape*>(solid.shape.get()));
@@ -36,7 +36,7 @@ std::shared_ptr<const void> hold(const Shape& shape, const Solid& a, const Solid
   return {holder, static_cast<const Shape*>(holder.get())};
 }
 
-/// `boxed`: whether the box is worth a test of its own. For a box it is not.
+/// `boxed` says whether the box is worth a test of its own. For a solid that is a box it is not.
 kernels::AnyOperand<double> operand(const Solid& solid, bool boxed) {
   const Vec3 &low = solid.extent.min, &high = solid.extent.max;
   const double margin = 1e-9 * largest_coordinate(solid.extent);
@@ -54,7 +54,7 @@ Solid make_boolean(std::string name, SolidKind kind, const Solid& a, const Solid
   return {std::move(name), kind, hold(shape, a, b), extent};
 }
 
-/// Fewer are told as soon by the tree. A guess.
+/// With fewer parts the tree is as fast: a guess.
 constexpr std::size_t least_boxed_parts = 5;
 
 struct UnionHolder : Holder<kernels::AnyUnion<double>> {
@@ -89,7 +89,7 @@ double centre(const Solid& solid, int axis) {
   return along(solid.extent.min) / 2 + along(solid.extent.max) / 2;
 }
 
-/// Of the parts, halved where they are furthest apart.
+/// The union of the parts, divided in two where they are furthest apart.
 Solid balanced_union(std::string name, std::span<Solid> parts) {
   if (parts.size() == 1) return parts[0];
   int widest = 0;
@@ -128,7 +128,7 @@ Solid union_of(std::string name, std::vector<Solid> parts) {
 
 using Placed = kernels::AnyPlaced<double>;
 
-/// Of what `inner` places in what `outer` places.
+/// The frame of what `inner` places in what `outer` places.
 SolidFrame composed(const SolidFrame& outer, const SolidFrame& inner) {
   const auto transformation = [](const SolidFrame& frame) {
     Transformation t{{}, {}, !is_identity(frame.rotation)};
@@ -155,7 +155,7 @@ SolidFrame frame_of(const Placed& placed) {
 Solid make_placed(std::string name, const Solid& solid, const SolidFrame& frame) {
   for (const double x : frame.translation) detail::require_finite({x}, name);
   for (const double x : frame.rotation) detail::require_finite({x}, name);
-  // One level instead of two; and a union that is moved goes on to be part of the union it is in.
+  // One level instead of two. A moved union remains a part of the union that it is in.
   if (solid.kind == SolidKind::placed) {
     const auto& inner = holder_of<Placed>(solid);
     return make_placed(std::move(name), inner.a, composed(frame, frame_of(inner)));
@@ -169,7 +169,7 @@ Solid make_placed(std::string name, const Solid& solid, const SolidFrame& frame)
   kernels::AnyPlaced<double> shape{solid.any(), is_identity(frame.rotation) ? 0 : 1, {}, {}};
   std::copy_n(frame.translation, 3, shape.translation);
   std::copy_n(frame.rotation, 9, shape.rotation);
-  // The box around the transformed box: centre moved, half lengths through |rotation|.
+  // The box around the transformed box: the centre is moved, half lengths go through |rotation|.
   const Extent& e = solid.extent;
   const double centre[3] = {(e.min.x + e.max.x) / 2, (e.min.y + e.max.y) / 2,
                             (e.min.z + e.max.z) / 2};

@@ -9,18 +9,18 @@
 
 namespace navjit {
 
-/// Operands are of any kind.
+/// Operands may be of any kind.
 namespace kernels {
 template <class Real>
 using AnyPlaced = Placed<Real, AnySolid<Real>>;
 template <class Real>
 using AnyOperand = Boxed<Real, AnySolid<Real>>;
 struct UnionParts;
-/// A union of many is a set of parts as well (any_union.hpp).
+/// A union of many parts has them as a set as well (any_union.hpp).
 template <class Real>
 struct AnyUnion {
   AnyOperand<Real> a, b;
-  const UnionParts* parts = nullptr;  ///< the same; null: few, or not in double precision
+  const UnionParts* parts = nullptr;  ///< the same parts; null: few, or not in double precision
 };
 template <class Real>
 using AnyIntersection = Intersection<AnyOperand<Real>, AnyOperand<Real>>;

@@ -3,7 +3,7 @@
 namespace navjit {
 namespace {
 
-/// Parts of all booleans of a file, counted in each boolean that they are in: a second or two.
+/// The parts of all booleans of a file, in each that they are in: they take a second or two.
 constexpr std::size_t most_parts_in_all = 5'000'000;
 
 /// What a union or subtraction adds to the chains of its operands.
@@ -55,7 +55,7 @@ std::string excess(const BooleanSize& size, const BooleanLimits& limits,
     return "more than " + std::to_string(limits.chain) + " booleans are chained; " +
            std::string(limits.than_chain) + raise("max_solid_chain");
   }
-  // Every link of a chain is made anew of all its parts.
+  // Every link of a chain is made anew from all its parts.
   if ((parts_in_all += size.parts) > most_parts_in_all) {
     return "the file's booleans are made of too many parts in all; " +
            std::string(limits.than_chain);

@@ -1,5 +1,5 @@
-// What a boolean that a file asks for will be made of, known before it is made: long chains are few
-// levels once made (geometry/solids/boolean.cpp), deep nests are not.
+// How large a boolean of a file will be, known before it is made: long chains have few levels once
+// they are made (geometry/solids/boolean.cpp), deep nests do not.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 
 namespace navjit {
 
-/// A union of unions is made as one balanced tree, and so is what is cut from one solid in turn:
-/// what such a chain is made of, whose levels are far fewer than its links.
+/// What a chain is made of. A union of unions is made as one balanced tree, and so is all that is
+/// cut from one solid in turn: such a chain has far fewer levels than links.
 struct BooleanChain {
   bool subtraction = false;
-  std::size_t first_depth = 0;   ///< levels of what is cut, for a subtraction
+  std::size_t first_depth = 0;   ///< for a subtraction: the levels of what is cut
   std::size_t joined = 1;        ///< solids that are united, or cut away
   std::size_t joined_depth = 1;  ///< levels of the deepest of them
 
@@ -26,30 +26,30 @@ struct BooleanChain {
   }
 };
 
-/// Of a primitive, unless more is known.
+/// The size of a primitive, unless other values are set.
 struct BooleanSize {
-  std::size_t depth = 1;                ///< levels of booleans as made, 1 for a primitive
-  std::size_t parts = 1;                ///< primitives it is made of
+  std::size_t depth = 1;                ///< levels of booleans once made, 1 for a primitive
+  std::size_t parts = 1;                ///< the primitives that it is made of
   std::size_t links = 1;                ///< levels of booleans as written
-  std::optional<BooleanChain> chain{};  ///< of unions and subtractions
+  std::optional<BooleanChain> chain{};  ///< for unions and subtractions
 };
 
 enum class Boolean : std::uint8_t { join, cut, meet };
 
-/// Of the boolean of two solids. One that is moved within it is a solid of its own: it goes on with
-/// no chain.
+/// The size of the boolean of two solids. If an operand is moved in it, its chain ends there: it is
+/// one solid of the new chain.
 BooleanSize size_of(Boolean kind, const BooleanSize& a, bool a_moved, const BooleanSize& b,
                     bool b_moved);
 
-/// What the booleans of a file may be, as its reader's options have it.
+/// How large the booleans of a file may be, by the options of its reader.
 struct BooleanLimits {
   std::size_t depth, chain, parts;
-  std::string_view owner;       ///< what they are members of: "GdmlLimits"
-  std::string_view than_chain;  ///< what the format has in place of chains: "use a multiUnion"
+  std::string_view owner;       ///< the name of the options in messages: "GdmlLimits"
+  std::string_view than_chain;  ///< what the format offers instead of chains: "use a multiUnion"
 };
 
-/// What is wrong with a boolean that is about to be made, and what to do; empty for nothing.
-/// `parts_in_all`: of all booleans of the file so far, to which those of this one are added.
+/// What is wrong with a boolean that is about to be made, and what to do; empty if nothing is. Adds
+/// its parts to `parts_in_all`, which are those of all booleans of the file so far.
 std::string excess(const BooleanSize& size, const BooleanLimits& limits, std::size_t& parts_in_all);
 
 }  // namespace navjit

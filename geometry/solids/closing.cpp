@@ -14,8 +14,8 @@ using Edge = std::pair<int, int>;
 
 std::array<Edge, 3> edges_of(const Facet& f) { return {{{f.a, f.b}, {f.b, f.c}, {f.c, f.a}}}; }
 
-/// How often each edge runs from its lower to its higher corner, less how often back; those that
-/// are balanced are left out.
+/// How often each edge runs from its lower to its higher corner, less how often it runs back; edges
+/// whose count is 0 are left out.
 std::map<Edge, int> unbalanced_edges(const std::vector<Facet>& facets) {
   std::map<Edge, int> edges;
   for (const Facet& f : facets) {
@@ -41,8 +41,8 @@ double area(const std::vector<Vec3>& corners, const Facet& f) {
   return std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
 }
 
-/// Turns the facets that face the other way than most of the area that they hang together with by
-/// edges of two facets.
+/// Turns the facets that face the other way than most of the area that they are connected with, by
+/// edges that exactly two facets have.
 std::size_t turn_round(const std::vector<Vec3>& corners, std::vector<Facet>& facets) {
   std::map<Edge, std::vector<std::size_t>> users;
   for (std::size_t i = 0; i < facets.size(); ++i) {
@@ -84,8 +84,8 @@ std::size_t turn_round(const std::vector<Vec3>& corners, std::vector<Facet>& fac
   return turned;
 }
 
-/// Spans every loop of edges that are open by triangles from one of its corners. The open edges are
-/// the boundary of a surface: as many lead to each corner as from it, so that they form loops.
+/// Spans every loop of open edges by triangles from one of its corners. The open edges are the
+/// boundary of a surface: as many lead to each corner as from it, so that they form loops.
 std::size_t span_loops(std::vector<Facet>& facets) {
   std::map<int, std::vector<int>> onwards;  // the edges that are missing
   for (const auto& [edge, count] : unbalanced_edges(facets)) {
@@ -108,7 +108,7 @@ std::size_t span_loops(std::vector<Facet>& facets) {
           path.push_back(to);
           continue;
         }
-        // Back at a corner: what lies between is a loop.
+        // The path is back at a corner: what lies between the two visits is a loop.
         const std::size_t from = met->second;
         for (std::size_t i = from + 1; i + 1 < path.size(); ++i) {
           facets.push_back({path[from], path[i], path[i + 1]});

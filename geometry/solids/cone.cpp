@@ -5,7 +5,7 @@
 namespace navjit {
 namespace {
 
-/// The face through r1 at -hz and r2 at +hz, with z from the centre.
+/// The face through r1 at -hz and r2 at +hz; z counts from the centre.
 kernels::ConicalFace<double> centred_face(double r1, double r2, double hz) {
   kernels::ConicalFace<double> face = detail::conical_face(r1, r2, 2 * hz);
   face.radius = face.cosine * ((r1 + r2) / 2);

@@ -29,8 +29,8 @@ Solid make_cut_tube(std::string name, double rmin, double rmax, double hz, doubl
   const kernels::CutTube<double> shape{rmin, rmax, cut(low_normal, -hz), cut(high_normal, hz),
                                        detail::make_wedge(start_phi, delta_phi, name)};
   if (shape.wedge.kind == 0) delta_phi = 2 * std::numbers::pi;
-  // The ends are highest and lowest, and nearest to each other, at corners or where their slope
-  // points along the radius.
+  // The ends are highest and lowest, and nearest to each other, at corners, or where the slope of
+  // an end is along the radius.
   Extent e = detail::sector_extent(rmin, rmax, start_phi, delta_phi, INFINITY, -INFINITY);
   const auto add = [&](double r, const detail::UnitVector& u) {
     const double below = height(shape.low, r * u.x, r * u.y);
@@ -59,7 +59,7 @@ Solid make_cut_tube(std::string name, double rmin, double rmax, double hz, doubl
 }
 
 double SolidFacts<kernels::CutTube<double>>::volume(const Shape& s) {
-  // The integral of the height over the sector: linear in x and y.
+  // The integral of the height over the sector; the height is linear in x and y.
   const auto& w = s.wedge;
   const auto at = [](const kernels::Plane<double>& f) { return -f.d / f.c; };
   const double tilt_x = s.low.a / s.low.c - s.high.a / s.high.c;

@@ -24,7 +24,7 @@ double twice_area(const Polygon& polygon) {
   return sum;
 }
 
-/// Anticlockwise, without corners that are on the line between their neighbours.
+/// The polygon anticlockwise, without corners that are on the line between their neighbours.
 Polygon cleaned(std::span<const PlanarPoint> given, const std::string& name) {
   require(given.size() >= 3, name, "its polygon has less than three corners");
   Polygon polygon(given.begin(), given.end());
@@ -54,7 +54,7 @@ Polygon cleaned(std::span<const PlanarPoint> given, const std::string& name) {
 
 bool crosses(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c,
              const PlanarPoint& d) {
-  // Those on one line, apart from one another, may seem to for rounding.
+  // Edges on one line, apart from one another, may seem to cross because of rounding.
   const auto apart = [](double p, double q, double r, double s) {
     return std::max(p, q) < std::min(r, s) || std::max(r, s) < std::min(p, q);
   };
@@ -80,7 +80,7 @@ bool convex(const Polygon& polygon) {
   for (std::size_t i = 0; i < n; ++i) {
     if (turn(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]) < 0) return false;
   }
-  // Once round only.
+  // The polygon runs around once only.
   int upwards = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const bool before = polygon[(i + n - 1) % n].y < polygon[i].y;
@@ -90,8 +90,8 @@ bool convex(const Polygon& polygon) {
   return upwards <= 1;
 }
 
-/// Cuts off one ear after the other. Empty if there is none at some time, since the polygon touches
-/// or crosses itself.
+/// Triangulates by cutting off one ear after the other. Empty if at some time there is no ear,
+/// since the polygon touches or crosses itself.
 std::vector<kernels::Facet> ears(const Polygon& polygon) {
   std::vector<int> left;
   left.reserve(polygon.size());
@@ -107,7 +107,7 @@ std::vector<kernels::Facet> ears(const Polygon& polygon) {
       const PlanarPoint &a = at(ia), &b = at(ib), &c = at(ic);
       const double area = turn(a, b, c);
       if (!(area > 0)) continue;
-      // Long thin ears last.
+      // Long thin ears come last.
       const double longest =
           std::max({std::hypot(b.x - a.x, b.y - a.y), std::hypot(c.x - b.x, c.y - b.y),
                     std::hypot(a.x - c.x, a.y - c.y)});
@@ -132,8 +132,8 @@ std::vector<kernels::Facet> ears(const Polygon& polygon) {
   return made;
 }
 
-/// From one corner, whatever lies between: what is covered twice has opposite signs, so that around
-/// each point these wind as often as the polygon does.
+/// Triangles from one corner, whatever lies between. What is covered twice has opposite signs, so
+/// that they wind around each point as often as the polygon does.
 std::vector<kernels::Facet> fan(const Polygon& polygon) {
   std::vector<kernels::Facet> made;
   for (int i = 1; i + 1 < static_cast<int>(polygon.size()); ++i) made.push_back({0, i, i + 1});
@@ -194,7 +194,7 @@ Solid make_extruded(std::string name, std::span<const PlanarPoint> given,
     std::vector<kernels::Plane<double>> planes{{0, 0, -1, sections[0].z},
                                                {0, 0, 1, -sections[1].z}};
     for (int i = 0; i < n; ++i) {
-      // The larger end fixes the plane best.
+      // The larger end fixes the plane most accurately.
       const bool top = sections[1].scale > sections[0].scale;
       planes.push_back(top ? detail::plane_through(corner(1, i), corner(0, i), corner(1, i + 1))
                            : detail::plane_through(corner(0, i), corner(0, i + 1), corner(1, i)));
@@ -204,7 +204,7 @@ Solid make_extruded(std::string name, std::span<const PlanarPoint> given,
   const bool upright = std::all_of(sections.begin(), sections.end(), [&](const ExtrudedSection& s) {
     return s.scale == sections[0].scale && s.x == sections[0].x && s.y == sections[0].y;
   });
-  // It may touch itself, but nothing may be surrounded twice or the wrong way round.
+  // The polygon may touch itself, but may surround nothing twice or the wrong way round.
   if (upright && !crossing && polygon.size() <= kernels::most_corners_of_prism &&
       wrongly_surrounded(polygon) <= 1e-12 * twice_area(polygon)) {
     return detail::make_prism(std::move(name), std::span(corners).first(polygon.size()),

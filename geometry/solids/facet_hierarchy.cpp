@@ -23,7 +23,7 @@ struct Bounds {
       high[i] = std::max(high[i], other.high[i]);
     }
   }
-  /// Half of it; nothing for no box.
+  /// Half of the surface; nothing if there is no box.
   double surface() const {
     const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
     return x >= 0 ? x * y + y * z + z * x : 0;
@@ -34,11 +34,11 @@ struct Item {
   Facet facet;
   Bounds bounds;
 
-  /// Twice the place of its box along an axis.
+  /// Twice the coordinate of the box's centre along an axis.
   double place(std::size_t axis) const { return bounds.low[axis] + bounds.high[axis]; }
 };
 
-/// A part of the items, which follow one another; with two parts that it is cut into, if it is.
+/// A part of the items, which follow one another. If it is cut, it has two parts below it.
 struct Part {
   Bounds bounds;
   int first, count;
@@ -46,12 +46,12 @@ struct Part {
   bool is_cut;
 };
 
-/// The best cut of a part so far; of those that are as good the most even one.
+/// The best cut of a part so far; among equally good ones the most even.
 struct Cut {
   double cost = INFINITY;
   int uneven = std::numeric_limits<int>::max();
   std::size_t axis = 0;
-  std::size_t place = 0;  ///< that of the first item, or of the first slab, of the second half
+  std::size_t place = 0;  ///< that of the first item, or of the first slab, in the second half
 
   void offer(const Cut& other) {
     if (other.cost < cost || (other.cost == cost && other.uneven < uneven)) *this = other;
@@ -78,7 +78,7 @@ class Builder {
   }
 
   const std::vector<Item>& items() const { return items_; }
-  /// The whole comes first, and each part before those that it is cut into.
+  /// The whole comes first, and each part comes before those that it is cut into.
   const std::vector<Part>& parts() const { return parts_; }
 
  private:
@@ -87,14 +87,14 @@ class Builder {
                                      static_cast<std::size_t>(count));
   }
 
-  /// With no more than so many levels below it. The number of the part.
+  /// Adds a part with at most `levels` levels below it; returns its number.
   int add(int first, int count, int levels) {
     const auto number = static_cast<int>(parts_.size());
     Part part{{}, first, count, {0, 0}, count > facets_of_box};
     for (const Item& item : items_of(first, count)) part.bounds.add(item.bounds);
     parts_.push_back(part);
     if (part.is_cut) {
-      // Halves where a cut that leaves nearly all on one side might need too many levels.
+      // Halves the part if a cut with nearly all on one side might need too many levels.
       const bool any_cut = count - 1 <= std::int64_t{facets_of_box} << (levels - 1);
       const int here = any_cut ? best_cut(items_of(first, count)) : halve(items_of(first, count));
       part.below[0] = add(first, here, levels - 1);
@@ -110,7 +110,7 @@ class Builder {
     });
   }
 
-  /// Brings the items into order; how many come before the cut.
+  /// Brings the items into order; returns how many come before the cut.
   static int best_cut(std::span<Item> items) {
     constexpr std::size_t few = 256;
     if (items.size() > few) {
@@ -133,12 +133,12 @@ class Builder {
         best.offer({before[i] + cost(bounds, second), std::abs(first - second), axis, i});
       }
     }
-    if (best.place == 0) return halve(items);  // so large that surfaces are no numbers
+    if (best.place == 0) return halve(items);  // surfaces so large that they are no numbers
     sort(items, best.axis);
     return static_cast<int>(best.place);
   }
 
-  /// As best_cut(); 0 if all are in one place, or too far apart for slabs.
+  /// As best_cut(); 0 if all items are in one place, or too far apart for slabs.
   static int best_cut_between_slabs(std::span<Item> items) {
     constexpr std::size_t slabs = 32;
     const auto slab_of = [](const Item& item, std::size_t axis, double from, double to) {
@@ -187,7 +187,7 @@ class Builder {
     return static_cast<int>(second - items.begin());
   }
 
-  /// At the median along the longest side.
+  /// Cuts at the median along the longest side.
   static int halve(std::span<Item> items) {
     Bounds all;
     for (const Item& item : items) all.add(item.bounds);
@@ -203,7 +203,7 @@ class Builder {
   std::vector<Part> parts_;
 };
 
-/// Eight numbers that are set one by one.
+/// Eight numbers, which are set one by one.
 template <class Number>
 struct Eight {
   std::array<Number, lanes> at;
@@ -214,7 +214,7 @@ struct Eight {
   }
 };
 
-/// Of each item one corner; lanes of none have a corner of the first, all three the same.
+/// One corner of each item. Unused lanes repeat a corner of the first item, the same for all three.
 kernels::EightCorners<double> corners_of(std::span<const Vec3> corners, std::span<const Item> items,
                                          int Facet::*which) {
   const Vec3& first = corners[static_cast<std::size_t>(items[0].facet.a)];
@@ -251,7 +251,7 @@ class Writer {
     made.boxes[at].next = static_cast<int>(made.boxes.size());
   }
 
-  /// A leaf as a lane has it.
+  /// Adds a leaf, as the lane of a group holds it.
   int add_leaf(const Part& p) {
     const auto items =
         std::span(built_.items())

@@ -1,4 +1,4 @@
-// The boxes around a mesh's triangles. Private to geometry/.
+// Boxes around the triangles of a mesh. Private to geometry/.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace navjit::detail {
 
-/// One hierarchy, written down twice: in boxes with two below each, and eight boxes wide with the
+/// One hierarchy in two forms: boxes with two below each, and groups of eight boxes with the
 /// corners of the triangles.
 struct FacetHierarchy {
   std::vector<kernels::FacetBox<double>> boxes;
@@ -18,10 +18,10 @@ struct FacetHierarchy {
 
 /// Brings the facets, of which there is at least one, into the order of the boxes. They are cut in
 /// two again and again where the sum of (surface of the box) * (leaves for the facets within) is
-/// least, the surface-area heuristic of ray tracing; of many by the places of their centres among
-/// 32 slabs along each axis (I. Wald, "On fast construction of SAH-based bounding volume
-/// hierarchies", 2007). A group takes the cuts of its largest parts until its lanes are full. O(n
-/// log n) where the cuts are even.
+/// least, the surface-area heuristic of ray tracing. Many facets are cut by the places of their
+/// centres among 32 slabs along each axis (I. Wald, "On fast construction of SAH-based bounding
+/// volume hierarchies", 2007). A group takes the cuts of its largest parts until its lanes are
+/// full. O(n log n) where the cuts are even.
 FacetHierarchy build_facet_hierarchy(std::span<const Vec3> corners,
                                      std::vector<kernels::Facet>& facets);
 

@@ -29,8 +29,8 @@ struct Holder {
   }
 };
 
-/// One corner for all that fall into the same cell of this size. Facets of which nothing is left
-/// are left out.
+/// Makes one corner of all that fall into the same cell of this size. Facets of which nothing
+/// remains are left out.
 void merge_corners(Holder& h, double cell) {
   std::map<std::array<double, 3>, int> known;
   std::vector<int> merged;
@@ -49,9 +49,9 @@ void merge_corners(Holder& h, double cell) {
   h.corners = std::move(kept);
 }
 
-/// Merges corners within 1e-9 of the size of each other. If the facets do not close then, within up
-/// to 1e-5, so far as fewer edges are open and no facet is lost: corners that were written or
-/// computed several times.
+/// Merges corners within 1e-9 of the size of one another. If the facets do not close then, merges
+/// within up to 1e-5, provided that fewer edges are open and no facet is lost: such corners were
+/// written or computed several times.
 void join_corners(Holder& h, double size) {
   const Holder given = h;
   merge_corners(h, 1e-9 * std::max(size, 1e-300));

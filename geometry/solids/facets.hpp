@@ -19,7 +19,7 @@ struct SolidFacts<kernels::Facets<double>> {
 
   static constexpr std::array kernel_files{"convex",     "facet_leaves",    "facet_groups",
                                            "facet_mesh", "facet_distances", "facets"};
-  /// Negative if the triangles face inwards.
+  /// The volume; negative if the triangles face inwards.
   static double volume(const Shape& s);
 };
 

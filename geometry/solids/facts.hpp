@@ -1,4 +1,4 @@
-// What the library knows of a solid beside its mathematics.
+// What the library knows of a solid in addition to its mathematics.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace navjit {
 
-/// Of a solid that is round about its z axis, or nearly: between which radii it is, mm, and where
-/// it is cut along the axis.
+/// For a solid that is round about its z axis, or nearly: the radii between which it is, mm, and
+/// where it is cut along the axis.
 struct Round {
   double near, far;
   kernels::Wedge<double> wedge{};
@@ -33,7 +33,7 @@ struct Round {
 template <class Shape>
 struct SolidFacts;
 
-/// The name in generated code of what shapes have arrays of; specialised beside the facts.
+/// The name, in generated code, of the elements of shapes' arrays; specialised beside the facts.
 template <class Element>
 inline constexpr const char* element_name = nullptr;
 

@@ -1,7 +1,7 @@
-// The fields of the kernels' shapes in the order of declaration, found by the compiler: what code
-// generation prints, keys of solids hold and the high-precision reference converts. A shape is a
-// plain struct of numbers, of structs like itself, and of arrays, each a pointer that is followed
-// by the number of its elements.
+// The fields of the kernels' shapes in the order of declaration, as the compiler finds them: code
+// generation prints them, keys of solids hold them, and the high-precision reference converts them.
+// A shape is a plain struct of numbers, of structs like itself, and of arrays; an array is a
+// pointer, followed by the number of its elements.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,13 @@
 namespace navjit::kernels {
 namespace detail {
 
-/// Stands for the value of any field where fields are counted.
+/// Converts to the value of any field, where fields are counted.
 struct AnyField {
   template <class Field>
   operator Field() const;
 };
 
-/// How many values a struct can be made from.
+/// From how many values a struct can be made.
 template <class Shape, class... Fields>
 constexpr std::size_t field_count() {
   if constexpr (requires { Shape{Fields{}..., AnyField{}}; }) {
@@ -88,7 +88,7 @@ constexpr auto fields_of(Shape& s) {
   }
 }
 
-/// Calls f(index) for each field of the shape, with an index that is a constant.
+/// Calls f(index) for each field of the shape; the index is a constant.
 template <class Shape, class F>
 constexpr void for_each_field(F&& f) {
   [&]<std::size_t... index>(std::index_sequence<index...>) {
@@ -114,13 +114,13 @@ void visit_each_field(const Shape& s, V&& visit) {
 
 }  // namespace detail
 
-/// Calls visit(field) for numbers and nested structs, and visit(pointer, count) for arrays. Not for
-/// solids that are made of other solids.
+/// Calls visit(field) for numbers and nested structs, and visit(pointer, count) for arrays. It is
+/// not for solids that are made of other solids.
 template <template <class> class Shape, class Real, class V>
 void visit_fields(const Shape<Real>& s, V&& visit) {
   detail::visit_each_field(s, visit);
 }
-/// What is made of whole numbers alone.
+/// The same for a struct of whole numbers only.
 template <class V>
 void visit_fields(const Facet& s, V&& visit) {
   detail::visit_each_field(s, visit);

@@ -10,17 +10,17 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// So many tolerances on, a ray has left the surface that it started on, or is on another.
+/// After so many tolerances a ray has left the surface that it started on, or is on another one.
 constexpr double away = 8;
-/// What grazes a curved surface stays on it for longer: the way is doubled so often.
+/// A ray that grazes a curved surface stays on it longer: the way is doubled up to so often.
 constexpr int most_doublings = 16;
 
-/// What is no number, or less than nothing, counts as nothing.
+/// A length that is not a number, or negative, counts as 0.
 double length(double x) { return x > 0 ? x : 0; }
 
 Vec3 moved(const Vec3& p, const Vec3& v, double t) { return p + t * v; }
 
-/// Where a ray is once it has left the surface that it starts on.
+/// Where a ray is when it has left the surface that it starts on.
 struct Beyond {
   double way;  ///< mm
   PointSide side;
@@ -34,8 +34,8 @@ Beyond beyond_surface(const ForeignShape& s, const Vec3& p, const Vec3& v) {
   return {way, PointSide::surface};
 }
 
-/// Of a point on the surface. The normal is that of one face: at an edge that turns inwards, a
-/// direction out of it may still head into the solid, and at others one into it out of the solid.
+/// For a point on the surface. The normal is that of one face: at an edge that turns inwards, a
+/// direction out of that face may still head into the solid; at others one into it may head out.
 bool heads_in(const ForeignShape& s, const Vec3& p, const Vec3& v) {
   if (v == Vec3{0, 0, 0}) return true;
   if (dot(s.solid->normal(p), v) > kernels::along_a_face<double>()) {
@@ -45,11 +45,11 @@ bool heads_in(const ForeignShape& s, const Vec3& p, const Vec3& v) {
   return s.solid->distance_to_out(p, v) > s.tolerance;
 }
 
-/// For a start on the surface that heads out.
+/// For a start on the surface with a direction that heads out.
 double distance_from_surface(const ForeignShape& s, const Vec3& p, const Vec3& v) {
   const double distance = s.solid->distance_to_in(p, v);
   if (distance > s.tolerance) return distance;
-  // The solid takes the surface that the ray is leaving for one that it comes to.
+  // The solid reports the surface that the ray is leaving as one that it comes to.
   const Beyond beyond = beyond_surface(s, p, v);
   if (beyond.side == PointSide::inside) return beyond.way;
   if (beyond.side == PointSide::surface) return infinite;
@@ -84,7 +84,7 @@ double distance_to_out(const ForeignShape& s, const Vec3& p, const Vec3& v) {
   const PointSide side = s.solid->inside(p);
   if (side == PointSide::inside) return length(distance);
   if (side == PointSide::outside || !heads_in(s, p, v)) return 0;
-  // It heads in all the same, at an edge that turns inwards.
+  // It heads in nevertheless, at an edge that turns inwards.
   const double way = beyond_surface(s, p, v).way;
   return way + length(s.solid->distance_to_out(moved(p, v, way), v));
 }

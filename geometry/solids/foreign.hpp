@@ -1,5 +1,5 @@
-// Solids of others, which answer for themselves (navjit/foreign_solid.hpp). What is asked of them
-// is made here into what kernels answer: on the surface the direction decides.
+// Solids of others, which answer for themselves (navjit/foreign_solid.hpp). Here their answers are
+// made into those of kernels: on the surface the direction decides.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ double safety_to_in(const ForeignShape& s, const Vec3& p);
 double safety_to_out(const ForeignShape& s, const Vec3& p);
 Vec3 normal(const ForeignShape& s, const Vec3& p);
 
-/// A point or a vector of any kind of number, in double.
+/// A point or vector of any kind of number, converted to double.
 template <class Vector>
 Vec3 narrow(const Vector& p) {
   return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
@@ -39,7 +39,7 @@ Vec3 narrow(const Vector& p) {
 
 }  // namespace navjit::foreign
 
-// The conventions of all kernels (geometry/kernels/prelude.h).
+// These follow the conventions of all kernels (geometry/kernels/prelude.h).
 namespace navjit::kernels {
 
 template <class Real>

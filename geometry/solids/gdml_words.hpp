@@ -1,4 +1,4 @@
-// How GDML calls solids that take numbers and nothing else: the element, and an attribute for each
+// How GDML writes solids that take numbers and nothing else: the element, and an attribute for each
 // argument of the function that makes the solid.
 #pragma once
 
@@ -16,7 +16,7 @@ struct Attribute {
 
   const char* name = nullptr;
   Meaning meaning = Meaning::number;
-  bool optional = false;  ///< `otherwise` where it is missing
+  bool optional = false;  ///< if it is missing, the value is `otherwise`
   double otherwise = 0;   ///< in the element's unit
 };
 
@@ -27,11 +27,11 @@ constexpr Attribute number(const char* name, Missing missing = refused) {
 constexpr Attribute length(const char* name, Missing missing = refused) {
   return {name, Attribute::Meaning::length, missing == zero};
 }
-/// With the value that GDML's schema gives it where it is missing.
+/// A length with the default value that GDML's schema gives it.
 constexpr Attribute length_or(const char* name, double otherwise) {
   return {name, Attribute::Meaning::length, true, otherwise};
 }
-/// Of which the argument is the half.
+/// A length in GDML of which the argument is half.
 constexpr Attribute half(const char* name) {
   return {name, Attribute::Meaning::half_length, false};
 }
@@ -62,7 +62,7 @@ Solid make_from(const std::string& name, const std::array<double, SolidElement::
 
 }  // namespace detail
 
-/// The element `tag` whose attributes are the numbers that the function `make` takes, in its order.
+/// The element `tag`; its attributes are the numbers that the function `make` takes, in order.
 template <auto make, std::size_t count>
 constexpr SolidElement made_by(std::string_view tag, const Attribute (&attributes)[count]) {
   static_assert(count == detail::numbers_of(make), "an attribute for each number");

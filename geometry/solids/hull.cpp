@@ -30,11 +30,11 @@ std::vector<Group> by_eight(const std::vector<Plane>& planes) {
 
 double distance(const Plane& f, const Vec3& p) { return kernels::plane_distance(f, p); }
 
-/// A square on the plane about the point of it that is nearest to `centre`.
+/// A square on the plane, around the point of the plane that is nearest to `centre`.
 std::vector<Vec3> square_on(const Plane& f, const Vec3& centre, double half) {
   const double off = distance(f, centre);
   const Vec3 o{centre.x - off * f.a, centre.y - off * f.b, centre.z - off * f.c};
-  // Any direction across the normal, from the axis that it is least along.
+  // Any direction across the normal, made from the axis that is least along it.
   const double x = std::abs(f.a), y = std::abs(f.b), z = std::abs(f.c);
   const Vec3 axis = x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
   Vec3 u{f.b * axis.z - f.c * axis.y, f.c * axis.x - f.a * axis.z, f.a * axis.y - f.b * axis.x};
@@ -47,7 +47,7 @@ std::vector<Vec3> square_on(const Plane& f, const Vec3& centre, double half) {
           {o.x + u.x - w.x, o.y + u.y - w.y, o.z + u.z - w.z}};
 }
 
-/// The part of a polygon that is behind a plane.
+/// The part of a polygon that lies behind a plane.
 std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Plane& f) {
   std::vector<Vec3> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -66,8 +66,8 @@ std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Plane& f) {
 struct Measure {
   double volume, reach;
 };
-/// No point of the body may be further than `reach` from the apex, but the closer the bound, the
-/// more accurate the volume.
+/// No point of the body may be further than `reach` from the apex. The closer this bound, the more
+/// accurate the volume.
 Measure measure(const std::vector<Plane>& planes, const Vec3& apex, double reach) {
   Measure m{0, 0};
   for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -118,11 +118,11 @@ Solid make_hull(std::string name, std::vector<Plane> planes, const Extent& exten
 
 double SolidFacts<kernels::Hull<double>>::volume(const Shape& s) {
   const std::vector<Plane> planes(s.planes, s.planes + s.count);
-  // The planes' own distances from the origin bound a body that makes sense well enough.
+  // The planes' distances from the origin are a good enough bound for any reasonable body.
   double reach = 0;
   for (const Plane& f : planes) reach = std::max(reach, std::abs(f.d));
   Vec3 apex{0, 0, 0};
-  // Towards the inside, so that the pyramids do not cancel.
+  // Moves the apex towards the inside, so that the pyramids do not cancel.
   for (int turn = 0; turn < 64; ++turn) {
     const auto most = std::max_element(
         planes.begin(), planes.end(),

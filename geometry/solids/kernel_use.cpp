@@ -6,11 +6,11 @@
 namespace navjit::face_error {
 namespace {
 
-/// Directions that count as along a face (kernels::along_a_face) drift off it.
+/// Directions that count as along a face (kernels::along_a_face) drift away from it.
 double drift(double path) { return 0x1p-50 * path; }
 
-/// From the error of a squared radius, square * r^2 + cross * r * reach + far * reach^2, that of
-/// the radius.
+/// The error of a radius, from that of the squared radius, which is square * r^2 + cross * r *
+/// reach + far * reach^2.
 double round(double r, double reach, double square, double cross, double far) {
   if (r <= 0) return 0;
   const double squared = square * r * r + cross * r * reach + far * reach * reach;
@@ -19,17 +19,17 @@ double round(double r, double reach, double square, double cross, double far) {
 
 }  // namespace
 
-// (h - p) * (1 / v): three roundings.
+// The path is (h - p) * (1 / v): three roundings.
 double slab(double offset, const KernelUse& use) {
   return rounding(3) * (use.reach + offset) + drift(use.path);
 }
 
-// n.p + d: four roundings of the distance, three of the rate, one of the quotient.
+// The distance is n.p + d with four roundings; the rate has three, and the quotient one.
 double plane(double offset, const KernelUse& use) {
   return rounding(5) * (use.reach + std::abs(offset)) + rounding(3) * use.path + drift(use.path);
 }
 
-// The discriminant from the moment of the ray, the root from it.
+// The discriminant comes from the moment of the ray, and the root from the discriminant.
 double cylinder(double r, const KernelUse& use) {
   return round(r, use.reach, rounding(24), rounding(20), 100 * rounding(1) * rounding(1)) +
          2 * drift(use.path);

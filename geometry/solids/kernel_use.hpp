@@ -1,4 +1,4 @@
-// Rounding in kernels: how far from where it is a face may be seen. The bounds of solids
+// Rounding in kernels: how far from its true place a face may be found. The bounds of solids
 // (SolidFacts::error) are made of these.
 #pragma once
 
@@ -12,18 +12,18 @@ inline constexpr double unit_roundoff = 0x1p-53;
 /// (2nd ed., SIAM 2002), lemma 3.1.
 constexpr double rounding(int n) { return n * unit_roundoff / (1 - n * unit_roundoff); }
 
-/// What a bound holds for, mm.
+/// For which lengths a bound holds, mm.
 struct KernelUse {
   double reach;      ///< how far starts may be from the solid's origin
   double path;       ///< how long paths may be
-  double tolerance;  ///< of the world
+  double tolerance;  ///< that of the world
 };
 
 namespace face_error {
 
-/// A face across an axis, `offset` from the origin.
+/// A face across an axis at `offset` from the origin.
 double slab(double offset, const KernelUse& use);
-/// Any plane, `offset` from the origin.
+/// Any plane at `offset` from the origin.
 double plane(double offset, const KernelUse& use);
 /// An infinite cylinder.
 double cylinder(double r, const KernelUse& use);

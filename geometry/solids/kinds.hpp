@@ -1,4 +1,4 @@
-// What is known of a kind of solid as such.
+// What is known of each kind of solid.
 #pragma once
 
 #include <span>
@@ -10,12 +10,12 @@ namespace navjit {
 struct KindFacts {
   SolidKind kind;
   const char* name;                              ///< in output
-  const char* shape;                             ///< in generated code, if not made of other solids
+  const char* shape;                             ///< in generated code; not if made of other solids
   std::span<const char* const> kernel_files;     ///< SolidFacts::kernel_files
   std::span<const gdml::SolidElement> elements;  ///< SolidFacts::elements
 };
 
-/// Of all kinds, in the order of the list.
+/// The facts of all kinds, in the order of the list.
 std::span<const KindFacts> all_kinds();
 const KindFacts& facts_of(SolidKind kind);
 

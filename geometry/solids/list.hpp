@@ -1,4 +1,4 @@
-// All solids. A new one needs two lines here, one of each list.
+// The list of all solids. A new solid needs two lines here, one in each list.
 #pragma once
 
 #include "geometry/solids/any_union.hpp"
@@ -24,7 +24,7 @@
 #include "geometry/solids/twisted_trap.hpp"
 #include "geometry/solids/twisted_tube.hpp"
 
-// Kind, name in output, and shape in namespace kernels; ALSO is a further kind of the shape of the
+// Kind, name in output, and shape in namespace kernels. ALSO is another kind with the shape of the
 // line below it. Generated code has the kernels in the order in which they are first needed here.
 // clang-format off
 #define NAVJIT_SOLIDS(SOLID, ALSO)                        \

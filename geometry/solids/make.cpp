@@ -4,8 +4,8 @@
 #include <numbers>
 
 namespace navjit::detail {
-// cos and sin of multiples of a right angle come out a rounding away from 0 and 1; the faces of
-// half and quarter tubes are meant to lie on the axes.
+// Computed cos and sin of multiples of a right angle are off from 0 and 1 by a rounding; but faces
+// of half and quarter tubes are meant to lie on the axes.
 UnitVector unit_vector(double angle) {
   const double quarter = angle / (std::numbers::pi / 2);
   const double nearest = std::round(quarter);

@@ -1,4 +1,4 @@
-// What the factories of solids share. Private to geometry/solids.
+// What the makers of solids share. Private to geometry/solids.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ void require(bool condition, const std::string& solid_name, const char* what);
 /// Throws unless all values are finite.
 void require_finite(std::initializer_list<double> values, const std::string& solid_name);
 
-/// value(first), ...: eight, of which those from `count` on are value(count - 1).
+/// Eight values value(first), ...; from index `count` on all are value(count - 1).
 template <class Value>
 kernels::EightOf<double> eight_from(std::size_t first, std::size_t count, const Value& value) {
   const auto at = [&](std::size_t lane) { return value(std::min(first + lane, count - 1)); };
@@ -33,15 +33,15 @@ kernels::ConicalFace<double> conical_face(double r_low, double r_high, double le
 /// The wedge for [start, start + delta], rad. A delta within 1e-9 of a full turn is a full turn;
 /// sines and cosines of right angles are exact.
 kernels::Wedge<double> make_wedge(double start, double delta, const std::string& solid_name);
-/// Extent in x and y of the annulus sector rmin..rmax within the wedge.
+/// The extent in x and y of the annulus sector rmin..rmax within the wedge.
 Extent sector_extent(double rmin, double rmax, double start, double delta, double zmin,
                      double zmax);
 
-/// The angle that a wedge leaves, rad.
+/// The angle of what the wedge keeps, rad.
 double angle_of(const kernels::Wedge<double>& w);
-/// Integral of the squared radius over z in [from, to].
+/// The integral of the squared radius over z in [from, to].
 double squared_radius_integral(const kernels::ConicalFace<double>& f, double from, double to);
-/// Of a face that is not nearly a plane across the axis; else `flat`.
+/// The radius of a face at z; `flat` if the face is nearly a plane across the axis.
 double radius_at(const kernels::ConicalFace<double>& face, double z, double flat);
 
 template <class Shape>

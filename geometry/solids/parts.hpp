@@ -1,5 +1,5 @@
-// Kernels of what several solids are made of. Kernels include nothing themselves: each is included
-// once, after those that it builds on, by a header of this folder.
+// Kernels that several solids are made of. Kernels include nothing themselves: each is included
+// once, after those that it uses, by a header of this folder.
 #pragma once
 
 #include "navjit/detail/vectors.h"

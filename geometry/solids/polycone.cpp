@@ -4,7 +4,7 @@ namespace navjit {
 
 namespace {
 
-/// `planes` bound the extent.
+/// `planes` give the extent.
 Solid polycone(std::string name, detail::Sections&& sections, std::span<const ZPlane> planes,
                double start_phi, double delta_phi) {
   const kernels::Wedge<double> wedge = detail::make_wedge(start_phi, delta_phi, name);

@@ -30,7 +30,7 @@ struct Holder : detail::SectionsHolder<kernels::Polyhedra<double>> {
     groups = by_eight(sides);
     shape.groups = groups.data();
     shape.group_count = static_cast<int>(groups.size());
-    // Outside the segment the sides' planes may reach further than its edges do, but only there.
+    // The sides' planes reach further than their edges only outside the segment.
     shape.rmax = sections.rmax * edge_factor;
   }
 };
@@ -49,11 +49,11 @@ Turns make_turns(int sides, double start_phi, double delta_phi, const std::strin
   return {wedge, step, 1 / std::cos(step / 2)};
 }
 
-/// So many planes at most are asked quicker than sides: two groups of them.
+/// Up to so many planes, two groups of them, are asked faster than sides.
 constexpr std::size_t most_planes = 16;
 
-/// The planes of one section that is convex, the ends first, as those of extruded solids; none if
-/// it is not, or has too many.
+/// The planes of a single section that is convex, the ends first, as for extruded solids; none if
+/// it is not convex, or has too many planes.
 std::vector<kernels::Plane<double>> convex_planes(
     const detail::Sections& sections, const kernels::Wedge<double>& wedge,
     const std::vector<kernels::SideNormal<double>>& sides) {
@@ -74,7 +74,7 @@ std::vector<kernels::Plane<double>> convex_planes(
   return planes;
 }
 
-/// `planes` bound the extent.
+/// `planes` give the extent.
 Solid polyhedra(std::string name, detail::Sections&& sections, std::span<const ZPlane> planes,
                 int sides, double start_phi, const Turns& turns) {
   const double step = turns.step, edge_factor = turns.edge_factor;

@@ -32,7 +32,7 @@ Solid make_ellipsoid(std::string name, double ax, double by, double cz, double z
   const double low = std::max(z_cut1, -cz), high = std::min(z_cut2, cz);
   const double narrowest = low > 0 ? low / cz : high < 0 ? high / cz : 0;
   const double widest = std::sqrt(1 - narrowest * narrowest);
-  // Planes that do not cut are kept clear of the poles.
+  // Planes that do not cut are kept away from the poles.
   const double clear = 1.0625 * cz;
   const QuadricShape shape{ax * widest,
                            by * widest,

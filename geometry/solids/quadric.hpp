@@ -17,13 +17,13 @@ struct SolidFacts<kernels::QuadricSolid<double>> {
       gdml::made_by<make_ellipsoid>(
           "ellipsoid", {gdml::length("ax"), gdml::length("by"), gdml::length("cz"),
                         gdml::length_or("zcut1", -1e6), gdml::length_or("zcut2", 1e6)}),
-      // Half lengths for once.
+      // GDML gives half lengths here.
       gdml::made_by<make_eltube>("eltube",
                                  {gdml::length("dx"), gdml::length("dy"), gdml::length("dz")}),
       // dx and dy are slopes.
       gdml::made_by<make_elcone>("elcone", {gdml::number("dx"), gdml::number("dy"),
                                             gdml::length("zmax"), gdml::length("zcut")}),
-      // The length is a half.
+      // GDML gives half of the length here.
       gdml::made_by<make_paraboloid>(
           "paraboloid", {gdml::length("rlo"), gdml::length("rhi"), gdml::length("dz")}),
       gdml::made_by<make_hype>("hype", {gdml::length("rmin", gdml::zero), gdml::length("rmax"),
@@ -32,7 +32,7 @@ struct SolidFacts<kernels::QuadricSolid<double>> {
 };
 
 namespace detail {
-/// Volume within a quadric between two planes across z; its sections are ellipses.
+/// The volume within a quadric between two planes across z; its sections are ellipses.
 double quadric_volume(const kernels::Quadric<double>& f, double low, double high);
 }  // namespace detail
 

@@ -7,7 +7,7 @@ namespace navjit {
 
 Solid make_scaled(std::string name, const Solid& solid, double x, double y, double z) {
   detail::require_finite({x, y, z, 1 / x, 1 / y, 1 / z}, name);
-  // Squares of what kernels make of such factors are numbers, too, also where scaled solids are
+  // Squares of what kernels compute with such factors must be finite, also if scaled solids are
   // scaled again.
   constexpr double most_factor = 1e30, most_edge = 1e60;
   for (const double factor : {std::abs(x), std::abs(y), std::abs(z)}) {

@@ -8,7 +8,7 @@
 
 namespace navjit {
 
-/// Solids that are scaled are of any kind.
+/// The solids that are scaled may be of any kind.
 namespace kernels {
 template <class Real>
 using AnyScaled = Scaled<Real, AnySolid<Real>>;

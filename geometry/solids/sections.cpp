@@ -5,7 +5,7 @@
 namespace navjit::detail {
 namespace {
 
-/// A part of the contour that changes z, with z1 < z2.
+/// A part of the contour along which z changes, with z1 < z2.
 struct Edge {
   double z1, r1, z2, r2;
 
@@ -35,7 +35,7 @@ std::vector<Edge> contour_edges(std::span<const ZPlane> planes) {
   return edges;
 }
 
-/// The rings between two neighbouring heights: inside and outside alternate along r.
+/// The rings between two neighbouring heights: along r, inside and outside alternate.
 std::vector<Ring> rings_between(const std::vector<Edge>& edges, double low, double high,
                                 const std::string& name) {
   struct Crossing {
@@ -60,7 +60,7 @@ std::vector<Ring> rings_between(const std::vector<Edge>& edges, double low, doub
   return rings;
 }
 
-/// Where, at one height, there is a ring on one side only.
+/// Adds a ledge where, at one height, there is a ring on one side only.
 void add_ledges(double z, const std::vector<Ring>& below, const std::vector<Ring>& above,
                 std::vector<kernels::Ledge<double>>& ledges) {
   std::vector<double> radii;
@@ -80,15 +80,15 @@ void add_ledges(double z, const std::vector<Ring>& below, const std::vector<Ring
   }
 }
 
-/// How a ring is bored, as kernels::Section has it: 2 where its wall is thick beside the tolerance
-/// of any world.
+/// How a ring is bored, as kernels::Section has it: 2 if its wall is thick compared with the
+/// tolerance of any world.
 int bore_of(const Ring& ring, double rmax, double height) {
   if (!(ring.rmin_low > 0 || ring.rmin_high > 0)) return 0;
   const double wall = std::min(ring.rmax_low - ring.rmin_low, ring.rmax_high - ring.rmin_high);
   return wall > std::max(1e-3, 1e-6 * (rmax + height)) ? 2 : 1;
 }
 
-/// Cuts what the edges enclose at every height.
+/// Cuts at every height what the edges enclose.
 Sections cut(const std::vector<Edge>& edges, std::vector<double> heights, double rmax,
              const std::string& name) {
   Sections made{{}, {}, rmax};

@@ -1,4 +1,4 @@
-// The contour of a polycone or polyhedra, cut into rings. Private to geometry/solids.
+// Cuts the contour of a polycone or polyhedra into rings. Private to geometry/solids.
 #pragma once
 
 #include <algorithm>
@@ -9,18 +9,18 @@
 namespace navjit::detail {
 
 struct Sections {
-  std::vector<kernels::Section<double>> sections;  ///< ascending in z
+  std::vector<kernels::Section<double>> sections;  ///< with ascending z
   std::vector<kernels::Ledge<double>> ledges;
   double rmax;
 };
 
-/// Cuts the contour at every z of a plane. Throws GeometryError if it crosses itself or encloses
-/// nothing.
+/// Cuts the contour at the z of every plane. Throws GeometryError if the contour crosses itself or
+/// encloses nothing.
 Sections make_sections(std::span<const ZPlane> planes, const std::string& name);
 /// The same for a closed contour.
 Sections make_sections(std::span<const ContourPoint> contour, const std::string& name);
 
-/// A shape made of sections with the arrays that it points to.
+/// A shape made of sections, with the arrays that it points to.
 template <class Shape>
 struct SectionsHolder {
   Sections sections;
@@ -41,7 +41,7 @@ struct SectionsHolder {
   SectionsHolder& operator=(const SectionsHolder&) = delete;
 };
 
-/// `area_factor`: the area of a section within the squared radius 1, mm^3.
+/// `area_factor`: the area of a section whose squared radius is 1; the volume is in mm^3.
 template <class Shape>
 double sections_volume(const Shape& s, double area_factor) {
   double integral = 0;

@@ -1,5 +1,5 @@
-// Solids (navjit/solids.hpp) with what is behind them: a kernel's struct in double precision, which
-// *is* the definition of the solid.
+// Solids (navjit/solids.hpp) with what they are made of: a kernel's struct in double precision,
+// which *is* the definition of the solid.
 #pragma once
 
 #include "geometry/solids/any_solid.hpp"

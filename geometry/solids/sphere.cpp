@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The nappe at polar angle theta around +z or -z: whichever is convex.
+/// The convex one of the nappes at polar angle theta: around +z or around -z.
 kernels::ConicalFace<double> polar_face(double theta, bool upper) {
   const detail::UnitVector u = detail::unit_vector(theta);
   return upper ? kernels::ConicalFace<double>{0, u.y, u.x}

@@ -6,8 +6,8 @@
 namespace navjit {
 namespace {
 
-/// Integral of the distance from the axis over a disc around radius `ring`, without what would be
-/// beyond the axis.
+/// The integral of the distance from the axis over a disc around radius `ring`, without the part of
+/// the disc beyond the axis.
 double disc_moment(double ring, double r) {
   if (r <= ring) return ring * (std::numbers::pi * r * r);
   const double cut = std::sqrt((r - ring) * (r + ring));

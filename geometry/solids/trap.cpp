@@ -7,8 +7,8 @@
 namespace navjit {
 namespace {
 
-/// The plane nearest to four corners, anti-clockwise seen from outside; nothing if they are not in
-/// one plane. The normal is the product of the diagonals: it exists also where one edge has no
+/// The plane nearest to four corners, anticlockwise seen from outside; nothing if they are not in
+/// one plane. The normal is the product of the diagonals, which exist even if one edge has no
 /// length.
 std::optional<kernels::Plane<double>> side_plane(const Vec3& p1, const Vec3& p2, const Vec3& p3,
                                                  const Vec3& p4, double scale,
@@ -18,7 +18,7 @@ std::optional<kernels::Plane<double>> side_plane(const Vec3& p1, const Vec3& p2,
   double a = uy * wz - uz * wy, b = uz * wx - ux * wz, c = ux * wy - uy * wx;
   double norm = std::hypot(a, b, c);
   detail::require(norm > 0, name, "a side of the trap has no area");
-  // What is left of components that should be zero.
+  // Removes what is left of components that should be zero.
   for (double* component : {&a, &b, &c}) {
     *component = std::abs(*component) < 1e-15 * norm ? 0 : *component / norm;
   }
@@ -32,14 +32,14 @@ std::optional<kernels::Plane<double>> side_plane(const Vec3& p1, const Vec3& p2,
   return kernels::Plane<double>{a, b, c, d};
 }
 
-/// Where two sides meet at a height; not finite if they do not.
+/// The corner where two sides meet at a height; not finite if they do not meet.
 Vec3 corner_of(const kernels::Plane<double>& f, const kernels::Plane<double>& g, double z) {
   const double area = f.a * g.b - f.b * g.a;
   const double at_f = -(f.c * z + f.d), at_g = -(g.c * z + g.d);
   return {(at_f * g.b - f.b * at_g) / area, (f.a * at_g - at_f * g.a) / area, z};
 }
 
-/// Area of the trapezoid at height z: the sides across y are parallel to x in every section.
+/// The area of the trapezoid at height z: in every section the sides across y are parallel to x.
 double area_at(const kernels::Trap<double>& s, double z) {
   const auto y_on = [&](const kernels::Plane<double>& f) { return -(f.c * z + f.d) / f.b; };
   const auto x_on = [&](const kernels::Plane<double>& f, double y) {
@@ -78,7 +78,7 @@ Solid make_trap(std::string name, double hz, double theta, double phi, double hy
   const auto left = side(0, 2, 6, 4), right = side(1, 5, 7, 3);
   bool closed = front && back && left && right;
   if (closed) {
-    // The corners are not quite on the planes: the planes' own corners are those of the solid.
+    // The given corners are not exactly on the planes: the solid has the planes' own corners.
     for (const auto& along : {*front, *back}) {
       for (const auto& across : {*left, *right}) {
         for (const double z : {-hz, hz}) {

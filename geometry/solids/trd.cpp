@@ -6,7 +6,7 @@
 namespace navjit {
 namespace {
 
-/// The sides |u| = h1 at -hz and h2 at +hz.
+/// The two sides: |u| = h1 at -hz and |u| = h2 at +hz.
 kernels::FacePair<double> face_pair(double h1, double h2, double hz) {
   const kernels::ConicalFace<double> face = detail::conical_face(h1, h2, 2 * hz);
   return {face.cosine, -face.slope, face.cosine * ((h1 + h2) / 2)};

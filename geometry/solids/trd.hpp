@@ -1,4 +1,4 @@
-// Trapezoids with two pairs of faces alike.
+// Trapezoids with two pairs of faces that are alike.
 #pragma once
 
 #include "geometry/solids/facts.hpp"

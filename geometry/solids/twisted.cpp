@@ -10,15 +10,15 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A side through (offset0 + offset1 z) along its normal (nu, nw), which need not be of length 1.
+/// A side through (offset0 + offset1 z) along its normal (nu, nw), whose length need not be 1.
 kernels::TwistedSide<double> side(double nu, double nw, double offset0, double offset1) {
   const double norm = std::hypot(nu, nw);
   return {nu / norm, nw / norm, offset0 / norm, offset1 / norm};
 }
 
-/// The side whose edges lean differently at the two ends, in sections that grow: `sign` is 1 on the
-/// right, -1 on the left. Section at z: half height y0 + y1 z, half width x0 + x1 z in the middle,
-/// which grows by d0 + d1 z up to the upper edge.
+/// The side whose edges lean differently at the two ends, in sections that grow. `sign` is 1 on the
+/// right and -1 on the left. A section at z has the half height y0 + y1 z and, in the middle, the
+/// half width x0 + x1 z, which grows by d0 + d1 z up to the upper edge.
 struct Section {
   double y0, y1, x0, x1, d0, d1;
 };
@@ -33,13 +33,13 @@ void set_bounds(kernels::TwistedTrap<double>& s) {
   for (const auto* side : {&s.right, &s.left}) {
     const double rate = std::hypot(side->nu1, side->nw1);
     s.steepening = std::max(s.steepening, rate);
-    // Rays are followed a little beyond the ends.
+    // Rays are followed a little way beyond the ends.
     s.steep = std::max(s.steep, 1 + 1.05 * s.hz * rate);
     s.curve = std::max(s.curve, std::abs(side->c2));
   }
 }
 
-/// Extent of the four edges along z, from points on them with an allowance for what lies between.
+/// The extent of the four edges along z, from points on them, with room for what lies between.
 void set_extent(const kernels::TwistedTrap<double>& s, const double (&half)[2][3], double alpha,
                 Extent& e) {
   constexpr int steps = 1024;
@@ -172,7 +172,7 @@ double SolidFacts<kernels::TwistedTube<double>>::volume(const Shape& s) {
 }
 
 double SolidFacts<kernels::TwistedTrap<double>>::volume(const Shape& s) {
-  // Sections are trapezoids with the sides across w parallel; twist and shear keep their area.
+  // Sections are trapezoids with parallel sides across w; twist and shear keep their area.
   const auto area = [&](double z) {
     const double height = s.back.c0 + s.back.c1 * z + s.front.c0 + s.front.c1 * z;
     const auto middle = [&](const kernels::TwistedSide<double>& f) {

@@ -16,7 +16,7 @@ BoxBlock no_boxes() {
   return block;
 }
 
-/// The box around those in a block.
+/// Adds the box around all boxes of a block.
 void add_group(std::vector<BoxBlock>& groups, std::size_t number, const BoxBlock& block) {
   if (number % box_lanes == 0) groups.push_back(no_boxes());
   const std::size_t lane = number % box_lanes;
@@ -29,7 +29,7 @@ void add_group(std::vector<BoxBlock>& groups, std::size_t number, const BoxBlock
   }
 }
 
-/// ask(number) of the parts in lanes that `lanes(block)` gives, until it says that this is enough.
+/// Calls ask(number) for parts in the lanes that `lanes(block)` gives, until it says "enough".
 template <class Lanes, class Ask>
 bool ask_parts(const UnionParts& s, const Lanes& lanes, const Ask& ask) {
   const auto ask_block = [&](std::size_t b) {
@@ -52,7 +52,7 @@ bool ask_parts(const UnionParts& s, const Lanes& lanes, const Ask& ask) {
   return false;
 }
 
-/// Where the ray comes to the box around all; more than `reach` if not before that.
+/// The path to where the ray meets the box around all; more than `reach` if that is farther.
 double path_to_all(const UnionParts& s, const Vec3<double>& p, const Direction<double>& v,
                    double reach) {
   const double at[3] = {p.x, p.y, p.z}, rate[3] = {v.x, v.y, v.z},
@@ -138,7 +138,7 @@ double furthest_out(const UnionParts& s, const Vec3<double>& p, const Direction<
 
 double nearest_in(const UnionParts& s, const Vec3<double>& p, const Direction<double>& v,
                   double best, double tol) {
-  // From where the ray comes near them, so that single precision is good enough.
+  // Starts where the ray comes near to them, so that single precision is accurate enough.
   const double ahead = path_to_all(s, p, v, best);
   if (!(ahead < infinity<double>())) return best;
   const FloatRay ray = float_ray(advance(p, v, ahead), v);
@@ -158,7 +158,7 @@ double nearest_in(const UnionParts& s, const Vec3<double>& p, const Direction<do
 double safety_to_in(const UnionParts& s, const Vec3<double>& p) {
   const BoxDistances from(p);
   double safety = infinity<double>();
-  // ask(lane) of the boxes that are nearer than what was found, the nearest first.
+  // Calls ask(lane) for boxes that are nearer than what was found, the nearest first.
   const auto nearest_first = [&](const BoxBlock& block, auto ask) {
     Floats distance = from.along_axes(block);
     for (;;) {
@@ -177,7 +177,7 @@ double safety_to_in(const UnionParts& s, const Vec3<double>& p) {
     for (std::size_t b = 0; b < s.blocks.size(); ++b) ask_block(b);
     return safety;
   }
-  // The nearest block of all comes first: after it hardly any other is near enough.
+  // The block with the nearest box comes first: after it hardly any other is near enough.
   const std::size_t first = nearest_block(s, from);
   ask_block(first);
   for (std::size_t g = 0; g < s.groups.size(); ++g) {

@@ -1,4 +1,4 @@
-// The parts of a union of many, found by their boxes, eight at once.
+// The parts of a union of many, found by their boxes, eight boxes at once.
 #pragma once
 
 #include <span>
@@ -9,17 +9,17 @@
 
 namespace navjit::kernels {
 
-/// What a union is made of, beside the tree that has the same answers, bit by bit. The boxes have a
-/// margin for single precision: they only leave out parts that a look at them would leave out.
+/// What a union is made of, beside the tree, which gives the same answers, bit for bit. The boxes
+/// have a margin for single precision: they exclude only parts that the tree would exclude, too.
 struct UnionParts {
-  std::vector<AnyOperand<double>> operands;  ///< not owned; neighbours are close together
+  std::vector<AnyOperand<double>> operands;  ///< not owned; parts close together have close numbers
   std::vector<BoxBlock> blocks;              ///< lane l of block b: of operand b * box_lanes + l
   std::vector<BoxBlock> groups;  ///< lane l of group g is around block g * box_lanes + l
-  double low[3], high[3];        ///< around all boxes, mm
-  double margin;                 ///< of the boxes, mm
+  double low[3], high[3];        ///< the box around all boxes, mm
+  double margin;                 ///< that of the boxes, mm
 };
 
-/// `operands` are what `parts` are in the tree, in its order.
+/// `operands` are the same as `parts`, as operands of the tree, in the same order.
 UnionParts make_union_parts(std::span<const Solid> parts, std::vector<AnyOperand<double>> operands);
 
 }  // namespace navjit::kernels

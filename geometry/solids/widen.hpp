@@ -1,5 +1,5 @@
-// The same solid in another number type, for references in higher precision. The solid's numbers
-// are taken over as they are: the shape in double is the definition.
+// The same solid with another type of number, for references in higher precision. The numbers are
+// not changed: the shape in double is the definition.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace navjit {
 template <class Real>
 class WideSolid {
  public:
-  /// Throws GeometryError if a foreign solid is in it.
+  /// Throws GeometryError if the solid contains a foreign solid.
   explicit WideSolid(const Solid& solid) : name_(solid.name), root_(wide(solid.any())) {}
 
   /// Valid as long as this object or a copy of it lives.
@@ -49,11 +49,11 @@ class WideSolid {
   static Real wide(double x) { return static_cast<Real>(x); }
   static int wide(int n) { return n; }
   static kernels::Facet wide(const kernels::Facet& s) { return s; }
-  /// Read in double precision alone.
+  /// These are read in double precision only.
   static kernels::FacetGroup<Real> wide(const kernels::FacetGroup<double>&) { return {}; }
   static kernels::FacetLeaf<Real> wide(const kernels::FacetLeaf<double>&) { return {}; }
 
-  /// Field by field.
+  /// Converts field by field.
   template <template <class> class Shape>
   Shape<Real> wide(const Shape<double>& from) {
     Shape<Real> to{};

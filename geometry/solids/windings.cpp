@@ -9,7 +9,7 @@ namespace {
 
 using Polygon = std::vector<PlanarPoint>;
 
-/// The heights of all corners and crossings, ascending: between two of them no edges cross. Empty
+/// The heights of all corners and crossings, ascending: no edges cross between two of them. Empty
 /// if there are too many crossings.
 std::vector<double> heights(const Polygon& polygon) {
   std::vector<double> all;

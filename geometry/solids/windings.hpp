@@ -1,4 +1,4 @@
-// How often a polygon surrounds what. Private to geometry/solids.
+// How often a polygon surrounds each part of the plane. Private to geometry/solids.
 #pragma once
 
 #include <vector>

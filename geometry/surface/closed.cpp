@@ -11,7 +11,7 @@
 namespace navjit {
 namespace {
 
-/// What runs along an edge, forwards from its lower corner or back.
+/// How many triangles run along an edge, forwards from its lower corner and back.
 struct Uses {
   std::uint32_t forwards = 0, back = 0;
 };
@@ -34,7 +34,7 @@ std::string text_of(const Vec3& p) {
   return text;
 }
 
-/// The triangles with an edge.
+/// The triangles that have an edge.
 std::vector<std::size_t> users_of(const Surface& surface, const Edge& edge) {
   std::vector<std::size_t> users;
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {

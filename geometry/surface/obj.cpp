@@ -1,4 +1,4 @@
-// Wavefront OBJ: corners first, and polygons by their numbers.
+// Reads Wavefront OBJ: corners first, then polygons by the numbers of their corners.
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -12,7 +12,7 @@ namespace {
 /// More corners of one face are refused: cutting takes time that grows with their square.
 constexpr std::size_t most_corners = 1000;
 
-/// What says nothing about the shape, or only about how it looks.
+/// What says nothing about the shape, or only how it looks.
 constexpr std::array ignored{
     "vn",  "vt", "vp",    "g",      "o",      "s",        "usemtl",   "mtllib",     "l",        "p",
     "lod", "mg", "bevel", "maplib", "usemap", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
@@ -50,7 +50,7 @@ class ObjReader {
     corners_.push_back(into_.corner(xyz, words_.line()));
   }
 
-  /// "17", "17/3", "17//3", "17/3/3", or below zero, from the last corner so far.
+  /// "17", "17/3", "17//3", "17/3/3"; a negative number counts back from the last corner so far.
   std::uint32_t corner_of(std::string_view word) {
     const std::string_view first = word.substr(0, word.find('/'));
     long long index = 0;
@@ -83,7 +83,7 @@ class ObjReader {
       face_.pop_back();
       points_.pop_back();
     }
-    if (face_.size() < 3) return;  // nothing between its corners
+    if (face_.size() < 3) return;  // it encloses nothing
     const auto triangles = cut(points_);
     if (triangles.empty()) {
       refuse(at_, words_.line(), "the outline of this face crosses itself; cut it into triangles");
@@ -96,7 +96,7 @@ class ObjReader {
   Place at_;
   Words words_;
   Collector& into_;
-  std::vector<std::uint32_t> corners_;  ///< by their numbers in the file
+  std::vector<std::uint32_t> corners_;  ///< by number in the file
   std::vector<std::uint32_t> face_;
   std::vector<Vec3> points_;
 };

@@ -1,4 +1,4 @@
-// A polygon in space, cut into triangles. Private to geometry/surface.
+// Cuts a polygon in space into triangles. Private to geometry/surface.
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 
 namespace navjit::surface {
 
-/// Triangles, by numbers of corners, that fill a polygon of three corners or more and run around as
-/// it does. It need be neither convex nor quite planar. Empty if there is no way to cut it, as
-/// where it crosses itself.
+/// Triangles, as numbers of corners, that fill a polygon of three corners or more and run around in
+/// the same sense. It need be neither convex nor quite planar. Empty if there is no way to cut it,
+/// for example if it crosses itself.
 std::vector<std::array<std::size_t, 3>> cut(std::span<const Vec3> polygon);
 
 }  // namespace navjit::surface

@@ -13,9 +13,9 @@ void refuse(const Place& at, std::size_t line, const std::string& what) {
 
 std::uint32_t Collector::corner(const double (&xyz)[3], std::size_t line) {
   const double unit = at_.options.unit;
-  // Without negative zeros: they are the same place.
+  // Negative zeros become positive, since they are the same place.
   const Vec3 p{xyz[0] * unit + 0.0, xyz[1] * unit + 0.0, xyz[2] * unit + 0.0};
-  constexpr double most = 1e12;  // mm; squares and products of such lengths are numbers
+  constexpr double most = 1e12;  // mm; squares and products of such lengths are finite
   if (!(std::abs(p.x) <= most && std::abs(p.y) <= most && std::abs(p.z) <= most)) {
     refuse(at_, line, "a corner is not at a finite place within 1e12 mm");
   }

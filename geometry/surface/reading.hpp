@@ -13,7 +13,7 @@
 
 namespace navjit::surface {
 
-/// Where something is in a file.
+/// A file that is being read, for messages.
 struct Place {
   const std::string& file;
   const SurfaceOptions& options;
@@ -27,16 +27,16 @@ class Collector {
  public:
   explicit Collector(const Place& at) : at_(at) {}
 
-  /// The number of a corner at this place, in the file's units. Throws SurfaceError unless it is
-  /// finite. `line`: for that error.
+  /// The number of the corner at this place, which is in the file's units. Throws SurfaceError,
+  /// which names `line`, unless the place is finite.
   std::uint32_t corner(const double (&xyz)[3], std::size_t line);
-  /// Adds one, unless it has no three corners. Throws SurfaceError if there are too many. `origin`:
-  /// as Surface has it.
+  /// Adds a triangle, unless it has less than three different corners. Throws SurfaceError if there
+  /// are too many triangles. `origin`: as in Surface.
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t origin);
   const Vec3& at(std::uint32_t corner) const { return surface_.corners[corner]; }
   void origins_are_lines() { surface_.origins_are_lines = true; }
 
-  /// The surface, with those corners alone that triangles have. Throws SurfaceError if none has.
+  /// The surface, with only the corners that triangles use. Throws SurfaceError if there are none.
   Surface finish();
 
  private:
@@ -58,7 +58,7 @@ class Collector {
   std::unordered_map<Vec3, std::uint32_t, HashOfPlace, SamePlace> known_;
 };
 
-/// Words of a text, with the line that each is on.
+/// The words of a text, with the line that each is on.
 class Words {
  public:
   explicit Words(std::string_view text) : text_(text) {}
@@ -78,7 +78,7 @@ class Words {
   std::size_t at_ = 0, line_ = 1;
 };
 
-/// A decimal number, nothing else.
+/// A decimal number and nothing else; nothing for any other word.
 inline std::optional<double> number(std::string_view word) {
   if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
   double value = 0;

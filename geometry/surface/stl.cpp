@@ -1,4 +1,4 @@
-// STL: triangles one by one, binary or as words.
+// Reads STL: triangles one by one, in binary form or as words.
 #include <algorithm>
 #include <bit>
 
@@ -18,7 +18,7 @@ std::uint32_t number_at(std::string_view bytes, std::size_t at) {
 void read_binary(const Place& at, std::string_view bytes, Collector& into) {
   const std::size_t count = number_at(bytes, header_bytes - 4);
   for (std::size_t f = 0; f < count; ++f) {
-    const std::size_t begin = header_bytes + f * facet_bytes + 12;  // behind the normal
+    const std::size_t begin = header_bytes + f * facet_bytes + 12;  // after the normal
     std::uint32_t corner[3];
     for (std::size_t c = 0; c < 3; ++c) {
       double xyz[3];
@@ -81,7 +81,7 @@ class AsciiReader {
       if (!is_word(word, "facet")) refuse_word(word, "'facet' or 'endsolid'");
       const std::size_t line = words_.line();
       expect("normal");
-      for (int k = 0; k < 3; ++k) words_.next();  // not looked at: some write nan for it
+      for (int k = 0; k < 3; ++k) words_.next();  // not looked at: some programs write nan there
       expect("outer");
       expect("loop");
       std::uint32_t corner[3];
@@ -107,7 +107,7 @@ class AsciiReader {
 }  // namespace
 
 void read_stl(const Place& at, std::string_view bytes, Collector& into) {
-  // Binary ones may begin with "solid", too: the length tells.
+  // Binary files may begin with "solid", too: their length shows what they are.
   const bool long_enough = bytes.size() >= header_bytes;
   const std::size_t count = long_enough ? number_at(bytes, header_bytes - 4) : 0;
   if (long_enough && bytes.size() == header_bytes + count * facet_bytes) {

@@ -1,4 +1,4 @@
-// A detector made in code.
+// Makes a detector in code.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,8 @@
 namespace NAVJIT_API navjit {
 
 /// Collects materials, volumes and placements; build() gives the detector. What is added is checked
-/// at once, and an exception leaves the builder as it was. Nothing of it is navigated before
-/// build(), so that no detector can be half finished. For one thread at a time. Lengths are mm,
+/// at once, and if an exception is thrown the builder stays as it was. Nothing can be navigated
+/// before build(), so that no detector is half finished. For one thread at a time. Lengths are mm,
 /// angles rad.
 ///
 ///   DetectorBuilder builder;
@@ -24,15 +24,15 @@ namespace NAVJIT_API navjit {
 ///   Runtime runtime{builder.build(hall)};
 class DetectorBuilder {
  public:
-  /// Numbers of what was made, for later calls of the same builder.
+  /// The numbers of what was added, for later calls of the same builder.
   using IsotopeId = std::uint32_t;
   using ElementId = std::uint32_t;
   using MaterialId = std::uint32_t;
 
-  /// Starts with nothing.
+  /// Starts empty.
   DetectorBuilder();
-  /// Starts from a detector, which stays as it is: to add user data to what was read from a file,
-  /// say. Volumes and materials keep their numbers.
+  /// Starts from a detector, which stays as it is: for example, to add user data to what was read
+  /// from a file. Volumes and materials keep their numbers.
   explicit DetectorBuilder(const Detector& detector);
   DetectorBuilder(const DetectorBuilder&) = delete;
   DetectorBuilder& operator=(const DetectorBuilder&) = delete;
@@ -40,33 +40,33 @@ class DetectorBuilder {
 
   /// Adds an isotope, for elements. Throws GeometryError if a number is negative or not finite.
   IsotopeId isotope(Isotope isotope);
-  /// Adds an element, for materials. Throws GeometryError if a number is negative or not finite, or
-  /// if there is no such isotope. Its molar mass is given also where its isotopes are.
+  /// Adds an element, for materials. Its molar mass has to be given even if its isotopes are.
+  /// Throws GeometryError if a number is negative or not finite, or if there is no such isotope.
   ElementId element(Element element);
-  /// Adds a material. Fractions are made to add up to one; where no radiation length is given it is
-  /// computed from the elements. Throws GeometryError if a number is negative or not finite, if
-  /// there is no such element, or if none has a fraction.
+  /// Adds a material. Its fractions are scaled to add up to one; a radiation length that is not
+  /// given is computed from the elements. Throws GeometryError if a number is negative or not
+  /// finite, if there is no such element, or if no element has a fraction.
   MaterialId material(Material material);
-  /// Adds a logical volume. Throws GeometryError if there is no such material, or if the solid is
-  /// none (one that make_box or its like did not return).
+  /// Adds a logical volume. Throws GeometryError if there is no such material, or if the solid was
+  /// not made by make_box or another maker of solids.
   VolumeId volume(std::string name, Solid solid, MaterialId material);
-  /// Places a volume in a mother, after the mother's other daughters: on faces that daughters share
-  /// the first counts. Without a name it gets that of the volume with its number in the mother.
-  /// Returns that number. Throws GeometryError if there is no such volume, if the transformation
-  /// is not orthonormal, or if the volume would contain itself.
+  /// Places a volume in a mother, after the mother's other daughters: on a face that daughters
+  /// share, the first of them counts. Returns the number of the placement in the mother; without a
+  /// name it gets the volume's name with that number. Throws GeometryError if there is no such
+  /// volume, if the transformation is not orthonormal, or if the volume would contain itself.
   std::uint32_t place(VolumeId volume, VolumeId mother, const Transformation& where = {},
                       int copy_number = 0, std::string name = {});
 
-  /// The simulation's own number for a volume, or for a placement by its number in the mother: an
-  /// index, or a pointer cast to it. Throws GeometryError if there is no such thing.
+  /// Sets the simulation's own number for a volume, or for a placement (by its number in the
+  /// mother): an index, or a pointer cast to it. Throws GeometryError if there is no such thing.
   void set_user_data(VolumeId volume, std::uint64_t data);
   void set_user_data(VolumeId mother, std::uint32_t daughter, std::uint64_t data);
-  /// Adds a tag; likewise.
+  /// Adds a tag to a volume or to a placement. Throws as set_user_data() does.
   void add_auxiliary(VolumeId volume, Auxiliary auxiliary);
   void add_auxiliary(VolumeId mother, std::uint32_t daughter, Auxiliary auxiliary);
 
-  /// The detector in which `world` holds everything; volumes that it does not hold are kept, but
-  /// not navigated. The builder may go on; detectors that it built do not change. Throws
+  /// The detector in which `world` holds everything; volumes that are not in it are kept, but not
+  /// navigated. The builder may be used further; detectors that it built do not change. Throws
   /// GeometryError if there is no such volume, or if the tree is deeper than 64 levels or has more
   /// than 2^62 touchables. Overlaps are not looked for: `navjit check` does that for files.
   Detector build(VolumeId world) const;

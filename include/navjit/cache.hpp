@@ -1,4 +1,4 @@
-// Where compiled navigators are kept between runs; docs/cache.md.
+// Where compiled navigators are kept between runs (docs/cache.md).
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,17 @@
 
 namespace NAVJIT_API navjit {
 
-/// A directory for compiled code, or none, which is the default: a library does not write to disks
-/// unasked. The directory is made and checked when a Runtime first needs it; if it cannot be used,
-/// everything is compiled, with one line in the log.
+/// A directory for compiled code. By default there is none, since a library should not write to
+/// disks unasked. The directory is made and checked when a Runtime first needs it; if it cannot be
+/// used, everything is compiled, with one line in the log.
 struct Cache {
   std::string directory{};                             ///< empty: no cache
-  std::uint64_t max_bytes = std::uint64_t{256} << 20;  ///< beyond, what was not used for long goes
+  std::uint64_t max_bytes = std::uint64_t{256} << 20;  ///< above: the longest unused are removed
 
-  /// The user's own: $XDG_CACHE_HOME/navjit, or $HOME/.cache/navjit. None where neither is set to
-  /// an absolute path.
+  /// The directory of the user: $XDG_CACHE_HOME/navjit, or $HOME/.cache/navjit. No cache where
+  /// neither variable is set to an absolute path.
   static Cache user_default();
-  /// One of the program's choice.
+  /// A cache in a directory that the program chooses.
   static Cache in(std::string directory) { return {std::move(directory)}; }
 
   explicit operator bool() const { return !directory.empty(); }

@@ -7,19 +7,19 @@
 
 namespace NAVJIT_API navjit {
 
-/// Everything that navjit throws, but for std::bad_alloc. what() is one line that says what is
+/// Everything that navjit throws, except std::bad_alloc. what() is one line that says what is
 /// wrong, where, and what to do.
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A call against the rules of its function: a direction that is no unit vector, a state of another
-/// detector, a number that is not finite. Nothing was changed.
+/// A call that breaks a rule of its function: a direction that is no unit vector, a state of
+/// another detector, a number that is not finite. Nothing was changed.
 struct UsageError : Error {
   using Error::Error;
 };
 
-/// A detector that cannot be: dimensions that make no solid, volumes that contain one another.
+/// A detector that cannot exist: dimensions that make no solid, volumes that contain one another.
 struct GeometryError : Error {
   using Error::Error;
 };

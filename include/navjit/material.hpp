@@ -39,7 +39,7 @@ struct Element {
 /// An element in a material.
 struct ElementShare {
   std::uint32_t element;  ///< a number below Detector::elements()
-  double fraction;        ///< of the mass; those of a material add up to one
+  double fraction;        ///< share of the mass; those of a material add up to one
 };
 
 /// What volumes are filled with.
@@ -50,8 +50,8 @@ struct Material {
   double temperature = 293.15;  ///< K
   double pressure = 101325;     ///< Pa
   double radiation_length = 0;  ///< mm; 0 where density or composition are not known
-  /// What it is made of: mixtures of materials written out, atoms counted as mass. A material that
-  /// is given by Z has one element of its own name. Empty where some of it is not known.
+  /// The elements that it is made of; mixtures are resolved, and atoms are counted as mass. A
+  /// material that is given by Z has one element of its own name. Empty if some of it is not known.
   std::vector<ElementShare> elements{};
 };
 
@@ -59,7 +59,7 @@ struct Material {
 struct MaterialComponent {
   double z;         ///< charge of the nucleus, elementary charges
   double a;         ///< molar mass, g/mol
-  double fraction;  ///< of the mass
+  double fraction;  ///< share of the mass
 
   friend bool operator==(const MaterialComponent&, const MaterialComponent&) = default;
 };
@@ -68,8 +68,8 @@ struct MaterialComponent {
 /// of Particle Physics gives it (section "Passage of particles through matter"), with its fit of
 /// the Coulomb correction. 0 unless z >= 0.5 and a > 0 (g/mol). Both functions are thread-safe.
 double radiation_length(double z, double a);
-/// That of a mixture or compound, g/cm2: inverse lengths add by mass. Fractions need not add up to
-/// one. 0 if there are no components, or one of them has none.
+/// The radiation length of a mixture or compound, g/cm2: inverse lengths are added by mass. The
+/// fractions need not add up to one. 0 if there are no components, or if one of them has none.
 double radiation_length(std::span<const MaterialComponent> components);
 
 }  // namespace navjit

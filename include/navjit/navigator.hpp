@@ -23,7 +23,7 @@ namespace detail {
 struct Shared;  ///< what a Runtime and its navigators share
 }
 
-/// Counts of one navigator, beside the profile.
+/// What one navigator has counted, beside its profile.
 struct NavigatorCounts {
   std::uint64_t bail_outs = 0;      ///< states that a specialised navigator did not take
   std::uint64_t differences = 0;    ///< shadow mode: answers that were not the generic one's
@@ -31,43 +31,43 @@ struct NavigatorCounts {
   std::uint64_t within_safety = 0;  ///< steps that stayed in the ball of the last safety
 };
 
-/// Answers where, how far and what next. One per thread; keeps the runtime's data alive. Points and
-/// directions are global and have to be finite, directions of steps of unit length (to 1e-5).
-/// States are good in any navigator of their world. What breaks these rules is answered by
-/// UsageError, and the navigator stays as good as it was; one that was moved from may
-/// only be destroyed.
+/// Answers where a point is, how far it is to the next boundary, and what comes after that. One per
+/// thread; it keeps the runtime's data alive. Points and directions are global and have to be
+/// finite; directions of steps have to be of unit length (to 1e-5). States are good in any
+/// navigator of their world. What breaks these rules is answered by UsageError, and the navigator
+/// stays as good as it was. One that was moved from may only be destroyed.
 class Navigator {
  public:
   Navigator(Navigator&&) noexcept = default;
   Navigator& operator=(Navigator&&) = delete;
   ~Navigator();
 
-  /// The deepest touchable with the point, or outside. On a face that volumes share, the first of
-  /// them in file order; where volumes overlap, the last. Throws UsageError if a
+  /// The deepest touchable that holds the point, or outside. On a face that volumes share it is the
+  /// first of them in file order; where volumes overlap, the last. Throws UsageError if a
   /// coordinate is not finite.
   State locate(const Vec3& point);
   /// As above; on a face the direction decides.
   State locate(const Vec3& point, const Vec3& direction);
 
-  /// One step from `point` in `state`, at most `limit` mm; a limit of 0 or infinity is one.
-  /// Throws UsageError if the state is outside the world or of another world, if the
-  /// point is not finite, if the direction is not a unit vector, or if the limit is negative or not
-  /// a number. (A state of another world is not recognised where it has the same touchable and
-  /// volume numbers as one of this world; then it is taken for that.)
+  /// One step from `point` in `state`, at most `limit` mm; limits of 0 and of infinity are allowed.
+  /// Throws UsageError if the state is outside the world or of another world, if the point is not
+  /// finite, if the direction is not a unit vector, or if the limit is negative or not a number. (A
+  /// state of another world is not recognised if its touchable and volume have the same numbers as
+  /// those of a state of this world; then it is taken for that state.)
   ///
-  /// A step that stays in the ball of the last safety() that was asked, in the same state, is the
-  /// limit, and nothing of the detector is looked at: most steps of particles that scatter.
+  /// If the step stays in the ball of the last safety() that was asked in the same state, its
+  /// length is the limit, and no geometry is looked at. Most steps of particles that scatter do so.
   Step step(const State& state, const Vec3& point, const Vec3& direction,
             double limit = std::numeric_limits<double>::infinity());
 
   /// All steps of a straight ray in one call, for rays that only look (pictures, scans of
   /// materials): from boundary to boundary until the ray leaves the world, until `limit` mm are
-  /// gone in all, or until the buffer is full. Returns those that were made, at the front of the
-  /// buffer; there is at least one. Each is the step() from where the one before ended, bit for
-  /// bit, with `point = point + length * direction`, number by number, and `limit = limit -
-  /// length`. The point and the limit are moved on to where the last one ended, so that the same
-  /// call with its `next` goes on. Throws as step(), and UsageError if the buffer is empty; then
-  /// nothing was moved.
+  /// covered in all, or until the buffer is full. Returns the steps that were made, at the front of
+  /// the buffer; there is at least one. Each is, bit for bit, the step() from the end of the one
+  /// before it, with `point = point + length * direction`, number by number, and `limit = limit -
+  /// length`. The point and the limit are moved on to the end of the last step, so that the same
+  /// call with its `next` continues the ray. Throws as step() does, and UsageError if the buffer is
+  /// empty; then nothing was moved.
   std::span<Step> steps(const State& state, Vec3& point, const Vec3& direction, double& limit,
                         std::span<Step> buffer);
 
@@ -76,69 +76,69 @@ class Navigator {
   /// finite, or if `enough` is negative or not a number. The answer depends on the arguments alone,
   /// and is kept for the steps that follow.
   ///
-  /// What is farther away than `enough` need not be looked at, which makes small ones cheap: a
-  /// caller that wants to know whether a step of some length stays in the volume asks for that
-  /// length.
+  /// What is farther away than `enough` need not be looked at, so that a small `enough` makes the
+  /// call cheap: a caller that wants to know whether a step of some length stays in the volume asks
+  /// for that length.
   double safety(const State& state, const Vec3& point,
                 double enough = std::numeric_limits<double>::infinity());
 
-  /// As step(), where the caller has a safety sphere: a step that stays in it is the limit, and
-  /// nothing of the detector is looked at. Else the answer is that of step(). Throws as step().
+  /// As step(), for a caller that has a safety sphere: the length of a step that stays in it is the
+  /// limit, and no geometry is looked at. Otherwise the answer is that of step(). Throws as step().
   Step step(const State& state, const Vec3& point, const Vec3& direction, double limit,
             const SafetySphere& sphere) {
     if (sphere.holds(state, point, limit)) return {limit, false, state};
     return step(state, point, direction, limit);
   }
 
-  /// The ball about the point that safety() promises: steps in it need no geometry, and a point
-  /// that is displaced in it stays in the state. Throws as safety().
+  /// The ball about the point that safety() promises: steps within it need no geometry, and a point
+  /// that is displaced within it stays in the state. Throws as safety().
   SafetySphere safety_sphere(const State& state, const Vec3& point,
                              double enough = std::numeric_limits<double>::infinity()) {
     return {state, point, safety(state, point, enough)};
   }
 
-  /// The deepest touchable with a point that is in the hint, or near it: after a displacement in a
-  /// volume that costs a look at the volume and its daughters. (A displacement within the safety
-  /// needs no call: states hold no point.) As locate(), but where several touchables hold the
-  /// point, on faces and in overlaps, it is one of those that are nearest to the hint in the tree.
-  /// The hint may be outside the world. Throws UsageError if a number is not finite or the hint is
-  /// of another world.
+  /// The deepest touchable that holds a point which is in the hint, or near it: after a
+  /// displacement within a volume this costs a look at the volume and its daughters. (A
+  /// displacement within the safety needs no call: states hold no point.) As locate(), but where
+  /// several touchables hold the point, on faces and in overlaps, it is one of those that are
+  /// nearest to the hint in the tree. The hint may be outside the world. Throws UsageError if a
+  /// number is not finite or the hint is of another world.
   State relocate(const State& hint, const Vec3& point, const Vec3& direction);
 
   /// From the world into the state's frame, or into that of its ancestor at a depth (0: the world
-  /// volume): the bits that navigation uses. Throws UsageError if there is none.
+  /// volume): the bits that navigation uses. Throws UsageError if there is no such level.
   Transformation frame(const State& state);
   Transformation frame(const State& state, int depth);
-  /// Points (mm) and directions in the state's frame and back. Throw UsageError if the state is
-  /// outside the world or of another world.
+  /// Points (mm) and directions into the state's frame and back. All throw UsageError if the state
+  /// is outside the world or of another world.
   Vec3 to_local(const State& state, const Vec3& point);
   Vec3 to_global(const State& state, const Vec3& local_point);
   Vec3 direction_to_local(const State& state, const Vec3& direction);
   Vec3 direction_to_global(const State& state, const Vec3& local_direction);
 
   /// The outward unit normal of the state's volume, in the world's frame, at a point (mm) on its
-  /// surface, or near it: then that of the nearest face. On edges it is that of the first of their
-  /// faces (docs/normals.md). Throws UsageError if the point is not finite, or if the state is
+  /// surface. Near the surface it is that of the nearest face, and on an edge that of the first of
+  /// its faces (docs/normals.md). Throws UsageError if the point is not finite, or if the state is
   /// outside the world or of another world.
   Vec3 normal(const State& state, const Vec3& point);
-  /// The unit normal of the boundary that a step from `from` ended on, at its end `point`; it
-  /// points out of what was left: out of the volume of `from`, or into the daughter of it that was
-  /// entered. `next` is Step::next. Throws as normal().
+  /// The unit normal of the boundary that a step from `from` ended on, at the end `point` of that
+  /// step. It points out of what was left: out of the volume of `from`, or into the daughter of it
+  /// that was entered. `next` is Step::next. Throws as normal().
   Vec3 boundary_normal(const State& from, const State& next, const Vec3& point);
 
-  /// For programs with paths of their own: the levels from the world volume down to the state that
-  /// locate(), relocate(), or a step() that changed the state gave last; each with its touchable,
-  /// its volume, and its number among the mother's daughters. Those whose touchables are as before
-  /// need not be written anew. Empty outside the world. Good until the next call.
+  /// For programs that keep paths of their own: the levels from the world volume down to the state
+  /// that locate(), relocate(), or a step() that changed the state gave last. Each has its
+  /// touchable, its volume, and its number among the mother's daughters. Levels whose touchables
+  /// are as before need not be written anew. Empty outside the world. Valid until the next call.
   std::span<const kernels::StackLevel> levels() const {
     return {own_->stack.levels, static_cast<std::size_t>(own_->stack.depth + 1)};
   }
 
-  /// The same of any state. The track stays where it is. Throws UsageError if the state is outside
+  /// The same for any state. The track stays where it is. Throws UsageError if the state is outside
   /// the world or of another world.
   std::span<const kernels::StackLevel> levels(const State& state);
 
-  /// What this navigator did so far.
+  /// What this navigator has counted so far.
   const NavigatorCounts& counts() const { return own_->counts; }
 
  private:
@@ -146,13 +146,13 @@ class Navigator {
   friend class Basket;
   struct Own {
     kernels::NavigationStack stack{};
-    /// Where questions about another state are answered, so that the track stays where it is.
+    /// The stack for questions about another state, so that the track stays where it is.
     kernels::NavigationStack aside{};
-    kernels::BoxesAhead boxes_ahead[2]{};  ///< of the stack
+    kernels::BoxesAhead boxes_ahead[2]{};  ///< those of `stack`
     Profile profile;
     std::shared_ptr<ReadSide> read_side;
     NavigatorCounts counts;
-    SafetySphere sphere{};       ///< of the last safety that was asked
+    SafetySphere sphere{};       ///< the ball of the last call of safety()
     std::uint64_t shadowed = 0;  ///< steps made in shadow mode
     explicit Own(std::size_t volumes);
   };
@@ -166,20 +166,20 @@ class Navigator {
       refuse_direction(direction);
   }
   [[noreturn]] static void refuse_direction(const Vec3& direction);
-  /// Steps of the stack will be along another direction. Throws as require_unit().
+  /// Turns the further steps of the stack to another direction. Throws as require_unit().
   static void begin_ray(kernels::NavigationStack& stack, const Vec3& direction);
-  /// Whether specialised navigators may locate a point that has this direction: they answer for
-  /// directions of unit length, which becomes the stack's ray.
+  /// Whether specialised navigators may locate a point with this direction: they answer for
+  /// directions of unit length only, and the direction becomes the stack's ray.
   bool locates_along(kernels::NavigationStack& stack, const Vec3& direction) const;
-  /// The point is in the innermost level: into its daughters.
+  /// The point is in the innermost level: brings the stack down into its daughters.
   void relocate_within(kernels::NavigationStack& stack, const Vec3& point);
   /// The same, recorded for the specialiser.
   void recorded_location(kernels::NavigationStack& stack, const Vec3& point);
   /// Brings the stack to the state. Throws UsageError if the world has no such state.
   void bring(kernels::NavigationStack& stack, const State& state) const;
-  /// The same, counted.
+  /// The same, and counts it.
   void restore(kernels::NavigationStack& stack, const State& state);
-  /// Of the level's volume, in the world's frame.
+  /// The normal of the level's volume, in the world's frame.
   Vec3 normal_in(const kernels::StackLevel& level, const Vec3& point) const;
   void restore_unless_at(const State& state) {
     if (!is_at(own_->stack, state)) restore(own_->stack, state);
@@ -193,10 +193,10 @@ class Navigator {
   /// The safety, recorded for the specialiser.
   double recorded_safety(const Vec3& point, double enough);
   State locate_in(kernels::NavigationStack& stack, const Vec3& point, const Vec3& direction);
-  /// A step of a track whose stack this is; its arguments are good.
+  /// A step of the track that this stack belongs to; the arguments have been checked.
   Step step_of(kernels::NavigationStack& stack, const State& from, const Vec3& point,
                const Vec3& direction, double limit);
-  /// As step_of(), where the stack is along the direction and at the state already.
+  /// As step_of(), for a stack that already has the direction and is at the state.
   Step step_on(kernels::NavigationStack& stack, const Vec3& point, const Vec3& direction,
                double limit);
   /// The step's length, recorded for the specialiser; with shadow mode on, all steps are made here.
@@ -218,8 +218,8 @@ class Navigator {
 
 inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& direction,
                             double limit) {
-  // 0 times the sum is 0 unless a number is not finite, or the sum is beyond all numbers; then
-  // there is time for a closer look. Nothing of the step waits for it.
+  // 0 times the sum is 0 unless a number is not finite or the sum overflows; only then is there a
+  // closer look. Nothing of the step waits for this test.
   const double sum = 0 * (point.x + point.y + point.z);
   if (!((sum == 0) & (limit >= 0))) [[unlikely]]
     require_numbers(point, limit);
@@ -227,7 +227,7 @@ inline Step Navigator::step(const State& from, const Vec3& point, const Vec3& di
   if (own.sphere.holds(from, point, limit) & !shadow_) {
     require_unit(direction);
     ++own.counts.within_safety;
-    own.profile.count(own.sphere.state.volume());  // one that was checked
+    own.profile.count(own.sphere.state.volume());  // a volume that was checked
     return {limit, false, {own.sphere.state.touchable(), own.sphere.state.volume()}};
   }
   return step_of(own.stack, from, point, direction, limit);
@@ -259,8 +259,8 @@ inline Step Navigator::step_on(kernels::NavigationStack& stack, const Vec3& poin
       length = bail_out(stack, point, direction, limit);
     own.read_side->leave();
   }
-  // From one place, number by number: where a Step came out of memory, a caller that copies it as a
-  // whole would load what was just stored in parts, and wait for each of them.
+  // Written from one place, number by number: if the Step came out of memory, a caller that copies
+  // it as a whole would load what was just stored in parts, and wait for each of them.
   return {length, stack.boundary != 0, state_of(stack)};
 }
 
@@ -280,8 +280,8 @@ inline double Navigator::safety(const State& from, const Vec3& point, double eno
         entry->safety(&own.stack, context_, entry->safety_data, point.x, point.y, point.z, enough);
     own.read_side->leave();
   }
-  // Number by number, here and in step(): a copy of all at once loads what the caller, or this, has
-  // just stored in parts, and has to wait for each of them.
+  // Number by number, here and in step(): to copy all at once is to load what the caller, or this
+  // function, has just stored in parts, and to wait for each of them.
   own.sphere = {{from.touchable(), from.volume()}, {point.x, point.y, point.z}, safety};
   return safety;
 }

@@ -1,4 +1,4 @@
-// What a run observes of a detector, and the detector without what it does not.
+// What a run observes of a detector, and the detector without what the run does not observe.
 #pragma once
 
 #include <cstdint>
@@ -34,19 +34,19 @@ struct Observation {
     relative,  ///< to what a ray goes through, in radiation lengths; for mixtures: a mean ray
   };
   Kind kind = Kind::all;
-  /// Logical volumes that count by name, beside those that GDML marks (SensDet). All that have the
-  /// name do.
+  /// Logical volumes that count by name, in addition to those that GDML marks (SensDet). A name
+  /// stands for all volumes that have it.
   std::vector<std::string> volumes{};
   /// For Kind::budget: no ray through the world may change by more than this. For Kind::mixtures:
-  /// the mean over rays of how much each changes, measured, is no more than this.
+  /// the change of a ray, measured, is no more than this in the mean over rays.
   double budget = 0;
   Unit unit = Unit::radiation_lengths;
-  /// For Kind::mixtures: the rays that the mean is over.
+  /// For Kind::mixtures: the rays over which the mean is taken.
   struct Rays {
-    /// Where all start, mm; nothing: isotropic ones through points of the box in the world that
-    /// holds most touchables.
+    /// Where all rays start, mm. If there is nothing, they are isotropic, and go through points of
+    /// the box in the world that holds most touchables.
     std::optional<Vec3> origin{};
-    /// Pseudorapidity about +z of those from an origin, evenly; nothing: isotropic.
+    /// Range of pseudorapidity about +z, evenly filled from `origin`; nothing: isotropic.
     std::optional<std::pair<double, double>> eta{};
 
     friend bool operator==(const Rays&, const Rays&) = default;
@@ -56,10 +56,10 @@ struct Observation {
   friend bool operator==(const Observation&, const Observation&) = default;
 };
 
-/// "all", or "materials" or "budget:E" (radiation lengths), then volumes after commas. Throws
-/// UsageError for what is neither.
+/// "all", "materials", "budget:E" or "mixtures:E" (docs/observation.md says which E and which
+/// rays), then volumes after commas. Throws UsageError for any other text.
 Observation parse_observation(std::string_view text);
-/// The inverse.
+/// The inverse of parse_observation().
 std::string observation_text(const Observation& observation);
 
 /// What became of the placements that nothing observes.
@@ -68,17 +68,17 @@ struct ObservationReport {
   struct Entry {
     std::string volume, mother;
     std::uint64_t placements = 0;
-    double bound = 0;  ///< radiation lengths: how much all of these change any ray at the most
-    std::string why;   ///< of what was left: why. Empty for what was dissolved
+    double bound = 0;  ///< the most that all of these together change any ray, radiation lengths
+    std::string why;   ///< the reason for what was left; empty for what was dissolved
   };
   std::uint64_t invisible = 0;  ///< placements that nothing observes, in volumes of their own
                                 ///< material or, with a budget, of one that may stand for it
-  std::uint64_t dissolved = 0;  ///< those of them that are no more
+  std::uint64_t dissolved = 0;  ///< those of them that were taken out of the tree
   std::uint64_t sampled = 0;    ///< those of them whose surroundings were sampled, and not proved
   std::uint64_t placements_before = 0, placements_after = 0;  ///< of all volumes
   TouchableId touchables_before = 0, touchables_after = 0;
-  /// In the unit of the budget (radiation lengths, where it is relative): how much what is left may
-  /// differ from the original along any ray. Proved.
+  /// A proved bound, in the unit of the budget (radiation lengths, where that is relative): how
+  /// much what is left may differ from the original along any ray.
   double bound = 0;
   /// A volume that is homogenised, with what it is made of now.
   struct Mixture {
@@ -86,36 +86,36 @@ struct ObservationReport {
     std::uint32_t number = 0;       ///< of the material, in ObservedDetector::detector()
     double density = 0;             ///< g/cm3
     double radiation_length = 0;    ///< mm
-    std::vector<std::string> of{};  ///< the daughters' volumes that are part of it with all in them
+    std::vector<std::string> of{};  ///< daughters that are part of it, by volume, with all in them
     std::uint64_t placements = 0;   ///< of these daughters
-    /// So much of it was one of the original's materials.
+    /// How much of the mixture was one of the original's materials.
     struct Part {
       std::uint32_t material;  ///< its number in the original
-      double share;            ///< of the volume
+      double share;            ///< its share of the volume
     };
-    std::vector<Part> parts{};  ///< what it was
-    double bound = 0;           ///< how much all touchables of it may change any ray
+    std::vector<Part> parts{};  ///< the materials that it was
+    double bound = 0;           ///< how much all its touchables together may change any ray
   };
   std::vector<Mixture> mixtures{};
-  /// By how much rays change that had no say in what is mixed: measured, in the same unit.
+  /// How much those rays change that had no say in what is mixed: measured, in the same unit.
   struct Measured {
     std::uint64_t rays = 0;
     double whole = 0;       ///< mean of what a ray goes through in the original
     double mean = 0;        ///< mean over rays of the absolute value of the change
     double mean_error = 0;  ///< one standard deviation of it
     double signed_mean = 0, signed_error = 0;  ///< mean of the change itself
-    /// 99%, 99.9% and all of the rays change by no more.
+    /// 99%, 99.9% and all of the rays change by no more than these.
     double of_99_percent = 0, of_999_permille = 0, largest = 0;
   };
   Measured measured{};
   std::vector<Entry> gone{};  ///< in file order of the mothers
-  std::vector<Entry> left{};  ///< likewise; steps do not end on them, but cost as they did
+  std::vector<Entry> left{};  ///< likewise; steps do not end on them, but they cost as before
 };
 
 /// A detector and what is left of it for a run that does not look at everything. Volumes,
-/// materials, their numbers and names are those of the original; what nothing observes is not in
-/// the tree any more, where that changes no material along any ray (or no more than the budget).
-/// Copies share all. All functions may be called by any number of threads.
+/// materials, their numbers and names are those of the original. What nothing observes is no longer
+/// in the tree, if that changes no material along any ray (or no more than the budget). Copies
+/// share everything. All functions may be called by any number of threads.
 ///
 ///   navjit::ObservedDetector seen{world, {.kind = navjit::Observation::Kind::materials}};
 ///   navjit::Runtime runtime{seen.detector()};
@@ -123,31 +123,31 @@ struct ObservationReport {
 ///   ... auto step = seen.step(navigator, state, point, direction, limit); ...
 class ObservedDetector {
  public:
-  /// Looks at every volume once, and asks where volumes might overlap. Throws GeometryError if a
-  /// name is that of no volume, or a budget is not positive.
+  /// Looks at every volume once, and checks where volumes might overlap. Throws GeometryError if a
+  /// name is that of no volume, or if a budget is not positive.
   explicit ObservedDetector(const Detector& original, const Observation& observation = {});
 
-  /// To be navigated. Where all is observed it is the original.
+  /// The detector to navigate. Where everything is observed it is the original.
   const Detector& detector() const;
   const Detector& original() const;
   const Observation& observation() const;
   const ObservationReport& report() const;
 
-  /// Whether a step from one volume into another ends: their material, region or tags differ, or
-  /// one of them is observed itself.
+  /// Whether a step from one volume into another ends between them: their material, region or tags
+  /// differ, or one of them is observed itself.
   bool counts(VolumeId from, VolumeId to) const {
     return from >= classes_size_ || to >= classes_size_ || classes_[from] != classes_[to] ||
            (classes_[from] & always) != 0;
   }
-  /// Whether all boundaries of the volume count: it is observed itself, or in several regions.
+  /// Whether all boundaries of the volume count: it is observed itself, or is in several regions.
   bool observed(VolumeId volume) const {
     return volume < classes_size_ && (classes_[volume] & always) != 0;
   }
-  /// A step of a navigator of detector() that ends on boundaries that count only: as
-  /// Navigator::step() as often as it takes. Throws as that.
+  /// A step of a navigator of detector() that ends only on boundaries that count: it repeats
+  /// Navigator::step() as often as it takes. Throws as that does.
   Step step(Navigator& navigator, const State& state, const Vec3& point, const Vec3& direction,
             double limit = std::numeric_limits<double>::infinity()) const {
-    // One place to return from, so that the step is made where it is returned.
+    // One place to return from, so that the step is built where it is returned.
     Step made = navigator.step(state, point, direction, limit);
     if (made.boundary && made.next.inside() && !counts(state.volume(), made.next.volume())) {
       made = walk_on(navigator, made, point, direction, limit);
@@ -155,18 +155,18 @@ class ObservedDetector {
     return made;
   }
 
-  /// The touchable of the original that a state of detector() is: its path, its copy numbers. A
-  /// track may be deeper in it, in a daughter that nothing observes. Outside for outside. Throws
-  /// UsageError if the state is of another detector.
+  /// The touchable of the original that a state of detector() stands for: it has the path and the
+  /// copy numbers. A track may be deeper in it, in a daughter that nothing observes. Outside for a
+  /// state outside. Throws UsageError if the state is of another detector.
   State original(const State& state) const;
   /// The deepest touchable of the original at a point in the state, daughters that nothing observes
   /// included; on a face the direction decides. Throws likewise, and if a number is not finite.
   State original(const State& state, const Vec3& point, const Vec3& direction) const;
 
-  /// Zero steps in a row after which walking on would not come to an end: where volumes overlap.
+  /// After so many zero steps in a row, walking on would not end: volumes overlap there.
   static constexpr int most_standing = 100;
 
-  struct Data;  ///< the library's own
+  struct Data;  ///< of the library's own
 
  private:
   static constexpr std::uint32_t always = std::uint32_t{1} << 31;
@@ -175,14 +175,14 @@ class ObservedDetector {
                double limit) const;
 
   std::shared_ptr<const Data> data_;
-  const std::uint32_t* classes_ = nullptr;  ///< of each volume; in the data
+  const std::uint32_t* classes_ = nullptr;  ///< of each volume; in `data_`
   std::size_t classes_size_ = 0;
 };
 
 /// A navigator that sees what is observed and no more.
 class ObservedNavigator {
  public:
-  /// Refers to both; the navigator is one of a Runtime of seen.detector().
+  /// Refers to both arguments; the navigator has to be one of a Runtime of seen.detector().
   ObservedNavigator(const ObservedDetector& seen, Navigator& navigator)
       : seen_(seen), navigator_(navigator) {}
   /// As Navigator::locate(), in ObservedDetector::detector().

@@ -20,10 +20,10 @@ struct RootError : Error {
 /// What a file may ask for. The defaults are far above any real detector's; they keep a hostile
 /// file from exhausting memory or time.
 struct RootLimits {
-  std::size_t max_bytes = std::size_t{1} << 30;  ///< of the geometry, unpacked
-  std::size_t max_keys = 100'000;                ///< objects and folders of the file
+  std::size_t max_bytes = std::size_t{1} << 30;  ///< bytes of the geometry, unpacked
+  std::size_t max_keys = 100'000;                ///< objects and folders in the file
   std::size_t max_placements = 1'000'000;        ///< daughters of all volumes and assemblies
-  std::size_t max_name_bytes = 64'000'000;       ///< of all their names
+  std::size_t max_name_bytes = 64'000'000;       ///< bytes of all their names
   std::size_t max_solid_depth = 200;             ///< levels of nested booleans; chains of unions,
                                                  ///< or of what is cut from one solid, have few
   std::size_t max_solid_chain = 1000;            ///< links of such a chain
@@ -31,15 +31,15 @@ struct RootLimits {
   std::size_t max_facets = 4'000'000;            ///< facets of all tessellated solids, and vertices
 };
 
-/// What is read of a file.
+/// Which part of a file is read, and within which limits.
 struct RootOptions {
-  /// Name of the TGeoManager, or of a single TGeoVolume; empty: the first TGeoManager, or else the
-  /// first volume.
+  /// The name of the TGeoManager, or of a single TGeoVolume. Empty: the first TGeoManager, or if
+  /// there is none the first volume.
   std::string key{};
   RootLimits limits{};
 };
 
-/// Whether a file begins as ROOT's do, whatever its name. False where it cannot be opened.
+/// Whether a file begins as ROOT files do, whatever its name. False where it cannot be opened.
 /// Thread-safe.
 bool is_root_file(const std::filesystem::path& path);
 

@@ -16,18 +16,18 @@ namespace NAVJIT_API navjit {
 class Specialiser;
 
 /// Owns a detector's navigation: the generic navigators, and the thread that specialises hot scenes
-/// while navigators are in use. Navigators may outlive it; no scene is specialised any more then.
+/// while navigators are in use. Navigators may outlive it; then no more scenes are specialised.
 ///
-/// Nothing waits for the compiler: a compilation that is under way when the Runtime is destroyed,
-/// or asked for its final report, is told to stop, and goes on by itself until it does, with what
-/// it needs of the Runtime. Only the end of the process waits for it, by exit() or a return from
-/// main: that destroys what the compiler works with. It stops within the pass, or the function,
-/// that it is at, mostly in less than 0.1 s. A program that cannot wait leaves by _exit().
+/// Nothing waits for the compiler. A compilation that is under way when the Runtime is destroyed,
+/// or is asked for its final report, is told to stop; until then it goes on by itself, with what it
+/// needs of the Runtime. Only the end of the process, by exit() or a return from main, waits for
+/// it, since that destroys what the compiler uses. It stops within the pass, or the function, that
+/// it is at, mostly in less than 0.1 s. A program that cannot wait leaves by _exit().
 ///
 /// The child of a fork() has the navigators as they are, and may make more, but the thread that
-/// specialises stays in the parent: there nothing more is specialised, and reports measure nothing.
-/// A child that wants its own makes a Runtime of its own. The compiler cannot be used there if it
-/// was at work when the parent forked: wait_until_idle() first.
+/// specialises stays in the parent: in the child nothing more is specialised, and reports measure
+/// nothing. A child that wants this makes a Runtime of its own. The compiler cannot be used in the
+/// child if it was at work when the parent forked: call wait_until_idle() before fork().
 class Runtime {
  public:
   /// Throws GeometryError if the options name a volume that is not there, and UsageError if a
@@ -39,11 +39,11 @@ class Runtime {
 
   /// A navigator for the calling thread. Thread-safe.
   Navigator navigator();
-  /// The same for programs that carry many tracks at once; `places`: how many. Throws UsageError if
-  /// that is 0. Thread-safe.
+  /// The same for programs that step many tracks at once; `places` says how many. Throws UsageError
+  /// if that is 0. Thread-safe.
   Basket basket(std::size_t places);
 
-  /// What is navigated.
+  /// The detector that is navigated.
   const Detector& detector() const { return detector_; }
   /// For the library's own parts.
   const World& world() const { return *detector_.model(); }
@@ -53,15 +53,15 @@ class Runtime {
   RuntimeReport report() const;
   /// How many scenes have navigators of their own by now. Thread-safe; cheaper than a report.
   std::size_t specialised() const;
-  /// As report(), and times the generic navigator on recorded states of scenes that were not
+  /// As report(). It also times the generic navigator on recorded states of scenes that were not
   /// specialised, the hottest first, for a tenth of the time so far and no longer than
-  /// `most_seconds`, and holds scenes to the budget; with 0 neither. No scene is specialised after
-  /// it. Not thread-safe, but navigators may be in use.
+  /// `most_seconds`, and checks scenes against the budget; with 0 neither. No scene is specialised
+  /// after it. Not thread-safe, but navigators may be in use.
   RuntimeReport final_report(double most_seconds = 1);
-  /// How often each volume was used so far, to be kept for `navjit specialise`: also while the run
-  /// goes on, from one thread at a time, but not beside final_report().
+  /// How often each volume was used so far, to be kept for `navjit specialise`. It may be called
+  /// while the run goes on, from one thread at a time, but not beside final_report().
   StepProfile step_profile();
-  /// Returns when no specialisation is under way or due on what was counted until now.
+  /// Returns when no specialisation is under way, and none is due on what was counted until now.
   /// Thread-safe, but not beside final_report().
   void wait_until_idle();
 

@@ -30,9 +30,9 @@ struct SolidFrame {
 };
 
 /// Lengths are mm, angles rad, h* are half lengths. All makers are thread-safe, and throw
-/// GeometryError on dimensions that make no solid; the message says which. What is a simpler solid
-/// is made as that, for its speed, and has that one's kind: a cone of one radius is a tube, a
-/// polycone of two planes about z = 0 a cone, a trd with upright sides a box, a whole sphere an orb.
+/// GeometryError on dimensions that make no solid; the message says which. What equals a simpler
+/// solid is made as that, for speed, and has its kind: a cone of one radius is a tube, a polycone
+/// of two planes about z = 0 a cone, a trd with upright sides a box, a whole sphere an orb.
 Solid make_box(std::string name, double hx, double hy, double hz);
 Solid make_tube(std::string name, double rmin, double rmax, double hz, double start_phi,
                 double delta_phi);
@@ -47,7 +47,7 @@ Solid make_trd(std::string name, double hx1, double hx2, double hy1, double hy2,
 /// solid is the arb8 of the eight corners.
 Solid make_trap(std::string name, double hz, double theta, double phi, double hy1, double hx1,
                 double hx2, double alpha1, double hy2, double hx3, double hx4, double alpha2);
-/// A trap whose faces are parallelograms in pairs: hx, hy at every z.
+/// A trap whose opposite faces are equal: a section at any z has the half lengths hx and hy.
 Solid make_para(std::string name, double hx, double hy, double hz, double alpha, double theta,
                 double phi);
 /// The tetrahedron of four corners.
@@ -62,23 +62,23 @@ struct ExtrudedSection {
   double z, x, y, scale;
 };
 /// A polygon (either way round, convex or not) along sections that ascend in z. It may touch
-/// itself. It may cross itself if what it then surrounds the wrong way round, or more than once, is
-/// at most 1e-4 of its area: the solid is what it surrounds at least once the right way round, and
-/// `note`, unless null, is set to what was done.
+/// itself. It may cross itself if the area that it then surrounds the wrong way round, or more than
+/// once, is at most 1e-4 of its own: the solid is what it surrounds at least once the right way
+/// round, and `note`, unless null, is set to what was done.
 Solid make_extruded(std::string name, std::span<const PlanarPoint> polygon,
                     std::span<const ExtrudedSection> sections, std::string* note = nullptr);
 
-/// Three or four corners, anticlockwise seen from outside; four are cut from the first to the
-/// third.
+/// Three or four corners, anticlockwise seen from outside. A facet of four is cut in two from its
+/// first corner to its third.
 using FacetCorners = std::vector<Vec3>;
 /// The body within the facets. Where they do not close on one another, doubled ones are left out,
-/// single ones are turned, and what is open then is spanned by triangles; `note`, unless null, is
+/// single ones are turned, and what is still open is spanned by triangles; `note`, unless null, is
 /// set to what was done.
 Solid make_tessellated(std::string name, std::span<const FacetCorners> facets,
                        std::string* note = nullptr);
 
-/// Four corners at -hz, the same way round at +hz, joined by straight lines: the sides may twist by
-/// up to a right angle. Corners may coincide.
+/// Four corners at -hz, then, the same way round, four at +hz, joined by straight lines: the sides
+/// may twist by up to a right angle. Corners may coincide.
 Solid make_arb8(std::string name, double hz, std::span<const PlanarPoint, 8> corners);
 
 /// A tube cut off at (0, 0, -hz) across `low` and at (0, 0, hz) across `high`, the outward normals.
@@ -96,7 +96,7 @@ Solid make_generic_polycone(std::string name, std::span<const ContourPoint> cont
 Solid make_generic_polyhedra(std::string name, std::span<const ContourPoint> contour, int sides,
                              double start_phi, double delta_phi);
 
-/// The solid with its coordinates times the factors, of either sign but not zero.
+/// The solid with its coordinates multiplied by the factors, which may be negative but not zero.
 Solid make_scaled(std::string name, const Solid& solid, double x, double y, double z);
 /// A whole ball.
 Solid make_orb(std::string name, double radius);
@@ -122,26 +122,26 @@ Solid make_polyhedra(std::string name, std::span<const ZPlane> planes, int sides
 /// reach the axis.
 Solid make_torus(std::string name, double rmin, double rmax, double rtor, double start_phi,
                  double delta_phi);
-/// Cut to z_cut1..z_cut2, unless both are 0.
+/// Cut to z from z_cut1 to z_cut2, unless both are 0.
 Solid make_ellipsoid(std::string name, double ax, double by, double cz, double z_cut1,
                      double z_cut2);
 /// A tube whose section is the ellipse of half axes hx and hy.
 Solid make_eltube(std::string name, double hx, double hy, double hz);
-/// Half lengths x_slope * (z_max - z) and y_slope * (z_max - z) for |z| <= z_cut; no more than
-/// z_max counts of z_cut.
+/// Half lengths x_slope * (z_max - z) and y_slope * (z_max - z) for |z| <= z_cut; a z_cut above
+/// z_max counts as z_max.
 Solid make_elcone(std::string name, double x_slope, double y_slope, double z_max, double z_cut);
 /// The squared radius is linear in z, from r_low at -hz to r_high at +hz.
 Solid make_paraboloid(std::string name, double r_low, double r_high, double hz);
-/// Squared radii at z: those at 0 and the squares of z times the tangent of the stereo angle.
+/// Squared radius at z: that at 0 plus the square of z times the tangent of the stereo angle.
 Solid make_hype(std::string name, double rmin, double rmax, double inner_stereo,
                 double outer_stereo, double hz);
 
-/// A tube segment whose straight lines along z lean into rulings of hyperboloids: radii rmin..rmax
-/// and the azimuth -phi/2..phi/2 at z = 0; at the end of larger |z| the section is turned by half
-/// of `twist`.
+/// A tube segment whose lines along z are inclined, so that they rule hyperboloids: radii from rmin
+/// to rmax and azimuth from -phi/2 to phi/2 at z = 0; at the end of larger |z| the section is
+/// turned by half of `twist`.
 Solid make_twistedtubs(std::string name, double twist, double rmin, double rmax, double z_low,
                        double z_high, double phi);
-/// Turned by `twist` in all from -hz to +hz, in proportion to z.
+/// A box turned by `twist` in all from -hz to +hz, in proportion to z.
 Solid make_twistedbox(std::string name, double twist, double hx, double hy, double hz);
 Solid make_twistedtrd(std::string name, double hx1, double hx2, double hy1, double hy2, double hz,
                       double twist);
@@ -151,14 +151,14 @@ Solid make_twistedtrap(std::string name, double twist, double hz, double theta, 
                        double hy1, double hx1, double hx2, double hy2, double hx3, double hx4,
                        double alpha);
 
-/// A solid moved and turned, and the booleans of two: within either, within both, within `a` and
-/// not within `b`. Move the second operand by make_placed. Throw GeometryError as all makers do.
+/// A solid moved and turned, and the booleans of two: the points in either, in both, or in `a` and
+/// not in `b`. Move the second operand by make_placed. They throw GeometryError as all makers do.
 Solid make_placed(std::string name, const Solid& solid, const SolidFrame& frame);
 Solid make_union(std::string name, const Solid& a, const Solid& b);
 Solid make_intersection(std::string name, const Solid& a, const Solid& b);
 Solid make_subtraction(std::string name, const Solid& a, const Solid& b);
 
-/// Volume, mm^3, from closed forms; not a number if a boolean is involved. Thread-safe.
+/// Volume, mm^3, in closed form; not a number if a boolean is involved. Thread-safe.
 double capacity(const Solid& solid);
 
 /// The lower-case name used in output: "box", "subtraction", ...

@@ -1,4 +1,4 @@
-// What a simulation holds of the navigation: small values.
+// What a simulation keeps of the navigation: small values.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ namespace NAVJIT_API navjit {
 
 /// The number of a logical volume, below Detector::volumes().
 using VolumeId = std::uint32_t;
-/// The number of a touchable in the detector's tree, counted in preorder: the world volume is 0, a
-/// daughter follows the trees of those before it.
+/// The number of a touchable in the detector's tree, counted in preorder: the world volume is 0,
+/// and a daughter comes after the trees of the daughters before it.
 using TouchableId = std::uint64_t;
 
 /// Where a track is: a touchable, or outside the world. Copied, compared and hashed freely; good in
@@ -22,12 +22,12 @@ class State {
  public:
   /// Outside the world.
   State() = default;
-  /// For those who stored both numbers.
+  /// For programs that have stored both numbers.
   State(TouchableId touchable, VolumeId volume) : touchable_(touchable), volume_(volume) {}
 
   /// Whether it is in the world.
   bool inside() const { return touchable_ != outside; }
-  /// Its number in the tree; the value of no touchable outside the world.
+  /// Its number in the tree; outside the world, a value that is the number of no touchable.
   TouchableId touchable() const { return touchable_; }
   /// The logical volume; undefined outside the world.
   VolumeId volume() const { return volume_; }
@@ -61,9 +61,9 @@ struct SafetySphere {
     return left > 0 ? left : 0;
   }
 
-  /// Whether a step of `length` mm from the point stays in the ball, whatever its direction: as
-  /// comparing with safety() says, but for rounding, and without a root to wait for. False for
-  /// other states, and for points outside the ball. A step as long as the radius is in it.
+  /// Whether a step of `length` mm from the point stays in the ball, whatever its direction. But
+  /// for rounding, a comparison with safety() says the same, but waits for a square root. False for
+  /// other states and for points outside the ball. A step as long as the radius is in it.
   bool holds(const State& at, const Vec3& point, double length) const {
     const Vec3 from_centre = point - centre;
     const double left = radius - length;

@@ -11,29 +11,29 @@
 
 namespace NAVJIT_API navjit {
 
-/// From Runtime::step_profile().
+/// What Runtime::step_profile() gives.
 struct StepProfile {
   /// One logical volume.
   struct Volume {
     VolumeId volume = 0;
     std::string name;
     std::uint64_t steps = 0;
-    std::uint64_t relocations = 0;  ///< steps that ended with a relocation in it, about
+    std::uint64_t relocations = 0;  ///< about how many steps ended with a relocation in it
   };
-  std::string geometry;  ///< fingerprint of the detector, which profiles are known by
+  std::string geometry;  ///< fingerprint of the detector that it is of
   std::uint64_t runs = 0;
-  std::vector<Volume> volumes;  ///< by number; those that were used
+  std::vector<Volume> volumes;  ///< those that were used, by number
 };
 
 /// JSON (docs/cache.md). Thread-safe, as all functions below.
 std::string profile_text(const StepProfile& profile);
 
-/// Writes it to a file, which is replaced when all of it is written, if at all. Throws Error,
-/// naming the file, if it cannot be written.
+/// Writes the profile to a file; an older file is replaced only once all of it is written. Throws
+/// Error, which names the file, if it cannot be written.
 void write_profile(const StepProfile& profile, const std::string& path);
 
-/// Throws Error, naming the file, for what is no profile: every value is checked. The
-/// file may be hostile: at most 64 MB are read.
+/// Throws Error, which names the file, for what is no profile: every value is checked. The file may
+/// be hostile: at most 64 MB are read.
 StepProfile read_profile(const std::string& path);
 
 /// The same for what profile_text() gave; errors name it `name`.

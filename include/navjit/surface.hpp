@@ -15,7 +15,7 @@
 
 namespace NAVJIT_API navjit {
 
-/// A surface (STL, OBJ) that cannot be read, or encloses nothing: "FILE:LINE: problem; what to do".
+/// A surface (STL, OBJ) that is unreadable or encloses nothing: "FILE:LINE: problem; what to do".
 struct SurfaceError : Error {
   using Error::Error;
 };
@@ -27,7 +27,7 @@ struct Surface {
   std::vector<Vec3> corners{};  ///< mm
   std::vector<Triangle> triangles{};
   /// Of each triangle, for messages: its line in the file, or its number among a file's facets.
-  /// Empty for a surface that is from no file.
+  /// Empty for a surface that comes from no file.
   std::vector<std::size_t> origins{};
   bool origins_are_lines = false;
 };
@@ -40,18 +40,18 @@ struct SurfaceOptions {
 };
 
 /// Reads binary or ASCII STL, or Wavefront OBJ (of which faces alone count; those of more than
-/// three corners are cut into triangles). Which it is, the name says (.stl, .obj). Corners at one
+/// three corners are cut into triangles). The name says which it is (.stl, .obj). Corners at one
 /// and the same place become one; triangles that have nothing between their corners are left out.
 /// The normals that a file gives are not looked at: corners run anticlockwise about the true one.
 /// Throws SurfaceError, which names file and line (of binary STL the facet). Thread-safe.
 Surface read_surface(const std::filesystem::path& path, const SurfaceOptions& options = {});
 
-/// What keeps a surface from being closed and oriented: its first edge that is not run along once
-/// in each direction, and how many there are; empty for one that encloses something. Thread-safe.
+/// What keeps a surface from being closed and oriented: its first edge that is not run along as
+/// often one way as the other, and how many such edges there are; empty if none. Thread-safe.
 std::string open_at(const Surface& surface);
 
-/// The body that a closed surface encloses. If all of it faces inwards it is turned. Throws
-/// GeometryError where open_at() has something to say. Thread-safe.
+/// The body that a closed surface encloses. If all of the surface faces inwards it is turned.
+/// Throws GeometryError where open_at() finds something. Thread-safe.
 Solid make_tessellated(std::string name, const Surface& surface);
 
 }  // namespace navjit

@@ -21,10 +21,10 @@ struct Auxiliary {
   std::vector<Auxiliary> children{};
 };
 
-/// In the order of the file; null where there are none. Shared by copies of what has them.
+/// In the order of the file; null where there are none. Copies of their owner share them.
 using Auxiliaries = std::shared_ptr<const std::vector<Auxiliary>>;
 
-/// The first of that type; null if there is none.
+/// The first tag of that type; null if there is none.
 inline const Auxiliary* find_auxiliary(const Auxiliaries& auxiliaries, std::string_view type) {
   if (!auxiliaries) return nullptr;
   for (const Auxiliary& auxiliary : *auxiliaries) {
@@ -39,9 +39,9 @@ struct Placement {
   VolumeId volume = 0;
   int copy_number = 0;
   Transformation transformation;  ///< from the mother's frame into the daughter's
-  /// Touchable of this daughter = touchable of the mother + offset.
+  /// The number of a touchable of this daughter is that of the mother's touchable plus this.
   TouchableId offset = 0;
-  std::uint64_t user_data = 0;  ///< the simulation's own
+  std::uint64_t user_data = 0;  ///< the simulation's own number
   Auxiliaries auxiliaries{};
 };
 

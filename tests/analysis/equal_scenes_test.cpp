@@ -65,7 +65,7 @@ TEST(EqualScenes, MayHaveDaughtersOfOtherNames) {
   }
 }
 
-/// So many boxes of one size, each a volume with a rod of its own in it and turned in its own way.
+/// So many boxes of one size, each a volume of its own, with its own rod in it, turned differently.
 WorldFacts facts_of_turned_boxes(int boxes) {
   World world;
   world.top = tests::add_volume(world, "world", make_box("w", 1000, 100, 100));
@@ -113,7 +113,7 @@ TEST(EqualScenes, OfManyRotationsShareCodeForAnyFrame) {
   EXPECT_TRUE(facts.of_equals[0].stand_ins);
 }
 
-/// Alike boxes in mothers of so many lengths.
+/// Boxes that are alike, in mothers of so many different lengths.
 WorldFacts facts_of_boxes_in_mothers(int lengths) {
   World world;
   world.top = tests::add_volume(world, "world", make_box("w", 1000, 100, 100));

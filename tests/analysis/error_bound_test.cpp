@@ -11,8 +11,8 @@
 namespace navjit {
 namespace {
 
-/// The largest error of steps in each volume, against 113 bits: rays through the world, each step
-/// from where the last one ended.
+/// The largest error of steps in each volume, against steps with 113 bits: rays go through the
+/// world, each step from the end of the one before.
 std::vector<double> measured(const World& world, int rays) {
   const auto shared = std::make_shared<const World>(world);
   const Geometry geometry(shared);
@@ -41,7 +41,7 @@ std::vector<double> measured(const World& world, int rays) {
   return worst;
 }
 
-/// Every volume that was visited is within its bound; says how many were.
+/// Expects that every volume that was visited is within its bound; returns how many were.
 int expect_within_bounds(const World& world, int rays) {
   const std::vector<ErrorBound> bounds = error_bounds(world);
   const std::vector<double> worst = measured(world, rays);

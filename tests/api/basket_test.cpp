@@ -1,4 +1,4 @@
-// Many tracks at once make the steps that they make one by one.
+// Many tracks stepped at once make the same steps as one by one.
 #include "navjit/basket.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using tests::uniform;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Tracks as a simulation has them: arrays, and what was answered.
+/// Tracks as a simulation holds them, in arrays, with the answers.
 struct Arrays {
   std::vector<State> state, next;
   std::vector<double> x, y, z, u, v, w, limit, length;

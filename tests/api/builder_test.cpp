@@ -1,4 +1,4 @@
-// Detectors made in code: checked as they grow, never half finished.
+// Detectors made in code are checked while they grow, and are never half finished.
 #include "navjit/builder.hpp"
 
 #include <gtest/gtest.h>

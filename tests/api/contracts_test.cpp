@@ -1,5 +1,5 @@
-// What the runtime answers to callers that break its rules: an exception that says which, and
-// nothing is spoilt.
+// How the runtime answers callers that break its rules: an exception says which rule, and nothing
+// is damaged.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 const Vec3 point{-60, -40, 2}, direction{0.6, 0, 0.8};
 
-/// The message of the exception of that type; empty where there is none.
+/// The message of an exception of that type; empty if there is none.
 template <class Exception, class Call>
 std::string message_of(const Call& call) {
   try {

@@ -1,4 +1,4 @@
-// What a detector tells of its states, against navigation.
+// What a detector tells about its states is compared with navigation.
 #include "navjit/detector.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr JitMode off = JitMode::off;
 
-/// Calls check(navigator, state, point) for states all over the mixed world.
+/// Calls check(navigator, state, point) for states in all parts of the mixed world.
 template <class Check>
 void for_states(const Detector& detector, const Check& check) {
   Runtime runtime{detector, {.jit = off}};

@@ -1,5 +1,5 @@
-// The public headers stand on nothing but one another and the standard library. (That each compiles
-// by itself is seen where the tests are built.)
+// The public headers include nothing but one another and the standard library. (That each compiles
+// by itself is checked where the tests are built.)
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 const fs::path headers = fs::path(NAVJIT_SOURCE_DIR) / "include" / "navjit";
 
-/// What a header includes, in quotes or angle brackets as it says.
+/// The names that a header includes, with their quotes or angle brackets.
 std::set<std::string> includes_of(const fs::path& path) {
   std::set<std::string> found;
   std::ifstream in(path);

@@ -1,4 +1,4 @@
-// Lines go to the user's sink, each Runtime's to its own.
+// Lines go to the user's sink, and those of each Runtime to its own.
 #include "navjit/log.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace navjit {
 namespace {
 
-/// Keeps what it is given; shared with the sink, which may outlive the test's view of it.
+/// Keeps the lines that it is given; shared with the sink, which may outlive the test.
 struct Lines {
   std::mutex mutex;
   std::vector<std::pair<LogLevel, std::string>> lines;

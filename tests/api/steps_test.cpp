@@ -1,4 +1,4 @@
-// Several boundaries in a call: the same steps as one by one, bit for bit.
+// Several boundaries in one call give the same steps as one by one, bit for bit.
 #include <gtest/gtest.h>
 
 #include "navjit/errors.hpp"
@@ -14,7 +14,7 @@ bool same(const Step& a, const Step& b) {
          (!a.next.inside() || a.next.volume() == b.next.volume());
 }
 
-/// The steps of a ray until `limit` mm are gone in all, one by one, and where they end.
+/// The steps of a ray, one by one, until `limit` mm are covered in all, and where they end.
 struct OneByOne {
   std::vector<Step> steps;
   Vec3 point;

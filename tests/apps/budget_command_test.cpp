@@ -1,4 +1,4 @@
-// Budgets as a user asks for them.
+// Budgets on the command line.
 #include <gtest/gtest.h>
 
 #include <filesystem>

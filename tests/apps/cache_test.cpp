@@ -1,4 +1,4 @@
-// `navjit cache`, and runs that share a cache, die while they write it, and meet damage in it.
+// `navjit cache`, and runs that share a cache, die while they write it, or find damage in it.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>

@@ -1,4 +1,4 @@
-// The command as its users meet it: reports, exit statuses, one clear line for what is wrong.
+// The command as users meet it: reports, exit statuses, and one clear line for each error.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -178,7 +178,7 @@ TEST(Usage, WrongUsageIsStatusTwo) {
 
 using BadInput = Folder;
 
-/// GDML with these solids and this structure.
+/// A GDML file with these solids and this structure.
 std::string gdml(const std::string& solids, const std::string& structure) {
   return "<?xml version=\"1.0\"?>\n<gdml>\n<define/>\n<materials>\n<material name=\"M\" Z=\"1\"><D "
          "value=\"1\"/><atom value=\"1\"/></material>\n</materials>\n<solids>\n" +

@@ -1,5 +1,5 @@
-// Little memory, few threads, files and bytes: a command does its work or says in one line why it
-// does not; it neither hangs nor crashes.
+// With little memory, few threads, few files or few bytes a command does its work, or says in one
+// line why it does not; it neither hangs nor crashes.
 #include <gtest/gtest.h>
 #include <sched.h>
 #include <sys/mount.h>
@@ -19,7 +19,7 @@ namespace {
 constexpr auto npos = std::string::npos;
 const std::string detector = NAVJIT_DETECTORS_DIR "/absorber.gdml";
 
-/// FOLDER stands for one that has a profile and a detector that is quick to compile.
+/// FOLDER stands for a folder with a profile and a detector that compiles quickly.
 const std::vector<std::string> commands{
     "--version",
     "inspect " + detector + " --scene World --emit",
@@ -50,7 +50,7 @@ class Limits : public testing::TestWithParam<std::string> {
   TemporaryFolder folder_;
 };
 
-/// The lines that are navjit's errors; not those of the log, nor of a linker.
+/// The number of lines that are navjit's errors, and not those of the log or of a linker.
 std::size_t errors_in(const std::string& text) {
   std::size_t count = text.starts_with("navjit: ") ? 1 : 0;
   for (std::size_t at = 0; (at = text.find("\nnavjit: ", at)) != npos; ++at) ++count;

@@ -1,4 +1,4 @@
-// navjit run by four processes under mpirun: they make one run.
+// Four processes of navjit under mpirun make one run together.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -18,7 +18,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// Lines that are navjit's and not the launcher's.
+/// The lines that come from navjit and not from the launcher.
 std::vector<std::string> errors_in(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in(text);

@@ -1,4 +1,4 @@
-// Names that would break tables and CSV files, or steer a terminal.
+// Names that would break tables and CSV files, or send commands to a terminal.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr auto npos = std::string::npos;
 
-/// A world with a daughter of this name, as XML has it.
+/// A world with a daughter of this name, which is written as in XML.
 std::string detector(const std::string& name) {
   return R"(<?xml version="1.0" encoding="UTF-8"?>
 <gdml><define/><materials><material name="M" Z="1"><D value="1"/><atom value="1"/></material></materials>
@@ -41,7 +41,7 @@ class Names : public testing::Test {
   TemporaryFolder folder_;
 };
 
-/// Rows of a CSV file as RFC 4180 has them.
+/// The rows of a CSV file by RFC 4180.
 std::vector<std::vector<std::string>> rows_of(const std::string& text) {
   std::vector<std::vector<std::string>> rows(1, {""});
   bool in_quotes = false;

@@ -1,4 +1,4 @@
-// What tools and logs tell about specialised navigators.
+// What other tools and the log tell about specialised navigators.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 using tests::run_navjit;
 
-/// A hall of air, two trays of air in it, and bricks of lead in these; one tray is sensitive.
+/// A hall of air with two trays of air, which hold bricks of lead; one tray is sensitive.
 constexpr const char* trays = R"(<gdml>
 <materials>
   <material name="air" Z="7"><D value="0.0012"/><atom value="14"/></material>

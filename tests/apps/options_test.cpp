@@ -1,4 +1,4 @@
-// What options take, and what they say of what they do not take.
+// Which values options accept, and what they say about those that they refuse.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 constexpr auto npos = std::string::npos;
 const std::string detector = NAVJIT_DETECTORS_DIR "/absorber.gdml";
 
-/// Wrong usage, in one line that has these words.
+/// Expects wrong usage, reported in one line that has these words.
 void refuses(const std::string& arguments, const std::string& words) {
   const Output output = run_navjit(arguments);
   EXPECT_EQ(output.status, 2) << arguments << ": " << output.text;

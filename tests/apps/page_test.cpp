@@ -1,4 +1,4 @@
-// `navjit run --html`: a page that needs nothing else, whatever the names in the detector are.
+// `navjit run --html`: the page needs no other file, whatever names the detector has.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -19,7 +19,7 @@ std::size_t count(const std::string& text, const std::string& what) {
   return found;
 }
 
-/// A world with a box in it of a name that would be a script.
+/// A world with a box whose name would be a script.
 void write_hostile(const std::string& path) {
   const std::string name = "&lt;script&gt;document.title=&apos;owned&apos;&lt;/script&gt;";
   write_file(path, R"(<?xml version="1.0" encoding="UTF-8"?>
@@ -110,8 +110,8 @@ TEST_F(Page, OfAnInterruptedRunIsWritten) {
   EXPECT_NE(read_file(file_).find("(interrupted)"), npos);
 }
 
-/// A page in chromium, with a script of ours behind it: what the script has put into the
-/// attribute data-said of the page's body. Nothing if chromium does not run here.
+/// Opens a page in chromium, with a script of the test added. Returns what the script has put into
+/// the attribute data-said of the page's body; nothing if chromium does not run here.
 std::optional<std::string> said_in_browser(std::string page, const std::string& script,
                                            const TemporaryFolder& folder) {
   page.replace(page.find("</body>"), 7, "<script>" + script + "</script></body>");

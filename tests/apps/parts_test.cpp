@@ -1,4 +1,4 @@
-// A run in parts, each a process of its own, and their reports made into one.
+// A run in parts: each part is a process of its own, and their reports are merged into one.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// The progress line: it fits the terminal, and is nowhere else.
+// The progress line fits the terminal, and goes nowhere else.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>

@@ -1,4 +1,4 @@
-// What `navjit run` does and reports.
+// What `navjit run` does and what it reports.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// INT, TERM and HUP: what there is is written, nothing is left behind, exit status 128 + n.
+// INT, TERM and HUP: results so far are written, nothing is left behind, exit status is 128 + n.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::vector<std::string> files_in(const std::string& folder) {
   return names;
 }
 
-/// A child of a process; 0 if it has none.
+/// A child of the process; 0 if it has none.
 pid_t child_of(pid_t pid) {
   std::ifstream in("/proc/" + std::to_string(pid) + "/task/" + std::to_string(pid) + "/children");
   pid_t child = 0;
@@ -35,7 +35,7 @@ pid_t child_of(pid_t pid) {
 
 bool has_child(pid_t pid) { return child_of(pid) != 0; }
 
-/// What a process has used so far.
+/// The processor time that a process has used so far.
 double processor_seconds(pid_t pid) {
   clockid_t clock{};
   timespec used{};

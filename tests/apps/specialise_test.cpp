@@ -1,4 +1,4 @@
-// From a profile to production: a program without a compiler runs what another one compiled.
+// From a profile to production: a program without a compiler runs code that another one compiled.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using tests::TemporaryFolder;
 
 const std::string shashlik = NAVJIT_DETECTORS_DIR "/shashlik.gdml";
 
-/// Runs the command that has no compiler in it.
+/// Runs the command that contains no compiler.
 tests::Output run_production(const std::string& arguments) {
   return tests::run_command(NAVJIT_PRODUCTION, arguments);
 }

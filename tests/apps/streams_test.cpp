@@ -1,4 +1,4 @@
-// Standard output that is full, closed, or not read: never a success, never more than one line.
+// Standard output that is full, closed, or not read: never a success, nor more than one line.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -16,8 +16,8 @@ namespace {
 
 const std::string detector = NAVJIT_DETECTORS_DIR "/absorber.gdml";
 
-/// Arguments of navjit that print something and succeed; FOLDER stands for one that has a profile
-/// and a detector that is quick to compile.
+/// Arguments of navjit that print something and succeed; FOLDER stands for a folder with a profile
+/// and a detector that compiles quickly.
 const std::vector<std::string> printing{
     "--help",
     "--version",
@@ -97,7 +97,7 @@ TEST_P(Streams, ClosedStreamsAreNoFiles) {
 INSTANTIATE_TEST_SUITE_P(Apps, Streams, testing::ValuesIn(printing),
                          [](const auto& parameter) { return std::to_string(parameter.index); });
 
-/// The most memory that a process ever had, MB.
+/// The most memory that a process has had so far, MB.
 double peak_mb(pid_t pid) {
   std::ifstream in("/proc/" + std::to_string(pid) + "/status");
   for (std::string line; std::getline(in, line);) {
@@ -106,7 +106,7 @@ double peak_mb(pid_t pid) {
   return 0;
 }
 
-/// Reads so many bytes more of a pipe.
+/// Reads so many more bytes from a pipe.
 bool read_on(int pipe, std::size_t bytes) {
   std::vector<char> piece(1 << 16);
   while (bytes > 0) {

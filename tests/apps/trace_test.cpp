@@ -1,4 +1,4 @@
-// `navjit trace`: the same bytes whatever the JIT does and however many threads there are.
+// `navjit trace` writes the same bytes, whatever the JIT does and however many threads there are.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Rays that two engines took.
+// Compares rays as two engines took them.
 #include "bench/agreement.hpp"
 
 #include <gtest/gtest.h>

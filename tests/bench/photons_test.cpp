@@ -1,4 +1,4 @@
-// Optical photons that benchmarks make again with every engine.
+// The optical photons that benchmarks repeat with every engine.
 #include "bench/photons.hpp"
 
 #include <gtest/gtest.h>

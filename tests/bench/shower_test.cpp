@@ -1,4 +1,4 @@
-// The toy shower that benchmarks make again with every engine.
+// The toy shower that benchmarks repeat with every engine.
 #include "bench/shower.hpp"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ TEST(Shower, SpecialisedNavigatorsMakeTheSameFlights) {
   EXPECT_EQ(bench::follow(other, flights, bench::Asked::enough).safeties, enough.safeties);
 }
 
-/// A block in a hall: what fills it decides whether particles scatter there.
+/// A block in a hall: its filling decides whether particles scatter there.
 Detector block_of(double density) {
   DetectorBuilder builder;
   const auto carbon = builder.element({.name = "C", .z = 6, .a = 12.011});

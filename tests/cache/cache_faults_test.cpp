@@ -1,5 +1,5 @@
 // Writers that die, disks that are full, directories that cannot be written: an entry is right or
-// not there, and no litter grows.
+// missing, and no rubbish collects.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -26,7 +26,7 @@ constexpr uid_t nobody = 65534;
 
 Digest key(int number) { return sha256({std::to_string(number)}); }
 
-/// Content that tells its key, so that a wrong one is seen.
+/// Content that tells its key, so that content of another key is noticed.
 std::string content(int number) {
   return std::string(200000, static_cast<char>('a' + number % 26));
 }
@@ -131,8 +131,8 @@ TEST(CacheFaults, TheLimitOfFileSizesIsAFailureAndNoSignal) {
   EXPECT_EQ(files_in(folder.path()), 1U);
 }
 
-/// In a child with a file system of 256 kB of its own at `folder`; 0 if `work` gave 0, 77 if the
-/// system does not let us mount.
+/// Runs `work` in a child with a file system of 256 kB of its own at `folder`. Returns 0 if `work`
+/// returned 0, and 77 if the system does not allow the test to mount one.
 template <class Work>
 int on_small_disk(const std::string& folder, Work&& work) {
   return in_child([&] {

@@ -1,4 +1,4 @@
-// The cache gives back what was stored, or nothing; it stays within its size.
+// The cache gives back what was stored, or nothing, and it stays within its size.
 #include "cache/object_cache.hpp"
 
 #include <fcntl.h>
@@ -37,7 +37,7 @@ ObjectCache open(const TemporaryFolder& folder, const CacheLimits& limits = {}) 
   return *std::move(cache);
 }
 
-/// As if it had been used so long ago.
+/// Makes an entry look as if it had last been used so long ago.
 void age(const TemporaryFolder& folder, const Digest& k, std::int64_t seconds) {
   timespec times[2];
   clock_gettime(CLOCK_REALTIME, &times[0]);

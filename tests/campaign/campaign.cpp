@@ -1,4 +1,4 @@
-// Rays through detectors, and what became of them: the program behind docs/campaign.md.
+// Sends rays through detectors and judges their steps: the program behind docs/campaign.md.
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>

@@ -1,5 +1,5 @@
-// Level `exact` against the generic navigator, steps and safeties, bit by bit, on many rays through
-// many detectors.
+// Compares specialised navigators with the generic one, steps and safeties, bit by bit, on many
+// rays through many detectors.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
@@ -40,7 +40,7 @@ struct Counts {
   }
 };
 
-/// A step whose bits, or those of the safety before it, differ, with what it takes to see it again.
+/// A step whose bits differ, or those of the safety before it, with what is needed to repeat it.
 struct Difference {
   std::uint64_t ray;
   State state;
@@ -48,7 +48,7 @@ struct Difference {
   Step generic, specialised;
 };
 
-/// States are compared by touchable; code that volumes share knows the volume by itself.
+/// == compares touchables alone; code that volumes share looks up the volume, so compare that, too.
 bool same(const State& a, const State& b) {
   return a == b && (!a.inside() || a.volume() == b.volume());
 }
@@ -58,7 +58,7 @@ bool same(const Step& a, const Step& b) {
          a.boundary == b.boundary && same(a.next, b.next);
 }
 
-/// One ray with both navigators, each from the state that the generic one is in.
+/// Follows one ray with both navigators, each step from the state that the generic one is in.
 void run_ray(Navigator& generic, Navigator& specialised, const Ray& ray, std::uint64_t index,
              double tolerance, Counts& counts, std::vector<Difference>& differences) {
   ++counts.rays;

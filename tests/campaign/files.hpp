@@ -8,7 +8,7 @@
 
 namespace navjit {
 
-/// The files, and in their place those of each folder, in order of their names.
+/// The given files; a folder stands for the files in it, in order of their names.
 inline std::vector<std::string> gdml_files(const std::vector<std::string>& given) {
   std::vector<std::string> all;
   for (const std::string& file : given) {

@@ -15,8 +15,8 @@ namespace {
 using reference::Quad;
 using reference::Verdict;
 
-/// Points count as on a surface within so many tolerances: rounding of the point, of the frames and
-/// of the surface, each of which the tolerance stands for.
+/// Points within so many tolerances of a surface count as on it: the point, the frames and the
+/// surface have each a rounding, for which one tolerance stands.
 constexpr double slack = 4;
 
 double largest(const Extent& e) {

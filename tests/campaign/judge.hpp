@@ -1,4 +1,4 @@
-// Transports rays and holds each against the detector itself, at 113 bits.
+// Transports rays and compares each with the detector itself, computed with 113 bits.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct Counts {
   std::uint64_t defects() const { return stuck + lost + wrong() + unsafe; }
 };
 
-/// A defect, with what it takes to see it again.
+/// A defect, with what is needed to repeat it.
 struct Defect {
   std::string what;
   Ray ray;
@@ -46,7 +46,7 @@ struct Plan {
   std::size_t most_defects = 20;  ///< kept in detail
 };
 
-/// Transports ray number `index` and adds what came of it.
+/// Transports ray number `index` and adds its result.
 void run_ray(Navigator& navigator, const reference::WideGeometry& reference, const Plan& plan,
              std::uint64_t index, Counts& counts, std::vector<Defect>& defects);
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double half_world = 100;  // mm
 
-/// Writes the solids of one file. Every solid fits in a sphere of the radius asked for, about its
+/// Writes the solids of one file. Every solid fits into a sphere of the given radius about its
 /// origin.
 class Writer {
  public:
@@ -127,7 +127,7 @@ void make_part(Writer& w, const std::string& name, double r) {
   }
 }
 
-/// The second solid's origin is up to `apart` r from the first's.
+/// The origin of the second solid is up to `apart` r away from that of the first.
 Make boolean(const char* tag, double apart) {
   return [tag, apart](Writer& w, const std::string& name, double r) {
     make_part(w, name + "_a", 0.7 * r);

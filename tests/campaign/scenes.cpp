@@ -1,4 +1,4 @@
-// Random scenes of rotated solids: our steps and VecGeom's, each against those of the reference.
+// Random scenes of rotated solids: steps of navjit and of VecGeom are compared with the reference.
 #include <sys/wait.h>
 
 #include <CLI/CLI.hpp>
@@ -24,7 +24,7 @@ using reference::Comparison;
 using reference::Trace;
 namespace fs = std::filesystem;
 
-/// What one engine did with all scenes.
+/// The results of one engine in all scenes.
 struct Engine {
   const char* name;
   reference::Criteria criteria;
@@ -86,7 +86,7 @@ void write_rays(const fs::path& path, const World& world, std::uint64_t seed, st
   if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
-/// VecGeom may crash; it runs in a process of its own. Paths hold no quotes.
+/// VecGeom may crash, so it runs in a process of its own. Paths must not hold quotes.
 bool run_vecgeom(const std::string& command, const std::string& navigator, const fs::path& scene,
                  const fs::path& rays, const fs::path& out) {
   const std::string line = "'" + command + "' '" + scene.string() + "' '" + rays.string() + "' '" +

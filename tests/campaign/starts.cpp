@@ -17,7 +17,7 @@ Vec3 point_in(Random& random, const Extent& e) {
           uniform(random, e.min.z, e.max.z)};
 }
 
-/// Ends, the middle, the origin, or anywhere.
+/// One of the ends, the middle, the origin, or any other value.
 double on_lattice(Random& random, double low, double high) {
   switch (random() % 6) {
     case 0:
@@ -57,7 +57,7 @@ Vec3 awkward_direction(Random& random) {
   return unit({c[0], c[1], c[2]});
 }
 
-/// A touchable found by walking down from the world, stopping now and then.
+/// A touchable, found by a walk down from the world that may stop at each level.
 struct Place {
   VolumeId volume;
   std::vector<const Transformation*> frames;  ///< from the world down
@@ -108,7 +108,7 @@ Ray awkward_ray(Random& random, const World& world) {
   return {place.to_world(p), v};
 }
 
-/// In the world's box, or in that of a random touchable.
+/// A ray that starts in the world's box, or in that of a random touchable.
 Ray plain_ray(Random& random, const World& world, bool deep) {
   const Vec3 v = unit(unit_vector(random));
   if (!deep) return {point_in(random, world.volumes[world.top].solid.extent), v};

@@ -9,12 +9,12 @@
 
 namespace navjit::campaign {
 
-/// Ray number `index` of a seed; depends on nothing else. Of ten rays, four start uniformly in the
-/// world's box, four in the box of a random touchable, and two are awkward: from a corner, a middle
-/// or the surface of a random touchable's solid, or along one of its axes.
+/// Ray number `index` of a seed; it depends on nothing else. Of ten rays, four start uniformly in
+/// the world's box, four in the box of a random touchable, and two are awkward: from a corner, a
+/// middle or the surface of a random touchable's solid, or along one of its axes.
 Ray make_ray(const World& world, std::uint64_t seed, std::uint64_t index);
 
-/// Only those that start in the world's box or in that of a random touchable, half and half.
+/// Only rays that start in the world's box or in that of a random touchable, half of them each.
 Ray make_plain_ray(const World& world, std::uint64_t seed, std::uint64_t index);
 
 }  // namespace navjit::campaign

@@ -27,7 +27,7 @@ Solid some_hull(std::mt19937_64& random) {
   return make_tet("s", {-at(), -at(), -at()}, {at(), -at(), -at()}, {0, at(), -at()}, {0, 0, at()});
 }
 
-/// An L.
+/// A prism over an L.
 Solid some_prism(std::mt19937_64& random) {
   const double a = uniform(random, size_at_least, 1), b = uniform(random, 2, size_at_most);
   const PlanarPoint corners[] = {{-b, -b}, {b, -b}, {b, -a}, {-a, -a}, {-a, b}, {-b, b}};
@@ -41,7 +41,7 @@ Solid some_trap(std::mt19937_64& random) {
   return make_trap("s", size(), 0.1, 0.2, y, x, wide, 0.1, far * y, far * x, far * wide, 0.1);
 }
 
-/// Mostly boxes and tubes, as what is made of several mostly is.
+/// Mostly boxes and tubes, of which real booleans mostly consist.
 Solid some_operand(std::mt19937_64& random) {
   const auto size = [&] { return uniform(random, size_at_least, size_at_most); };
   switch (random() % 19) {
@@ -79,7 +79,7 @@ Solid some_operand(std::mt19937_64& random) {
   }
 }
 
-/// Where it is, moved, or moved and turned.
+/// The solid as it is, or moved, or moved and turned.
 Solid somewhere(std::mt19937_64& random, const Solid& solid) {
   return random() % 3 == 0 ? solid : make_placed("at", solid, random_frame(random));
 }
@@ -105,7 +105,7 @@ Solid some_wall(std::mt19937_64& random) {
   return wall;
 }
 
-/// Three in a row, as a coil or a frame is made.
+/// Three solids in a row, as in a coil or a frame.
 Solid some_row(std::mt19937_64& random) {
   const auto part = [&] {
     const auto size = [&] { return uniform(random, size_at_least, size_at_most); };
@@ -127,8 +127,8 @@ Solid some_row(std::mt19937_64& random) {
   return row;
 }
 
-/// Of two or three solids, a row, a hull less two, or a wall; nothing if there is nothing left of
-/// them.
+/// A boolean of two or three solids, a row, a hull less two solids, or a wall; nothing if nothing
+/// is left of it.
 std::optional<Solid> some_solid(std::mt19937_64& random) {
   try {
     if (random() % 8 == 0) return some_wall(random);

@@ -36,7 +36,7 @@ TEST(Module, HoldsTheKernelsItNeedsAndNoOthers) {
   }
 }
 
-/// Of a scene's text what is its own, beside the kernels.
+/// The part of a scene's text that is its own, without the kernels.
 std::string own_text(const Module& module) {
   return module.source.substr(module.source.find("using Tolerance = "));
 }
@@ -74,7 +74,7 @@ TEST(Module, LargeTablesAreNoText) {
   EXPECT_LT(own_text(module).size(), 10000U);
 }
 
-/// The code for a box in a hall, beside so many boxes with a hole, each of a size of its own.
+/// The code for a box in a hall, with so many boxes with a hole, each of another size.
 Module leaf_in_a_hall(int cut) {
   World world;
   world.top = tests::add_volume(world, "world", make_box("world", 1000, 1000, 1000));
@@ -102,7 +102,7 @@ TEST(Module, RelocationInDearMothersIsLeftToTheTable) {
   EXPECT_EQ(dear.find("Subtraction"), std::string::npos);
 }
 
-/// Plates of three thicknesses and one rod in a hall; the code for those that are named.
+/// Plates of three thicknesses and one rod in a hall, and the code for the named ones.
 Module plates_in_a_hall(const std::vector<std::string>& hot, Leaves leaves_share) {
   World world;
   world.top = tests::add_volume(world, "world", make_box("world", 1000, 1000, 1000));

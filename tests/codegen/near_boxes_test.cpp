@@ -1,4 +1,4 @@
-// Safety among daughters by their boxes: what it gives, and whom it asks.
+// Safety among daughters by their boxes: its value, and which daughters it asks.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Daughters by the boxes of all of them, and of groups of them: that none is left out that a ray or
-// a point meets, and that few are asked.
+// Scans of the boxes of all daughters, and of groups of them: none that a ray or a point meets is
+// left out, and few are asked.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using tests::uniform;
 
 constexpr double half = 60;
 
-/// Boxes, tubes and booleans at random, some over others.
+/// Random boxes, tubes and booleans, some of which overlap.
 Arrangement mixed(std::uint64_t seed, std::size_t count) {
   std::mt19937_64 random(seed);
   Arrangement a(make_box("mother", half, half, half));

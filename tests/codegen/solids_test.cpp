@@ -11,7 +11,7 @@ namespace {
 const Solid box = make_box("box", 3, 4, 5), tube = make_tube("tube", 0, 1, 9, 0, 7);
 const Solid pierced = make_subtraction("pierced", box, tube);
 
-/// Boxes along a line.
+/// A union of boxes along a line.
 Solid row(int count) {
   Solid solid = box;
   for (int i = 1; i < count; ++i) {
@@ -57,7 +57,7 @@ TEST(Solids, NumbersOfLargeOnesAreData) {
   EXPECT_EQ(module.source.find("constexpr Union"), std::string::npos);
 }
 
-/// A chain: each boolean holds the one before.
+/// A chain: each boolean holds the one before it.
 Solid chain(int count, const Solid& piece) {
   Solid solid = box;
   for (int i = 1; i < count; ++i) {

@@ -1,4 +1,4 @@
-// Pages: nothing in a name is markup, and nothing is fetched from elsewhere.
+// Pages: no name becomes markup, and nothing is fetched from elsewhere.
 #include "common/page.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(Page, ChartsOfNothingAreASentence) {
   EXPECT_EQ(flat.find("inf"), npos) << flat;
 }
 
-/// The first coordinate pairs of its lines, as text.
+/// The coordinate pairs of the first of its lines, as text.
 std::string points_of(const std::string& html) {
   const std::size_t at = html.find("points=\"") + 8;
   return html.substr(at, html.find('"', at + 1) - at);

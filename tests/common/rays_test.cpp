@@ -35,7 +35,7 @@ TEST(RayMaker, ARayDependsOnSeedAndNumberAlone) {
   }
 }
 
-/// How many of the rays pass through a volume, by name; all start within the world.
+/// How many of the rays pass through each volume, by name; all rays must start within the world.
 std::map<std::string, int> met(const World& world, const RaySource& source, int rays) {
   RuntimeOptions options;
   options.jit = JitMode::off;

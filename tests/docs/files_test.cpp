@@ -1,4 +1,4 @@
-// Documents name files: those that they name have to be there.
+// Documents name files: each file that they name has to exist.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -29,7 +29,7 @@ std::vector<fs::path> documents() {
   return files;
 }
 
-/// What the first group of `pattern` matches in `text`.
+/// What the first group of `pattern` matches, for all matches in `text`.
 std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
   const std::regex expression(pattern);
   std::vector<std::string> found;
@@ -39,7 +39,7 @@ std::vector<std::string> matches(const std::string& text, const std::string& pat
   return found;
 }
 
-/// Whether a path is there: as it is, or as the stem of source files.
+/// Whether a path exists, as it is or as the stem of source files.
 bool is_there(const fs::path& path) {
   if (fs::exists(path)) return true;
   return fs::exists(path.string() + ".cpp") || fs::exists(path.string() + ".hpp");

@@ -1,4 +1,4 @@
-// Includes run one way between the rooms of the project (docs/architecture.md).
+// Includes go one way between the folders ("rooms") of the project (docs/architecture.md).
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 const fs::path root = NAVJIT_SOURCE_DIR;
 
-/// What each room may include, beside itself.
+/// What each room may include besides itself.
 const std::map<std::string, std::set<std::string>> allowed{
     {"geometry", {"navjit"}},
     {"observe", {"navjit", "geometry"}},

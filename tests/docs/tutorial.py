@@ -18,7 +18,7 @@ for component in ("runtime", "development", "python"):
     subprocess.run(["cmake", "--install", build, "--prefix", prefix, "--component", component],
                    check=True, stdout=subprocess.DEVNULL)
 
-# The Python that the package was built for goes first.
+# The Python that the package was built for comes first.
 (folder / "bin").mkdir()
 (folder / "bin" / "python3").symlink_to(python)
 environment = dict(os.environ, HOME=str(folder), XDG_CACHE_HOME=str(folder / "cache"),
@@ -27,7 +27,7 @@ environment = dict(os.environ, HOME=str(folder), XDG_CACHE_HOME=str(folder / "ca
                    OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                    OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_plm_rsh_agent="")
 
-# A file's name in backquotes with a colon stands above what is in it.
+# A file's name in backquotes with a colon stands above the contents of that file.
 blocks = re.findall(r"(?:^`([\w.]+)`:\n\n)?^```(\w+)\n(.*?)^```$", page.read_text(), re.M | re.S)
 commands, written = [], 0
 for name, language, text in blocks:
@@ -40,7 +40,7 @@ for name, language, text in blocks:
         commands.append(text)
 script = "\n".join(commands).replace("/opt/navjit", str(prefix))
 print(script, flush=True)
-# As a file: mpirun would read the rest of a script that comes by the standard input.
+# From a file: mpirun would read the rest of a script that comes through standard input.
 (folder / "script").write_text(script)
 result = subprocess.run(["bash", "-eux", folder / "script"], text=True, cwd=work, env=environment,
                         stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)

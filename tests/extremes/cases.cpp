@@ -33,7 +33,7 @@ std::string power(const char* words, double value) {
   return text;
 }
 
-/// Each of the six numbers of a ray, one after the other, is one of the values.
+/// Rays in which one of the six numbers, each in turn, is one of the values.
 Rays with_bad_numbers(const World& world, const std::vector<double>& values) {
   Rays rays;
   for (const double bad : values) {

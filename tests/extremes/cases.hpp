@@ -1,4 +1,4 @@
-// The extremes: detectors and rays at the edges of what numbers can tell apart.
+// The extremes: detectors and rays at the limits of what numbers can resolve.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ struct Case {
   bool for_vecgeom = true;
 };
 
-/// `full`: with as many rays and boundaries as the table has; otherwise as many as a test has time
-/// for.
+/// `full`: with as many rays and boundaries as the table in the documents has; otherwise with as
+/// many as a test has time for.
 std::vector<Case> all_cases(bool full);
 
 }  // namespace navjit::extremes

@@ -1,4 +1,4 @@
-// NaN and infinity at every door: refused clearly, and nothing is left spoilt.
+// NaN and infinity in every argument are refused clearly, and nothing is damaged.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The point and the direction with one number after the other replaced.
+/// The point and the direction with one number after the other replaced by a bad one.
 void with_each_number_bad(const Vec3& point, const Vec3& direction,
                           const std::function<void(const Vec3&, const Vec3&)>& use) {
   for (const double bad : {nan, infinity, -infinity}) {

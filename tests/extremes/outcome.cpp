@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using accuracy::MadeRay;
 
-/// A detector's file that is there as long as this is.
+/// A detector's file, which exists as long as this object does.
 class GdmlFile {
  public:
   explicit GdmlFile(const std::string& text) {
@@ -41,7 +41,7 @@ class GdmlFile {
   std::string path_;
 };
 
-/// Nothing if the navigator refuses it.
+/// A ray's steps; nothing if the navigator refuses the ray.
 std::optional<MadeRay> try_ray(Navigator& navigator, const World& world, const Ray& ray,
                                std::size_t index) {
   try {
@@ -51,7 +51,7 @@ std::optional<MadeRay> try_ray(Navigator& navigator, const World& world, const R
   }
 }
 
-/// Where the second engine left the first, in words.
+/// Where the second engine's ray differs from that of the first, in words.
 std::string difference(const Ray& ray, std::size_t index, const MadeRay& a, const MadeRay& b) {
   std::size_t i = 0;
   const auto row = [&](const MadeRay& made) {

@@ -1,4 +1,4 @@
-// What engines make of an extreme.
+// How engines do in an extreme.
 #pragma once
 
 #include <memory>
@@ -22,10 +22,10 @@ struct Outcomes {
   std::uint64_t specialised_scenes = 0;  ///< scenes in which a specialised navigator made steps
 };
 
-/// Our navigators. Throws what the reader throws.
+/// The outcome of navjit's navigators. Throws what the reader throws.
 Outcomes run_case(const Case& extreme);
 
-/// VecGeom, in processes of their own; `seconds` for each.
+/// The outcome of VecGeom, in processes of their own; each may take `seconds`.
 Outcome run_vecgeom(const Case& extreme, const std::string& program, double seconds);
 
 }  // namespace navjit::extremes

@@ -52,7 +52,7 @@ const T& one_of(std::mt19937_64& random, const T (&values)[n]) {
   return values[random() % n];
 }
 
-/// A point of a daughter's surface in the world's frame, with the outward normal.
+/// A point on a daughter's surface in the world's frame, with the outward normal.
 struct Contact {
   Point point, normal, along;
   double size;

@@ -1,4 +1,4 @@
-// Rays that ask for trouble, made at 113 bits from the detector itself.
+// Rays that are likely to find faults, made with 113 bits from the detector itself.
 #pragma once
 
 #include <cstdint>
@@ -9,30 +9,30 @@
 
 namespace navjit::extremes {
 
-/// From anywhere to anywhere, directions of unit length.
+/// Rays from anywhere to anywhere, with directions of unit length.
 std::vector<Ray> plain_rays(const World& world, std::size_t count, std::uint64_t seed);
 
-/// For random surfaces of the world's daughters: starts at and about them, to within and beyond the
-/// tolerance, heading along the surface to 1e-15, across it, and anywhere.
+/// For random surfaces of the world's daughters: starts on and about them, within the tolerance and
+/// beyond it, with directions along the surface to 1e-15, across it, and any others.
 std::vector<Ray> rays_on_surfaces(const World& world, std::size_t count, std::uint64_t seed);
 
-/// Tangents of the same surfaces that start far off and pass by within and without by 1e-15 of the
-/// world's size, a tolerance, and more.
+/// Rays near tangents of the same surfaces, from far away. They pass inside and outside by 1e-15 of
+/// the world's size, by a tolerance, and by more.
 std::vector<Ray> grazing_rays(const World& world, std::size_t count, std::uint64_t seed);
 
-/// Starts at the corners, edge and face middles of the boxes around daughters, and at their
-/// centres, with the directions of odd_directions(). What are corners of a box are corners of many
-/// solids.
+/// Rays from the corners and the middles of edges and faces of the boxes around daughters, and from
+/// their centres, with the directions of odd_directions(). The corners of a box are also corners of
+/// many solids.
 std::vector<Ray> rays_from_corners(const World& world, std::size_t count, std::uint64_t seed);
 
-/// Through the centres of the world's daughters, and past them by denormals and more, along their
-/// axes, in their planes z = 0, and anywhere. Starts are far off and near.
+/// Rays through the centres of the world's daughters, and past them by denormals and more, along
+/// their axes, in their planes z = 0, and in any direction. They start near and far away.
 std::vector<Ray> rays_past_centres(const World& world, std::size_t count, std::uint64_t seed);
 
-/// Zeros of both signs, denormals, along axes, planes and diagonals, and nearly so.
+/// Directions with zeros of both signs, denormals, along axes, planes and diagonals, and nearly so.
 const std::vector<Vec3>& odd_directions();
 
-/// The rays with directions longer or shorter than 1 by up to `by`.
+/// The rays with directions whose length differs from 1 by up to `by`.
 std::vector<Ray> not_quite_unit(std::vector<Ray> rays, double by);
 
 }  // namespace navjit::extremes

@@ -1,5 +1,5 @@
-// GDML of the scenes of extremes: plain numbers in full precision, which VecGeom's reader takes,
-// too.
+// Writes the GDML of the extremes' scenes, with plain numbers in full precision, which VecGeom's
+// reader can read, too.
 #pragma once
 
 #include <initializer_list>
@@ -13,7 +13,7 @@ namespace navjit::extremes {
 
 using Attributes = std::initializer_list<std::pair<const char*, double>>;
 
-/// A detector in the making: one world, volumes in it, and volumes in those.
+/// A detector under construction: one world, volumes in it, and volumes in those.
 class SceneText {
  public:
   /// An element of <solids>, called `name`; `inner` is written within.

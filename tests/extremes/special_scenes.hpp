@@ -1,4 +1,4 @@
-// Detectors, as GDML, each extreme in its own way.
+// Detectors, as GDML; each is extreme in its own way.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace navjit::extremes {
 
 std::string thin_shells();
-/// `self_crossing`: with those whose tube is wider than its ring.
+/// `self_crossing`: only then are there tori whose tube is wider than their ring.
 std::string odd_tori(bool self_crossing);
 std::string odd_cones();
 std::string odd_wedges();
@@ -19,7 +19,7 @@ std::string nested_copies();
 std::string doubled_volumes();
 /// `outer` slabs of `inner` slabs each, all in contact, along z.
 std::string chain(int outer, int inner);
-/// All along it, and nearly so.
+/// Rays along all of the chain, exactly and nearly so.
 std::vector<Ray> chain_rays(const World& world);
 
 }  // namespace navjit::extremes

@@ -1,4 +1,4 @@
-// Writes docs/extremes.md: every extreme, and what each engine makes of it.
+// Writes docs/extremes.md: every extreme, and how each engine does in it.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -47,7 +47,7 @@ NaN and infinity in a file of rays, in a GDML file, and in every call of `Naviga
 (`tests/extremes/not_finite_test.cpp`, `tests/geometry/gdml`).
 )";
 
-/// "none", or what went wrong and how often.
+/// "none", or what went wrong, and how often.
 std::string faults(const EngineFigures& f) {
   std::string text;
   const auto add = [&](std::uint64_t count, const char* what) {

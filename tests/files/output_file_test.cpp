@@ -1,4 +1,4 @@
-// Outputs: whole or not at all, and nothing but regular files is ever replaced.
+// Output files are written whole or not at all, and only regular files are ever replaced.
 #include "files/output_file.hpp"
 
 #include <fcntl.h>

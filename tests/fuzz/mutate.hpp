@@ -11,7 +11,7 @@ using Engine = std::minstd_rand;
 
 inline std::size_t pick(Engine& random, std::size_t count) { return random() % count; }
 
-/// Values that are on the edge of something.
+/// Values at the edge of what is allowed or sensible.
 inline const std::string& odd_value(Engine& random) {
   static const std::vector<std::string> values = {"0",
                                                   "-1",
@@ -49,7 +49,7 @@ inline const std::string& odd_value(Engine& random) {
   return values[pick(random, values.size())];
 }
 
-/// Where each match of `open`...`close` begins and ends; not more than a few hundred.
+/// Where each match of `open`...`close` begins and ends; no more than a few hundred matches.
 struct Range {
   std::size_t begin, end;
 };
@@ -66,7 +66,7 @@ inline std::vector<Range> ranges(const std::string& text, char open, char close)
   return found;
 }
 
-/// An element with all it contains, from the tag that `tag` is.
+/// An element with everything in it, which begins with the tag at `tag`.
 inline std::string whole_element(const std::string& text, const Range& tag) {
   if (text[tag.end - 2] == '/') return text.substr(tag.begin, tag.end - tag.begin);
   const auto space = text.find_first_of(" >", tag.begin);
@@ -75,7 +75,7 @@ inline std::string whole_element(const std::string& text, const Range& tag) {
   return end == std::string::npos ? "" : text.substr(tag.begin, end + close.size() - tag.begin);
 }
 
-/// One change; the text may come out the same.
+/// Makes one change; the text may stay the same.
 inline void mutate_once(std::string& text, Engine& random) {
   const auto values = ranges(text, '\'', '\'');
   const auto tags = ranges(text, '<', '>');

@@ -9,7 +9,7 @@
 
 namespace {
 
-/// Low enough that whatever is within them is done in a fraction of a second.
+/// Limits so low that whatever keeps to them is read in a fraction of a second.
 navjit::RootOptions tight_options() {
   return {.limits = {.max_bytes = 1 << 20,
                      .max_keys = 100,

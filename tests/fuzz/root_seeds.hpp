@@ -1,4 +1,4 @@
-// Small ROOT files, between them with most shapes, matrices and lists that the reader knows.
+// Small ROOT files, which together have most shapes, matrices and lists that the reader knows.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Small GDML files, between them with every element that the reader knows.
+// Small GDML files, which together have every element that the reader knows.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ inline std::string seed_volume(const std::string& name, const std::string& solid
          content + "</volume>";
 }
 
-/// A file that places the solid 's' of this text, turned.
+/// A file that places, turned, the solid 's' of this text.
 inline std::string seed_solid(const std::string& solids) {
   return seed_file(
       "", "", solids,

@@ -1,4 +1,4 @@
-// What a simulation does with a file: read it, prepare it, and send rays through it.
+// Does what a simulation does with a file: reads it, prepares it, and sends rays through it.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace navjit::fuzz {
 
-/// Low enough that whatever is within them is done in a fraction of a second.
+/// Limits so low that whatever keeps to them is done in a fraction of a second.
 inline GdmlOptions tight_options() {
   GdmlOptions options;
   options.limits.max_bytes = 1 << 20;
@@ -26,8 +26,8 @@ inline GdmlOptions tight_options() {
   return options;
 }
 
-/// Has the world read and makes some hundred steps. False if the file is refused. Aborts on answers
-/// that no detector can have: a step that is negative or no number, a refusal of several lines.
+/// Reads the world and makes some hundred steps. False if the file is refused. Aborts on answers
+/// that no detector can give: a step that is negative or no number, a refusal of several lines.
 template <class Read>
 bool use_world(Read&& read) {
   const auto check = [](bool condition, const char* what) {

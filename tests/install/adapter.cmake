@@ -1,5 +1,5 @@
 # Installs the build in BINARY with the adapter NAME, moves it, and lets the program in outside_NAME
-# use it by find_package. FOLDER is for all of that; ENGINE is the folder of the engine's package.
+# use it by find_package. All of this is in FOLDER; ENGINE is the folder of the engine's package.
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${FOLDER})
@@ -14,7 +14,7 @@ run(unused ${configure} -B ${FOLDER}/outside -D ${ENGINE_NAME}_DIR=${ENGINE})
 run(unused ${CMAKE_COMMAND} --build ${FOLDER}/outside)
 run(unused ${FOLDER}/outside/program)
 
-# Without the engine, and for a component that there is not, find_package says why.
+# Without the engine, and for a component that does not exist, find_package says why it fails.
 function(expect_failure pattern)
   execute_process(COMMAND ${ARGN} OUTPUT_QUIET ERROR_VARIABLE text RESULT_VARIABLE result)
   string(REGEX REPLACE "[ \n]+" " " text "${text}")

@@ -1,5 +1,5 @@
 # Installs the build in BINARY, moves it, and lets a program outside use it by find_package and by
-# pkg-config. FOLDER is for all of that.
+# pkg-config. All of this is in FOLDER.
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 function(expect text pattern)
@@ -22,7 +22,7 @@ foreach(file bin/navjit bin/navjit_production share/navjit/detectors/shashlik.gd
   endif()
 endforeach()
 
-# Nothing but navjit's own headers and the standard library's is behind the installed ones.
+# The installed headers include only navjit's own headers and those of the standard library.
 file(GLOB_RECURSE headers ${FOLDER}/prefix/include/*)
 foreach(header IN LISTS headers)
   file(STRINGS ${header} includes REGEX "^#include [<\"].*[/.]")
@@ -31,7 +31,7 @@ foreach(header IN LISTS headers)
   endforeach()
 endforeach()
 
-# The shared libraries show nothing of what they are made of.
+# The shared libraries export nothing of the libraries that they contain.
 foreach(library navjit navjit_production)
   file(GLOB_RECURSE path ${FOLDER}/prefix/lib*/lib${library}.so)
   run(symbols nm -DC --defined-only --format=just-symbols ${path})
@@ -53,7 +53,7 @@ if(libraries MATCHES "LLVM|clang")
   message(FATAL_ERROR "production has a compiler in it:\n${libraries}")
 endif()
 
-# pkg-config, for both.
+# Tests pkg-config, for both libraries.
 file(GLOB_RECURSE pc ${FOLDER}/prefix/*/navjit.pc)
 cmake_path(GET pc PARENT_PATH pc_folder)
 cmake_path(GET pc_folder PARENT_PATH lib)

@@ -49,7 +49,7 @@ for name in ("version", "variant", "depends_on"):
 spack.python = types.SimpleNamespace(path="python3")
 cmake = types.ModuleType("spack_repo.builtin.build_systems.cmake")
 cmake.CMakePackage = Package
-# Spack 1 has what is of one build system beside that.
+# In Spack 1, what belongs to one build system is in a module beside the general one.
 cmake.generator = Ignored()
 for name in ("spack", "spack_repo", "spack_repo.builtin", "spack_repo.builtin.build_systems"):
     sys.modules[name] = types.ModuleType(name)
@@ -73,12 +73,12 @@ for _, condition in said["depends_on"]:
     for name in re.findall(r"[+~](\w+)", condition.get("when", "")):
         assert name in variants, f"there is no variant {name}"
 
-# Every package that CMake has to find is there.
+# Every package that CMake has to find must be among the dependencies.
 depends = {re.split(r"[@ +]", a[0])[0] for a, _ in said["depends_on"]}
 wanted = {"EXPAT": "expat", "ZLIB": "zlib-api", "LibLZMA": "xz", "spdlog": "spdlog", "nlohmann_json": "nlohmann-json",
           "CLI11": "cli11", "PNG": "libpng", "LLVM": "llvm", "OpenSSL": "openssl", "MPI": "mpi",
           "VecGeom": None, "Python": None, "pybind11": "py-pybind11", "Threads": None, "Geant4": None}
-# Those that are found by a library or a header; LLVM's are in its package.
+# These are found by a library or a header; LLVM's are in its package.
 libraries = {"LZ4": "lz4", "ZSTD": "zstd", "MUPARSER": "muparser", "VC": "vc", "LLVM": "llvm", "CLANG": "llvm"}
 rooms = [path for path in source.glob("*/CMakeLists.txt")
          if path.parent.name not in ("bench", "build", "examples", "tests")]

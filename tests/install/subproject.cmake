@@ -1,6 +1,6 @@
-# Configures a project in FOLDER that has navjit, at SOURCE, as a part: by add_subdirectory and by
-# FetchContent. The project itself looks at its settings; here it is seen what would be built. It is
-# not: that would be all of navjit once more.
+# Configures, in FOLDER, a project that has navjit, at SOURCE, as a part, by add_subdirectory and by
+# FetchContent. The project itself checks its settings; here it is checked what would be built. It
+# is not built, since that would be all of navjit once more.
 file(REMOVE_RECURSE ${FOLDER})
 foreach(fetch OFF ON)
   execute_process(

@@ -1,4 +1,4 @@
-// Threads at work in LLVM when the process ends, and static objects made while they are.
+// Threads that work in LLVM when the process ends, and static objects that are made meanwhile.
 #include "jit/activity.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace navjit::jit {
 namespace {
 
-/// An activity that takes a while to stop after it has been asked to.
+/// An activity that takes a while to stop once it is asked to.
 void begin_activity() {
   std::stop_source stop;
   std::thread([stop, activity = std::make_shared<Activity>(stop)] {
@@ -22,7 +22,7 @@ void begin_activity() {
   }).detach();
 }
 
-/// What LLVM makes on its way: it ends the process badly if something may still need it.
+/// A static object of LLVM's kind: it ends the process badly if something may still need it.
 struct MadeOnTheWay {
   ~MadeOnTheWay() {
     if (Activity::any()) _exit(1);
@@ -79,7 +79,7 @@ TEST(Activity, IsNotWaitedForByAThreadThatOnlyEnds) {
   EXPECT_FALSE(Activity::any());
 }
 
-/// Tells, at the end of its thread, whether that was because of exit().
+/// Tells, at the end of its thread, whether that ended because of exit().
 struct Teller {
   std::promise<bool>* told = nullptr;
   ~Teller() {

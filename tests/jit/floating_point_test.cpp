@@ -11,7 +11,7 @@
 namespace navjit::jit {
 namespace {
 
-// Sources of the kind a contracting compiler would turn into a fused multiply-add.
+// Sources that a contracting compiler would turn into fused multiply-adds.
 constexpr const char* fusable =
     "extern \"C\" double f(double a, double b, double c) { return a * b + c; }\n"
     "extern \"C\" double g(double a, double b, double c) { double p = a * b; return c - p; }\n"
@@ -60,8 +60,8 @@ TEST_P(FloatingPoint, IsNeverContracted) {
   EXPECT_EQ((*code->function<double(double, double, double)>("fused"))(a, b, -1), -0x1p-60);
 }
 
-/// Whether the object has an instruction with the VEX opcode of a double-precision FMA3. The text
-/// of the unit is too small for chance hits: the units with and without differ in nothing else.
+/// Whether the object has an instruction with the VEX opcode of a double-precision FMA3. The unit's
+/// text is too small for chance hits: the units with and without it differ in nothing else.
 bool has_fma_instruction(const Object& object) {
   for (std::size_t i = 0; i + 3 < object.bytes.size(); ++i) {
     const auto byte = [&](std::size_t k) {

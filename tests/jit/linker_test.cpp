@@ -55,7 +55,7 @@ std::size_t mappings() {
   return lines;
 }
 
-/// Number of objects announced to the debugger in this process.
+/// The number of objects announced to the debugger in this process.
 int announced_objects() {
   struct Entry {
     Entry* next;

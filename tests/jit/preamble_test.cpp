@@ -1,4 +1,4 @@
-// Text that sources begin with, kept parsed.
+// The text that sources begin with is kept in parsed form.
 #include <gtest/gtest.h>
 
 #include <stdexcept>

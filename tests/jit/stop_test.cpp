@@ -1,4 +1,4 @@
-// Compilations that are not to be finished, and processes that end meanwhile.
+// Compilations that are stopped before they are finished, and processes that end meanwhile.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -12,7 +12,7 @@
 namespace navjit::jit {
 namespace {
 
-/// So many functions with loops, which the compiler is at for a while.
+/// So many functions with loops that the compiler needs a while for them.
 std::string long_source(int functions) {
   std::string source;
   for (int i = 0; i < functions; ++i) {
@@ -99,8 +99,8 @@ TEST(Stop, MayComeAtAnyMomentAndSpoilsNothing) {
   EXPECT_EQ(again->bytes, whole->bytes);
 }
 
-/// Compiles with so much more memory and no more, and ends the process: 0 with code, 1 with a
-/// failure that says so, 2 with anything else.
+/// Compiles with only so much more memory, and ends the process: with 0 if there is code, 1 if the
+/// failure says that memory ran out, 2 for anything else.
 [[noreturn]] void compile_and_exit(const std::string& source, std::size_t mb) {
   auto compiler = Compiler::create({});
   if (!compiler || !tests::limit_memory(mb << 20)) _exit(2);

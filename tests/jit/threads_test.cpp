@@ -11,7 +11,7 @@
 namespace navjit::jit {
 namespace {
 
-/// Compiles, links and calls `rounds` different functions; counts those that were right.
+/// Compiles, links and calls `rounds` different functions; counts the right results.
 void work(Linker& linker, int first, int rounds, std::atomic<int>& right) {
   auto compiler = Compiler::create(CompileOptions{});
   if (!compiler) return;

@@ -1,4 +1,4 @@
-// No ray's budget of radiation lengths changes by more than is allowed.
+// No ray changes by more radiation lengths than the budget allows.
 #include "observe/budget.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 Observation within(double budget) { return {.kind = Observation::Kind::budget, .budget = budget}; }
 
-/// The largest change of any of the rays, which has to be within what the report promises.
+/// The largest change of any of the rays, which must be within what the report promises.
 double largest_change(const ObservedDetector& seen, const std::vector<Ray>& rays) {
   Runtime whole(seen.original(), {.jit = JitMode::off}),
       less(seen.detector(), {.jit = JitMode::off});
@@ -34,7 +34,7 @@ double largest_change(const ObservedDetector& seen, const std::vector<Ray>& rays
   return largest;
 }
 
-/// Vacuum, gases and solids, with boxes of each in each.
+/// Vacuum, gases and solids; each has boxes of the others in it.
 struct Mixed : tests::TwoMaterials {
   DetectorBuilder::MaterialId of(const char* name, double radiation_length) {
     return builder.material({.name = name, .density = 1, .radiation_length = radiation_length});

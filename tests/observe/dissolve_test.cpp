@@ -11,7 +11,7 @@ using tests::materials_only;
 using tests::Shell;
 using tests::TwoMaterials;
 
-/// The tree is the same for a run that looks at materials.
+/// Expects the same tree for a run that looks at materials only.
 void expect_same_materials(const ObservedDetector& seen, std::uint64_t rays = 400) {
   std::vector<Ray> all = tests::aimed_rays(seen.original(), rays);
   const common::RayMaker everywhere(*seen.original().model(), {.seed = 3});
@@ -22,7 +22,7 @@ void expect_same_materials(const ObservedDetector& seen, std::uint64_t rays = 40
   EXPECT_LT(compared.largest, 1e-9);
 }
 
-/// Nothing is dissolved, for that reason.
+/// Expects that nothing is dissolved, for the given reason.
 void expect_left(const ObservedDetector& seen, const std::string& why) {
   EXPECT_EQ(seen.report().dissolved, 0U);
   ASSERT_FALSE(seen.report().left.empty());
@@ -154,7 +154,7 @@ TEST(Dissolve, ReflectedAndTurnedFramesAreCombined) {
   expect_same_materials(seen);
 }
 
-/// Blocks of lead in a row, with spacers of the hall's air between them: one that fills the gap, or
+/// Blocks of lead in a row, with spacers of the hall's air between them. A spacer fills the gap, or
 /// leaves some of the hall's own air on either side.
 ObservedDetector blocks_with_spacers(int blocks, double thickness) {
   TwoMaterials world;

@@ -1,4 +1,4 @@
-// What a file and a user say counts.
+// What a file and a user declare as observed.
 #include "observe/marks.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 using tests::materials_only;
 using tests::Shell;
 
-/// A shell in the hall, tagged.
+/// A shell in the hall, with a tag.
 struct Tagged : Shell {
   explicit Tagged(const std::vector<Auxiliary>& of_shell, const std::vector<Auxiliary>& of_hall) {
     builder.place(shell, hall);

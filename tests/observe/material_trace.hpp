@@ -1,4 +1,4 @@
-// What a ray sees: materials and what counts, and where they change.
+// What a ray meets: materials and boundaries that count, and where they change.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,15 +14,15 @@
 
 namespace navjit::tests {
 
-/// A stretch of one material in which no boundary counts.
+/// A stretch of one material without a boundary that counts.
 struct Stretch {
   VolumeId volume;  ///< of its first step
   double end;       ///< path along the ray, mm
 };
 
 /// The stretches of a ray, seen by a navigator of the original (`every` boundary) or of what is
-/// left of it. Those shorter than `least` are left out: which of two faces at one place comes first
-/// is a matter of the last bit.
+/// left of it. Stretches shorter than `least` are left out: which of two faces at the same place
+/// comes first is decided by the last bit.
 template <class AnyNavigator>
 std::vector<Stretch> stretches(AnyNavigator& navigator, const ObservedDetector& seen,
                                const Ray& ray, double least) {
@@ -46,7 +46,7 @@ struct Compared {
   double largest = 0;  ///< how far apart a change of material is in both, mm
 };
 
-/// Rays through the original, with every boundary, and through what is left of it.
+/// Compares rays through the original, with every boundary, and through what is left of it.
 inline Compared compare(const ObservedDetector& seen, const std::vector<Ray>& rays,
                         JitMode jit = JitMode::off) {
   RuntimeOptions options;

@@ -1,5 +1,5 @@
-// Homogenised volumes: mass and elements stay, observed volumes stay, and a mean ray changes by no
-// more than is asked for.
+// Homogenised volumes: mass and elements are kept, observed volumes stay, and rays change by no
+// more than is asked for, in the mean.
 #include "observe/mixtures.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Observation mixtures(double budget, Observation::Unit unit = Observation::Unit::
   return {.kind = Observation::Kind::mixtures, .budget = budget, .unit = unit};
 }
 
-/// g of each element in the world, and mm3 in all, from volumes in closed form.
+/// g of each element in the world, and the total mm3, from volumes in closed form.
 std::vector<double> masses(const Detector& detector) {
   const World& world = *detector.model();
   std::vector<double> sums(world.elements.size());
@@ -42,7 +42,7 @@ std::vector<double> masses(const Detector& detector) {
   return sums;
 }
 
-/// A block of lead with fibres of plastic in holes of air, cells of it in a hall.
+/// A block of lead with fibres of plastic in holes of air; cells of this kind are in a hall.
 struct Calorimeter {
   DetectorBuilder builder;
   DetectorBuilder::MaterialId air, lead, plastic;
@@ -177,7 +177,7 @@ TEST(Mixtures, AreNotMadeOfWhatDoesNotAddUp) {
   EXPECT_EQ(possible.possible()[c.hole].size(), 1U);
 }
 
-/// Boxes in boxes, of densities in turn: nested three deep, eight of each in each.
+/// Boxes in boxes, of the densities in turn: three levels deep, with eight boxes in each.
 Detector nested(const std::vector<double>& densities) {
   DetectorBuilder builder;
   const auto carbon = builder.element({.name = "C", .z = 6, .a = 12.011});

@@ -1,4 +1,4 @@
-// States of what is left, as touchables of the original.
+// States of what is left correspond to touchables of the original.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,4 +1,4 @@
-// Materials along rays are those of the whole detector: shipped, published and random ones.
+// Materials along rays are those of the whole detector, for shipped, published and random ones.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Changes of material may move by what composed frames are rounded to, which rays that graze a
-/// face make more of (docs/observation.md).
+/// Changes of material may move by the rounding of composed frames, which is larger for rays that
+/// graze a face (docs/observation.md).
 constexpr double most_moved = 1e-6;  // mm
 
 TEST(MaterialsAlongRays, AreThoseOfTheShippedDetectors) {

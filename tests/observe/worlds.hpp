@@ -26,7 +26,7 @@ struct TwoMaterials {
   }
 };
 
-/// A hall of air with a shell of air in which a brick of lead is.
+/// A hall of air with a shell of air, in which there is a brick of lead.
 struct Shell : TwoMaterials {
   VolumeId hall = box("hall", 100, air);
   VolumeId shell = box("shell", 20, air);

@@ -1,5 +1,5 @@
-# Installs the build in BINARY into FOLDER, moves it, and imports the package from there: from the
-# folder PACKAGES of the prefix, by PYTHON.
+# Installs the build in BINARY into FOLDER, moves it, and imports the package from there: PACKAGES
+# is its folder in the prefix, and PYTHON the interpreter.
 include(${CMAKE_CURRENT_LIST_DIR}/../install/run.cmake)
 
 file(REMOVE_RECURSE ${FOLDER})

@@ -10,7 +10,7 @@ from pathlib import Path
 
 source, build, folder = (Path(a).resolve() for a in sys.argv[1:4])
 shutil.rmtree(folder, ignore_errors=True)
-# A copy, as setuptools leaves its own folders beside what it builds.
+# A copy, since setuptools leaves its own folders beside what it builds.
 copy = folder / "source"
 copy.mkdir(parents=True)
 for name in ("pyproject.toml", "setup.py", "README.md", "CMakeLists.txt"):
@@ -34,7 +34,7 @@ assert libraries and all(l.startswith({str(package)!r}) for l in libraries), lib
 runtime = navjit.Runtime(navjit.read_gdml({str(source / "detectors" / "absorber.gdml")!r}))
 assert runtime.scan([0, 0, 0], [0, 0, 1]).steps[0] > 0
 """], check=True, cwd=folder, env=dict(clean, PYTHONPATH=str(folder / "site")))
-# The wheel is for this interpreter and machine, and no other.
+# The wheel is for this interpreter and this machine only.
 wheels = list((folder / "site").glob("navjit-*.dist-info"))
 assert len(wheels) == 1, wheels
 tag = f"cp{sys.version_info.major}{sys.version_info.minor}-cp"

@@ -1,12 +1,12 @@
-// Geant4's steps through real detectors, against ours: volumes in order and lengths to 1e-6 mm.
+// Compares Geant4's steps in real detectors with navjit's: volumes in order, lengths to 1e-6 mm.
 //
-// The reference traces were made by Geant4 11.4.0 (navigation with G4Navigator, its own GDML
-// reader). Today every ray of every file that is read agrees, none of them only after merging.
-// Two remarks:
+// The reference traces were made by Geant4 11.4.0 (navigation with G4Navigator, and its own GDML
+// reader). Today every ray of every file that is read agrees, and none of them only after steps are
+// merged. Two remarks:
 // - celeritas_lead-box is 1e22 mm large. On 4 of its 300 rays (22, 29, 186, 196) Geant4 makes one
-//   more step of 1.1e6 to 1.4e6 mm, a last bit of its position, before it leaves the world. The
-//   tolerance relative to the ray takes them for the slivers that they are.
-// - In overlapping volumes (lhcb_*) an answer is one of several; ours is Geant4's.
+// more step of 1.1e6 to 1.4e6 mm, a last bit of its position, before it leaves the world. The
+// tolerance, which is relative to the ray, takes them as the slivers that they are.
+// - In overlapping volumes (lhcb_*) several answers are possible; navjit gives Geant4's.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 const fs::path data = NAVJIT_DATA_DIR;
 const fs::path references = NAVJIT_REFERENCE_DIR;
 
-/// A reference by its name, and the detector that it belongs to.
+/// A reference by its name, and the detector that it is for.
 struct Reference {
   std::string name;
   std::string detector;  ///< below `data`
@@ -140,8 +140,8 @@ const std::vector<Reference>& read_today() {
   return files;
 }
 
-/// Files of solids for which Geant4's constructors report a fatal exception; the references were
-/// made ignoring it, with what was left of the solids. docs/gdml.md tells what that was.
+/// Files of solids for which Geant4's constructors report a fatal exception. The references were
+/// made by ignoring it, with what was left of the solids; docs/gdml.md says what that was.
 const std::vector<Reference>& read_otherwise() {
   static const std::vector<Reference> files = {
       {"solids/oneGeneralTrapezoid.gdml"},         // two sides are not planar
@@ -200,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Reference{"atlas/TileTB_2B1EB.gdml"}),
     test_name);
 
-/// Read with a meaning of our own: rays get through, in both modes alike.
+/// Files that navjit reads in its own way: rays get through, in both modes alike.
 using Geant4ReferenceOtherwise = Geant4Reference;
 TEST_P(Geant4ReferenceOtherwise, IsRead) {
   const std::vector<Ray> rays = common::read_rays(GetParam().rays());
@@ -234,7 +234,7 @@ TEST(Geant4ReferenceTwistedTrap, AgreesWhereGeant4Steps) {
   EXPECT_GE(equal, 72);
 }
 
-/// Refused in words, or else read right.
+/// Files that are refused with a message, or else read correctly.
 using Geant4ReferenceRefused = Geant4Reference;
 TEST_P(Geant4ReferenceRefused, IsRefusedOrAgreesWithGeant4) {
   std::shared_ptr<const World> read;

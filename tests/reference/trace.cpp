@@ -22,7 +22,7 @@ struct CloseFile {
   void operator()(gzFile file) const { gzclose(file); }
 };
 
-/// A row of a trace file, in its four fields.
+/// A row of a trace file, as its four fields.
 struct Row {
   std::size_t ray = 0;
   std::size_t step = 0;
@@ -52,7 +52,7 @@ bool parse_row(std::string_view text, Row& row) {
                             row.made.length >= 0);
 }
 
-/// A step without the slivers before it, or several that were merged.
+/// A step without the slivers before it, or several steps that were merged.
 struct Piece {
   const TraceStep* first = nullptr;
   std::size_t step = 0;  ///< number of `first`
@@ -86,7 +86,7 @@ std::vector<Piece> merge(const std::vector<Piece>& pieces) {
   return merged;
 }
 
-/// Geant4 names reflected copies of a volume itself, where the file knows only the original.
+/// Geant4 gives reflected copies of a volume names of their own; the file has only the original's.
 bool same_volume(const std::string& ours, const std::string& theirs) {
   return ours == theirs || theirs == ours + "_refl";
 }

@@ -1,4 +1,4 @@
-// Traces of rays (every step of every ray), from files or made here, and how two of them compare.
+// Traces of rays (every step of every ray), from files or made here, and their comparison.
 #pragma once
 
 #include <cstddef>
@@ -29,14 +29,14 @@ using Trace = std::vector<std::vector<TraceStep>>;
 
 /// Reads a trace of `rays` rays: header `ray,step,volume,length`, lengths in mm or `stuck`; plain
 /// or gzip. Throws std::runtime_error with file and line if it is anything else, if rays or steps
-/// are out of order, if a ray's number is not below `rays`, or if rows follow a stuck one.
+/// are out of order, if the number of a ray is not below `rays`, or if rows follow a stuck one.
 Trace read_trace(const std::filesystem::path& path, std::size_t rays);
 
 /// Transports the rays through the world on the calling thread and keeps every step.
 Trace make_trace(std::shared_ptr<const World> world, std::span<const Ray> rays, JitMode jit);
 
 /// When two traces of a ray count as equal. Engines differ in where they put points that lie on a
-/// boundary, so steps below `sliver` are dropped first, on both sides.
+/// boundary, so steps shorter than `sliver` are dropped first, on both sides.
 struct Criteria {
   double sliver = 1e-6;     ///< mm
   double length = 1e-6;     ///< mm by which lengths may differ
@@ -44,7 +44,7 @@ struct Criteria {
                             ///< below this share of its ray is a sliver, too
 };
 
-/// Where a ray's traces part.
+/// Where the traces of a ray begin to differ.
 struct Difference {
   std::size_t ray = 0;
   std::size_t step = 0;   ///< number of our step at that place, slivers counted
@@ -66,14 +66,14 @@ struct Comparison {
   double agreement() const;
 };
 
-/// Compares ray by ray: volumes in order and lengths; where they differ, again with adjacent steps
-/// in volumes of equal name merged (a copy met face to face with its like, or a step that one side
-/// made in two). At most `examples` differences are kept in words. Throws std::invalid_argument
-/// if the traces are not of equally many rays.
+/// Compares ray by ray: volumes in order, and lengths. Where they differ, compares again with
+/// adjacent steps in volumes of equal name merged (copies that touch, or a step that one side made
+/// in two). At most `examples` differences are kept in words. Throws std::invalid_argument if the
+/// traces do not have the same number of rays.
 Comparison compare(const Trace& ours, const Trace& theirs, const Criteria& criteria = {},
                    std::size_t examples = 5);
 
-/// In words, one line for each difference kept.
+/// Writes one line for each difference that was kept.
 std::ostream& operator<<(std::ostream& out, const Comparison& comparison);
 
 }  // namespace navjit::reference

@@ -1,4 +1,4 @@
-// The comparison of traces has to see what is wrong, or nothing that is built on it means anything.
+// The comparison of traces must see what is wrong: all that is built on it depends on this.
 #include "tests/reference/trace.hpp"
 
 #include <gtest/gtest.h>

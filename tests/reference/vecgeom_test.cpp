@@ -1,24 +1,24 @@
-// VecGeom's steps through the sample detectors, against ours: volumes in order and lengths.
+// Compares VecGeom's steps in the sample detectors with navjit's: volumes in order, and lengths.
 //
-// We read the detector as it is; VecGeom, whose reader does not know expressions or assemblies,
-// reads what flatten.py makes of it, which has its own idea of GDML's conventions. So the reader is
-// compared as well; turned_assemblies.gdml is there for that, since the assemblies of `barrel` are
-// so symmetric that a wrong order or sense of their rotations does not show. VecGeom may crash, and
-// holds one world per process: it runs in its own.
+// navjit reads the detector as it is. VecGeom, whose reader does not know expressions or
+// assemblies, reads what flatten.py makes of it; flatten.py interprets GDML's conventions by
+// itself. So the reader is compared as well. turned_assemblies.gdml is there for that, since the
+// assemblies of `barrel` are so symmetric that a wrong order or sense of their rotations does not
+// show. VecGeom may crash, and holds one world for each process: it runs in its own process.
 //
 // Where the two differ, VecGeom 1.2.1 is wrong:
 // - Its steps into and out of booleans are wrong by its push of 1e-6 mm (the wall of `shashlik`, on
-//   nearly every ray, the bulkheads and feet of `barrel`, the wall of `absorber`): where a ray
-//   along (-0.0765, 0.1528, 0.9853) meets the wall at z = 12345, its step has 12529.287099351433,
-//   ours, and the quotient in 40 digits, 12529.287098351433. So lengths are compared to
-//   1.1e-6 mm; all that differ by more than 1e-9 border on a boolean.
+// nearly every ray, the bulkheads and feet of `barrel`, the wall of `absorber`): where a ray along
+// (-0.0765, 0.1528, 0.9853) meets the wall at z = 12345, its step is too short: navjit has
+// 12529.287099351433, as has the quotient in 40 digits, VecGeom 12529.287098351433. So lengths are
+// compared to 1.1e-6 mm; all that differ by more than 1e-9 border on a boolean.
 // - Its searches by bounding boxes (abbox, hybrid, bvh) miss the roof of `absorber`, a spherical
 //   shell cut by a box, on every ray from the origin that leaves the roof's bounding box through
 //   its sides: 92 of 352. Its simple search, which looks at no boxes, finds it on all of them, and
 //   so does the closed form (ray 28 of absorber_isotropic is within the box while it is 700 to
 //   720 mm from the origin). Hence `simple` for that detector.
-// - Ray 2056 of absorber_random: VecGeom gets stuck in the dome. We make a step of
-//   99.938533212223433 mm; entry and exit in 40 digits are 99.938533212224 mm apart.
+// - Ray 2056 of absorber_random: VecGeom gets stuck in the dome. navjit makes a step of
+// 99.938533212223433 mm; entry and exit in 40 digits are 99.938533212224 mm apart.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -57,7 +57,7 @@ void PrintTo(const Source& source, std::ostream* out) { *out << source.name; }
 
 std::string test_name(const ::testing::TestParamInfo<Source>& info) { return info.param.name; }
 
-/// Runs a command; the paths in it hold no quotes.
+/// Runs a command; the paths in it must not hold quotes.
 void run(const std::vector<std::string>& words) {
   std::string command;
   for (const std::string& word : words) command += "'" + word + "' ";

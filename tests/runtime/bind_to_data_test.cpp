@@ -1,4 +1,4 @@
-// Scenes bound to data against the generic navigator, bit for bit, without any compiler.
+// Scenes bound to data, compared with the generic navigator bit for bit, without any compiler.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -36,7 +36,7 @@ RuntimeOptions data_alone(JitMode jit) {
   return options;
 }
 
-/// Traces and safeties are the same, and nearly all steps were made by data-bound navigators.
+/// Expects the same traces and safeties; data-bound navigators must have made nearly all steps.
 void expect_same_answers(const std::shared_ptr<const World>& world, std::uint64_t seed,
                          const std::vector<Ray>& rays) {
   Runtime generic(world, data_alone(JitMode::off)), bound(world, data_alone(JitMode::wait));
@@ -80,7 +80,7 @@ void expect_same_answers(const std::shared_ptr<const World>& world, std::uint64_
   expect_same_answers(world, seed, rays_through(*world, seed, rays));
 }
 
-/// Forces all scenes to a search as long as it lives.
+/// Forces a search for all scenes as long as this object lives.
 struct Forced {
   explicit Forced(const char* variant) { setenv(overrides_variable, variant, 1); }
   ~Forced() { unsetenv(overrides_variable); }
@@ -165,7 +165,7 @@ TEST(BoundToData, FlatCalorimeterAlikeByLayers) {
   expect_same_answers(shared, 23, 600);
 }
 
-/// Voxels of two kinds that fill a box, one in so many missing.
+/// Voxels of two kinds that fill a box; one in so many is missing.
 World phantom(int voxels, unsigned one_missing_in, double shift, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const double half = 2.0 * voxels;
@@ -188,7 +188,7 @@ World phantom(int voxels, unsigned one_missing_in, double shift, std::uint64_t s
   return world;
 }
 
-/// What was said when the world was bound to data.
+/// What the log said when the world was bound to data.
 std::string words_of_binding(const std::shared_ptr<const World>& world) {
   RuntimeOptions options = data_alone(JitMode::wait);
   std::mutex mutex;
@@ -251,7 +251,7 @@ TEST(BoundToData, WhatIsNotInLayersIsFoundByTheTree) {
   expect_same_answers(world, 34, 60);
 }
 
-/// A chamber of wires, placed twice, once turned, and another one with the same wires.
+/// A chamber of wires, placed twice, once turned, and another chamber with the same wires.
 World chambers(const tests::Stringing& s, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   World world;
@@ -322,7 +322,7 @@ TEST(BoundToData, WiresOfManyLengthsAreBoundTogether) {
   EXPECT_LT(most, 500U) << "none is hot by itself";
 }
 
-/// Plates with gaps, of which each layer has two of its own.
+/// Plates with gaps; each layer has two plates of its own.
 World layers_of_their_own(int layers) {
   World world;
   const double pitch = 2.2, half = pitch * layers / 2;

@@ -1,4 +1,4 @@
-// Scenes bound to structures against the generic navigator, bit for bit.
+// Scenes bound to structures, compared with the generic navigator bit for bit.
 #include <gtest/gtest.h>
 
 #include "analysis/plan.hpp"
@@ -18,7 +18,7 @@ RuntimeOptions without_constants(JitMode jit) {
   return options;
 }
 
-/// Of all steps, those made by code of a structure; all answers have to be the generic ones.
+/// The fraction of steps made by code of a structure; all answers have to be the generic ones.
 double share_by_structures(const std::shared_ptr<const World>& world, int rays) {
   Runtime generic(world, without_constants(JitMode::off));
   Runtime bound(world, without_constants(JitMode::wait));

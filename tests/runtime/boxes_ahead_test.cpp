@@ -1,5 +1,5 @@
-// The boxes that a straight ray meets in a mother are looked for once: later steps of the ray there
-// answer as the generic navigator does, which keeps nothing.
+// The boxes that a straight ray meets in a mother are looked for once. Later steps of the ray there
+// have the answers of the generic navigator, which remembers nothing.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// Boxes and tubes over one another in a hall, and a turned hall of them in it, which is another
-/// mother of many at another depth.
+/// Overlapping boxes and tubes in a hall, which also holds a turned hall of them: another mother of
+/// many, at another depth.
 World halls(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   World world;
@@ -43,8 +43,8 @@ struct Walked {
   std::size_t steps = 0, kept = 0;
 };
 
-/// Steps, some of them limited, some of them turned aside, and some of them moved along or beside
-/// the ray, against the generic navigator's.
+/// Steps, some limited, some turned aside, and some from points moved along or beside the ray,
+/// compared with those of the generic navigator.
 Walked walk(const tests::BoundWorld& bound, std::uint64_t seed, int rays, double turns) {
   const Geometry& geometry = bound.geometry;
   const auto right = std::make_unique<NavigationStack>(), got = std::make_unique<NavigationStack>();

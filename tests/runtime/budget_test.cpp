@@ -1,4 +1,4 @@
-// A budget is kept wherever it is promised: against the detector at 113 bits.
+// A budget is kept wherever that is promised: judged by the detector with 113 bits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace navjit {
 namespace {
 
-/// Rays from anywhere; gives the largest error of the steps made in each volume.
+/// Sends rays from anywhere; returns the largest error of the steps made in each volume.
 std::vector<double> transport_and_judge(Runtime& runtime, int rays) {
   const World& world = runtime.world();
   const reference::WideGeometry reference(runtime.share_world());
@@ -42,7 +42,7 @@ std::vector<double> transport_and_judge(Runtime& runtime, int rays) {
   return worst;
 }
 
-/// Budgets from 1e-12 to 1 mm, so many decades apart: says how many promises were made.
+/// Budgets from 1e-12 to 1 mm, so many decades apart; returns how many promises were made.
 int expect_budgets_kept(const std::shared_ptr<const World>& world, JitMode jit, int rays,
                         int decades = 1) {
   int promises = 0;

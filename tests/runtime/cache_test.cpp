@@ -1,4 +1,4 @@
-// Runs with a cache: what it holds may be right, damaged, foreign or hostile; answers are the same.
+// Runs with a cache whose contents are right, damaged, foreign or hostile give the same answers.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -26,7 +26,7 @@ RuntimeOptions with_cache(const std::string& directory, JitMode jit = JitMode::w
   return options;
 }
 
-/// Transports rays and compares every step with the generic navigator's.
+/// Transports rays and compares every step with that of the generic navigator.
 void expect_right(Runtime& runtime, const std::string& what = "") {
   Runtime generic(runtime.share_world(), tests::eager_options(JitMode::off));
   Navigator a = generic.navigator(), b = runtime.navigator();
@@ -51,7 +51,7 @@ Counts count(const Runtime& runtime) {
   return counts;
 }
 
-/// One run that fills the cache, or finds it filled.
+/// One run, which fills the cache or finds it filled.
 Counts run(const std::string& directory, const std::string& what = "") {
   Runtime runtime(mixed(), with_cache(directory));
   expect_right(runtime, what);
@@ -170,7 +170,7 @@ TEST(RuntimeCache, DamagedEntriesAreCompiledAgain) {
   EXPECT_GE(run(folder.path()).cached, 3U) << "all is well again";
 }
 
-/// Puts something else under the keys of a full cache, with right checksums.
+/// Puts other contents under the keys of a full cache, with correct checksums.
 void poison(const TemporaryFolder& folder, const std::string& content) {
   auto cache = cache::ObjectCache::open(folder.path());
   for (const fs::path& file : files_in(folder)) {

@@ -1,4 +1,4 @@
-// Options that make no sense are refused before anything is made of them.
+// Options that make no sense are refused before anything is made from them.
 #include "runtime/check_options.hpp"
 
 #include <gtest/gtest.h>

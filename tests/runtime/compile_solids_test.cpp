@@ -1,5 +1,5 @@
-// Solids that are compiled for all scenes that hold them, against the generic navigator, bit for
-// bit.
+// Solids that are compiled for all scenes that hold them, compared with the generic navigator, bit
+// for bit.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -22,7 +22,7 @@
 namespace navjit {
 namespace {
 
-/// A frame of bars with a hole, turned and not, as walls and cryostats are made of.
+/// A frame of bars with a hole, turned or not, as in walls and cryostats.
 Solid beam(double size) {
   const double r[9] = {0, 1, 0, -1, 0, 0, 0, 0, 1};
   SolidFrame up, turned;
@@ -36,7 +36,7 @@ Solid beam(double size) {
                     make_placed("turned", bar, turned));
 }
 
-/// Beams of two sizes in two halls; each hall holds a leaf of one more kind.
+/// Beams of two sizes in two halls; each hall holds one more kind of leaf.
 std::shared_ptr<const World> halls() {
   World world;
   world.top = tests::add_volume(world, "world", make_box("world", 300, 300, 300));
@@ -98,7 +98,7 @@ TEST(CompiledSolids, AnswerAsTheGenericNavigator) {
   EXPECT_GE(bound.report().modules, 1U);
 }
 
-/// A boolean of so many solids, some of which are much code.
+/// A boolean of so many solids, some of which need much code.
 Solid random_boolean(std::mt19937_64& random, int solids) {
   const auto piece = [&] {
     const Solid one =
@@ -170,7 +170,7 @@ TEST(CompiledSolids, ComeFromTheCache) {
   EXPECT_EQ(scenes_with_compiled_solids(again.report()), 4U);
 }
 
-/// Runs with these faults; how many scenes have compiled solids then. No answer may change.
+/// Runs with these faults; returns how many scenes then have compiled solids. No answer may change.
 std::size_t compiled_in_spite_of(std::shared_ptr<const Faults> faults, std::string& log) {
   const auto world = halls();
   FaultyOptions options{solids_alone(JitMode::wait)};
@@ -204,7 +204,7 @@ TEST(CompiledSolids, AreLeftOutWhereTheyDoNotCompile) {
   EXPECT_NE(log.find("solids are not compiled: "), std::string::npos) << log;
 }
 
-/// What a solid's kernels answer; a count of how often they were asked.
+/// The answers of a solid's kernels, and how often they were asked.
 struct Counted {
   kernels::AnySolid<double> solid;
   double tolerance;

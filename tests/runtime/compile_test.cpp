@@ -1,4 +1,4 @@
-// What goes on while the compiler works, and what it is given.
+// What happens while the compiler works, and what it is given.
 #include "runtime/compile.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace navjit {
 namespace {
 
-/// Rays across the world at these heights.
+/// Sends rays across the world at these heights.
 void transport_across(Runtime& runtime, double low, double high, int rays) {
   Navigator navigator = runtime.navigator();
   std::mt19937_64 random(5);

@@ -1,4 +1,4 @@
-// Navigators that turn out to be wrong, or of no use, after they were installed.
+// Navigators that turn out to be wrong, or of no use, after they are installed.
 #include <gtest/gtest.h>
 
 #include "tests/support/traces.hpp"
@@ -21,7 +21,7 @@ RuntimeOptions looking_often() {
   return options;
 }
 
-/// Transports the rays again and again until a scene was deoptimised, or for long enough.
+/// Transports the rays again and again until a scene is deoptimised, or the time is over.
 void run_until_deoptimised(Runtime& runtime, const std::vector<Ray>& rays) {
   Navigator navigator = runtime.navigator();
   for (int pass = 0; pass < 200 && runtime.report().deoptimised == 0; ++pass) {

@@ -1,5 +1,5 @@
-// Runs that end while something is compiled, and runs for which there is no compiling: for want of
-// threads or of memory. Nothing waits, nothing fails, nothing changes.
+// Runs that end while something is compiled, and runs that cannot compile, since threads or memory
+// are lacking. Nothing waits, nothing fails, and no answer changes.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -26,7 +26,7 @@ using tests::rays_through;
 using tests::same_bits;
 using tests::trace;
 
-/// A compilation that takes until it is let go.
+/// A compilation that goes on until it is released.
 struct SlowCompiler {
   std::promise<void> begun, released;
   std::atomic<bool> begun_already{false};
@@ -144,7 +144,7 @@ TEST(EndingDeathTest, AProcessMayEndWhileARuntimeCompiles) {
   }
 }
 
-/// LLVM makes static objects while it compiles.
+/// A static object, as LLVM makes them while it compiles.
 struct MadeWhileItCompiles {
   ~MadeWhileItCompiles() {
     if (jit::Activity::any()) _exit(1);
@@ -166,7 +166,7 @@ TEST(EndingDeathTest, AThreadWithANavigatorMayEndTheProcess) {
       testing::ExitedWithCode(7), "");
 }
 
-/// Whether a run with the JIT on has the traces of one with it off; for a child.
+/// Whether a run with the JIT on has the same traces as one with it off; called in a child.
 bool runs_as_ever(const RuntimeOptions& options, std::size_t more_bytes) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
   const std::vector<Ray> rays = rays_through(*world, 43, 300);

@@ -1,5 +1,5 @@
-// Volumes that differ in names alone share compiled code, which knows each daughter's volume all
-// the same.
+// Volumes that differ only in names share compiled code, which nevertheless knows the volume of
+// each daughter.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ Ran run(World world) {
   return ran;
 }
 
-/// Modules of two plates in 24 staves about an axis.
+/// Modules of two plates, in 24 staves about an axis.
 World staves() {
   World world;
   world.top = tests::add_volume(world, "world", make_box("world", 300, 300, 200));

@@ -1,5 +1,5 @@
-// Thousands of daughters with few neighbours each: what is next to one that was left is read from
-// its list, though no cache holds all lists; not where rows of slabs tell it by arithmetic.
+// Thousands of daughters with few neighbours each: the neighbours of one that was left are read
+// from its list, though no cache holds all lists; but not if rows of slabs give them by arithmetic.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,7 +14,7 @@
 namespace navjit {
 namespace {
 
-/// Cells of a wafer, every other row on the gaps of the one before.
+/// Cells of a wafer; every other row lies on the gaps of the row before.
 World wafer() {
   World world;
   world.top = tests::add_volume(world, "world", make_box("world", 220, 220, 20));

@@ -1,5 +1,5 @@
-// Detectors with foreign solids: they are navigated as those of the library's own solids, and what
-// no code can be made for is left as it is.
+// Detectors with foreign solids are navigated as those with the library's own solids; what no code
+// can be made for stays as it is.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -17,7 +17,7 @@ using tests::Row;
 
 using MakeBall = std::function<Solid(const std::string&, double)>;
 
-/// Balls as daughters, as a mother, in booleans, placed, scaled and touching; boxes beside them.
+/// Balls as daughters, as a mother, in booleans, placed, scaled and touching; also boxes.
 World balls(const MakeBall& ball) {
   World world;
   const VolumeId hall = tests::add_volume(world, "hall", make_box("hall", 100, 100, 100));

@@ -15,7 +15,7 @@
 namespace navjit {
 namespace {
 
-/// Whether a child that does this ends well, and in time.
+/// Whether a child that does this work ends without an error, and in time.
 bool ends_well(const std::function<void()>& work) {
   std::fflush(nullptr);
   const pid_t child = fork();

@@ -1,4 +1,4 @@
-// States that navigators recorded, kept for verification: no more than a run can carry.
+// States that navigators recorded are kept for verification, but no more than a run can carry.
 #include "runtime/gather.hpp"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 namespace navjit {
 namespace {
 
-/// Pairs of stretches with so many steps of each side, of volumes that differ by more than the
+/// Pairs of stretches, with so many steps on each side, of volumes that differ by more than the two
 /// sides do.
 Verdict stretches(GroupTrial& group, int pairs, int steps, double with, double without,
                   double now = 0.1) {

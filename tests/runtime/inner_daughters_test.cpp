@@ -1,4 +1,4 @@
-// What a daughter has of its own where it is entered: in doubt, something.
+// Whether a daughter has daughters of its own where it is entered: in doubt it has.
 #include "codegen/data/inner.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A run takes out what is slower in it, whatever a replay of recorded states said.
+// A run takes out navigators that are slower in it, whatever a replay of recorded states showed.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -17,7 +17,7 @@ namespace {
 
 using tests::rays_through;
 
-/// Code that gives the right answers, after a while: what ends with `quick` does.
+/// Code that gives the right answers, but waits before each place where its text is `quick`.
 std::shared_ptr<const Faults> slow_code(const std::string& quick) {
   const auto faults = std::make_shared<Faults>();
   faults->skip_replay = true;
@@ -35,7 +35,7 @@ constexpr const char* lost_alone = "slower in the run than what was there";
 constexpr const char* lost_together =
     "with the other compiled scenes slower in the run than without";
 
-/// Times as long, whatever sanitizers make of the generic navigator.
+/// A factor in time that is large, whatever sanitizers do to the generic navigator.
 constexpr double far = 64;
 
 std::size_t taken_out(const Runtime& runtime, const std::string& note = lost_alone) {
@@ -48,7 +48,7 @@ std::size_t taken_out(const Runtime& runtime, const std::string& note = lost_alo
   return scenes;
 }
 
-/// A run of which some is slow, until a scene was taken out. With safeties asked, or not.
+/// A run with some slow navigators, until a scene was taken out; with or without safeties.
 void expect_taken_out(const std::string& quick, bool safeties) {
   if (tests::under_thread_sanitizer) {
     GTEST_SKIP() << "what is generated is not instrumented: even slow code is faster than the rest";
@@ -122,8 +122,8 @@ TEST(Judge, WhatEachSceneIsForgivenAllOfThemAreNot) {
   EXPECT_GE(taken_out(runtime, lost_together), 3U);
 }
 
-/// Nothing is compiled, and all that is bound to data is tried in the run; it is taken to last
-/// `lasts` times as long.
+/// Nothing is compiled, and everything that is bound to data is tried in the run, which is taken to
+/// last `lasts` times as long.
 FaultyOptions bound_alone(Faults faults, double lasts) {
   FaultyOptions options{tests::eager_options(JitMode::on)};
   options.specialiser.keep_only_faster = true;
@@ -136,7 +136,7 @@ FaultyOptions bound_alone(Faults faults, double lasts) {
 }
 
 /// A candidate that is bound to data is replaced by code while it is on trial itself. So many
-/// states of the volume were recorded, on which it took that share of the generic time.
+/// states of the volume were recorded; on them it took that share of the generic navigator's time.
 struct Replaced {
   static constexpr VolumeId volume = 0;
   std::shared_ptr<detail::Shared> shared;
@@ -195,15 +195,15 @@ TEST(Judge, AllThatIsNotGenericIsTriedAgainstTheGenericNavigator) {
   }
 }
 
-/// What became of scenes that had lost their own trials.
+/// What became of scenes that had lost trials of their own.
 struct TriedTogether {
   bool won = false;       ///< they were tried together, and the run was faster with them
   std::size_t bound = 0;  ///< scenes that are bound to data in the end
 
   bool came_back() const { return won && bound >= 3; }
 };
-/// A run in which all that is bound to data loses its own trials, and is taken to last `lasts`
-/// times as long: until scenes came back, or so many seconds are over.
+/// A run in which everything that is bound to data loses its own trials, and which is taken to last
+/// `lasts` times as long. It ends when scenes have come back, or after so many seconds.
 TriedTogether tried_together(double lasts, int seconds) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
   const std::vector<Ray> rays = rays_through(*world, 47, 200);
@@ -233,7 +233,7 @@ TEST(Judge, WhatLostByChanceIsTriedAgainTogether) {
   EXPECT_LT(slower.bound, 3U);
 }
 
-/// What the log says of a trial: the number after `key`.
+/// The number after `key` in a line of the log about a trial.
 double number_after(const std::string& line, const std::string& key) {
   const std::size_t at = line.find(key);
   return at == std::string::npos ? 0 : std::strtod(line.c_str() + at + key.size(), nullptr);

@@ -13,7 +13,7 @@
 namespace navjit::codegen {
 namespace {
 
-/// The kernel's shape of a kind.
+/// The name of the kernel's shape of a kind.
 std::string shape_of(SolidKind of) {
 #define NAVJIT_SHAPE(kind, name, Shape) \
   if (of == SolidKind::kind) return #Shape;
@@ -22,7 +22,7 @@ std::string shape_of(SolidKind of) {
   return {};
 }
 
-/// All that is asked of a shape, so that no template is left unread.
+/// Calls of everything that can be asked of a shape, so that every template is instantiated.
 std::string questions_to(const std::string& shape) {
   return "namespace navjit::kernels {\n"
          "double asked(const " +

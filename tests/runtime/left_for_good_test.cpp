@@ -1,5 +1,5 @@
-// What a ray has left for good: specialised navigators note it as they leave a daughter, ask it no
-// more along that ray, and answer as the generic navigator does, which asks everybody.
+// What a ray has left for good: specialised navigators note it when they leave it, and do not ask
+// it again along that ray. They answer as the generic navigator does, which asks all daughters.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -18,7 +18,7 @@ using kernels::LeftForGood;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// With what is known to be left for good.
+/// A bound world that records what is known to be left for good.
 struct Bound : tests::BoundWorld {
   using BoundWorld::BoundWorld;
 
@@ -31,7 +31,7 @@ struct Walked {
   std::size_t steps = 0, out = 0, known = 0, found = 0;
 };
 
-/// Steps, some of them limited and some turned aside, against the generic navigator's.
+/// Steps, some limited and some turned aside, compared with those of the generic navigator.
 Walked walk(const Bound& bound, std::uint64_t seed, int rays) {
   const Geometry& geometry = bound.geometry;
   const auto right = std::make_unique<NavigationStack>(), got = std::make_unique<NavigationStack>();
@@ -96,7 +96,7 @@ TEST(LeftForGood, ChangesNoAnswerWhereVolumesOverlap) {
   }
 }
 
-/// One box in another, and a track that has just come out of it.
+/// One box in another, and a track that has just come out of the inner one.
 struct Out : testing::Test {
   static World world() {
     World world;

@@ -1,5 +1,5 @@
-// A program whose locale writes a comma for the decimal point, as one with windows may: what the
-// library writes for itself, and reads, has points.
+// In a program whose locale has a comma for the decimal point, as programs with windows may, what
+// the library writes for itself and reads has points.
 #include <gtest/gtest.h>
 
 #include <clocale>
@@ -14,7 +14,7 @@
 namespace navjit {
 namespace {
 
-/// German, made by the system's own tool, until it goes.
+/// A German locale, made by the system's own tool; removed at the end.
 class WithCommas {
  public:
   WithCommas() {

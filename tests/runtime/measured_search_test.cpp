@@ -1,5 +1,5 @@
-// Where the run measured that daughters are found faster in another way than the analysis chose,
-// code finds them so, too, and so does that of the next run.
+// If the run measured that another search is faster than the one that the analysis chose, code uses
+// the other one, and so does the code of the next run.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,7 +51,7 @@ std::size_t specialised(const Runtime& runtime) {
   return count;
 }
 
-/// Plates that fill it: the analysis chooses slabs.
+/// Plates that fill their mother: the analysis chooses slabs.
 std::shared_ptr<const World> plates() {
   World world;
   world.top = tests::add_volume(world, "world", make_box("world", 40, 40, 30));
@@ -107,7 +107,7 @@ TEST(MeasuredSearch, MayBeByTheSectorsOfARing) {
   }
 }
 
-/// Three shells, each a ring as well: the analysis spells them out.
+/// Three shells, each of which is also a ring: the analysis writes them out one by one.
 std::shared_ptr<const World> shells() {
   World world;
   world.top = tests::add_volume(world, "world", make_tube("world", 0, 200, 60, 0, 7));

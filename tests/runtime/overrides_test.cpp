@@ -68,8 +68,8 @@ TEST(Overrides, FromTheEnvironmentForceScenes) {
   EXPECT_EQ(specialised, 1U);
 }
 
-/// The plates that are specialised, and those that are off, where each plate is a volume of its
-/// own.
+/// The plates that are specialised, and those for which it is off, where each plate is a volume of
+/// its own.
 struct Plates {
   std::vector<std::string> specialised, off;
 };

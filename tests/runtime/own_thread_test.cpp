@@ -14,7 +14,7 @@
 namespace navjit {
 namespace {
 
-/// The signals that a thread blocks, as the system has them: a bit for each from 1 on.
+/// The signals that a thread blocks, in the system's form: one bit for each, from 1 on.
 std::uint64_t blocked(const std::filesystem::path& thread) {
   std::ifstream status(thread / "status");
   for (std::string line; std::getline(status, line);) {

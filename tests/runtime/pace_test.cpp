@@ -1,5 +1,5 @@
-// How often the specialiser looks at the profile: often while it learns, and never at a cost that a
-// long run would feel.
+// How often the specialiser looks at the profile: often while it learns, but never at a cost that a
+// long run would notice.
 #include "runtime/pace.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ double after(Pace& pace, double look_s, double navigated_s, bool is_quiet) {
       pace, {.took_s = look_s, .navigated_s = navigated_s, .is_quiet = is_quiet, .poll_s = poll_s});
 }
 
-/// Looks at a run for so long: what they cost.
+/// The cost of all looks at a run of this length.
 double spent_after(Pace& pace, double run_s, double look_s, int threads, bool is_quiet) {
   const double before = pace.spent_s;
   for (double now = 0; now < run_s;) {

@@ -8,7 +8,7 @@
 namespace navjit {
 namespace {
 
-/// Six large boxes in each half of the world, no two alike.
+/// Six large boxes in each half of the world, all of them different.
 World two_regions() {
   World world;
   world.top = tests::add_volume(world, "world", make_box("world", 100, 100, 100));

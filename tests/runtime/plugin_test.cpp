@@ -1,4 +1,4 @@
-// Plugins: the same answers as the generic navigator's, or not used.
+// Plugins give the same answers as the generic navigator, or are not used.
 #include "runtime/plugin.hpp"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 namespace navjit {
 namespace {
 
-/// So many steps, those recorded that are due: how many were.
+/// Makes so many steps and records those that are due; returns how many were.
 int record_due(Profile& profile, int steps) {
   int recorded = 0;
   for (int step = 0; step < steps; ++step) {

@@ -151,7 +151,7 @@ TEST(Schedule, KeepsItsPromisesForAnyScenes) {
   }
 }
 
-/// Of the world volume, a box of 100 mm, with the daughters in a row.
+/// A volume like the world volume, a box of 100 mm, with the daughters in a row.
 struct Expected {
   double compile_ms, gain_ns;
 };

@@ -1,4 +1,4 @@
-// Specialised navigators against generic ones, bit for bit.
+// Specialised navigators compared with generic ones, bit for bit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using tests::uniform;
 
 RuntimeOptions options(JitMode jit) { return tests::eager_options(jit); }
 
-/// `most_bail_outs`: part of the steps. Of the rays many run along axes.
+/// `most_bail_outs` is a fraction of the steps. Many of the rays run along axes.
 void expect_same_traces(const std::shared_ptr<const World>& world, std::uint64_t seed, int rays,
                         double most_bail_outs = 0.25) {
   Runtime generic(world, options(JitMode::off)), specialised(world, options(JitMode::wait));
@@ -70,8 +70,8 @@ TEST(Specialised, TracesOverlapsAlike) {
   expect_same_traces(std::make_shared<const World>(std::move(world)), 6, 3000);
 }
 
-/// A nest of shells and rings of segments and of modules, with gaps, in no order; `overlap`: shells
-/// and segments reach into one another, and one daughter sticks out of the mother.
+/// A nest of shells, and rings of segments and of modules, with gaps, in no order. `overlap`:
+/// shells and segments reach into one another, and one daughter sticks out of the mother.
 World round_world(std::uint64_t seed, bool overlap) {
   std::mt19937_64 random(seed);
   World world;
@@ -119,7 +119,7 @@ TEST(Specialised, TracesNestsAndRingsAlike) {
   }
 }
 
-/// Blades that lean from the radius, in two rings that lean the other way round.
+/// Blades that are inclined to the radius, in two rings with opposite inclinations.
 World blades() {
   World world;
   world.top = tests::add_volume(world, "world", make_box("world", 100, 100, 60));
@@ -252,8 +252,8 @@ TEST(Specialised, SwapsDoNotChangeARunningTransport) {
   EXPECT_GE(tests::scenes_compiled(swapping), 3U);
 }
 
-/// Traces rays, each waiting in its midst for what is due to be specialised. Returns how often
-/// something was, and counts rays that differ from the generic ones.
+/// Traces rays; in the middle of each, waits for what is due to be specialised. Returns how often
+/// something was specialised, and counts rays that differ from the generic ones.
 int swaps_within_rays(const FaultyOptions& with, std::size_t& differing) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
   Runtime generic(world, options(JitMode::off));
@@ -287,7 +287,7 @@ TEST(Specialised, SwapsWithinARayDoNotChangeIt) {
   EXPECT_GT(differing, 50U) << "nothing would be noticed";
 }
 
-/// Differences that shadow mode counts; the answers are to be the generic ones all the same.
+/// The differences that shadow mode counts; the answers have to be the generic ones nevertheless.
 std::uint64_t differences_in_shadow(std::shared_ptr<const Faults> faults) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
   FaultyOptions with{options(JitMode::shadow)};
@@ -312,7 +312,7 @@ TEST(Specialised, ShadowModeCountsDifferencesAndMendsThem) {
   EXPECT_GT(differences_in_shadow(tests::wrong_code()), 1000U);
 }
 
-/// A scene whose specialisation goes wrong stays generic, and nobody notices but the report.
+/// A scene whose specialisation fails stays generic, and only the report shows it.
 void expect_generic_after(const std::function<void(FaultyOptions&)>& spoil) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
   FaultyOptions spoilt{options(JitMode::wait)};

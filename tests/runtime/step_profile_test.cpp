@@ -1,4 +1,4 @@
-// Profiles in files: read back, merged, and refused if they are not right.
+// Profiles in files are read back and merged, and refused if they are not right.
 #include "navjit/step_profile.hpp"
 
 #include <gtest/gtest.h>
@@ -124,7 +124,7 @@ TEST(StepProfileTest, MutatedProfilesAreReadOrRefused) {
   EXPECT_GT(refused, 25);
 }
 
-/// A calorimeter that is filled by layers, which are filled by tiles.
+/// A calorimeter that layers fill; tiles fill the layers.
 constexpr const char* layers = R"(<gdml><define/>
 <materials><material name="Lead" Z="82"><D value="11.35"/><atom value="207.2"/></material></materials>
 <solids><box name="all" x="1000" y="1000" z="1000"/><box name="calorimeter" x="400" y="400" z="400"/>

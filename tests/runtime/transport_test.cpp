@@ -10,7 +10,7 @@ namespace {
 
 constexpr double tolerance = 1e-9;
 
-/// Gives steps of the same few lengths again and again, and so many in all.
+/// Gives steps of the same few lengths again and again, up to a total number.
 struct Steps {
   std::vector<double> lengths;
   int most;

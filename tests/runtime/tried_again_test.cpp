@@ -1,4 +1,4 @@
-// What lost its trial and is tried again: the report says what is installed.
+// Scenes that lost their trials and are tried again: the report names what is installed.
 #include <gtest/gtest.h>
 
 #include "analysis/plan.hpp"
@@ -12,7 +12,7 @@
 namespace navjit {
 namespace {
 
-/// Scenes whose report says what the table has.
+/// The number of scenes whose report agrees with the dispatch table.
 std::size_t reported_rightly(const Specialisation& spec) {
   std::size_t count = 0;
   for (const auto& [volume, trial] : spec.trials.all()) {

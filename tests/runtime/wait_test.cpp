@@ -1,4 +1,4 @@
-// What JitMode::wait compiles before a run begins, in which portions, and when it ends.
+// What JitMode::wait compiles before a run begins, in which portions, and when it stops.
 #include <gtest/gtest.h>
 
 #include <algorithm>

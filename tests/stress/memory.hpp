@@ -1,4 +1,4 @@
-// How much memory this process has in use.
+// The memory that this process uses.
 #pragma once
 
 #include <unistd.h>
@@ -7,7 +7,7 @@
 
 namespace navjit::tests {
 
-/// Resident memory, MB; 0 where the system does not tell.
+/// Resident memory, MB; 0 where the system does not tell it.
 inline double resident_mb() {
   std::ifstream in("/proc/self/statm");
   double total = 0, resident = 0;

@@ -1,6 +1,6 @@
-// A long run whose hot regions change: memory has to stay flat, no ray may get stuck, every step
-// has to be the generic navigator's, and it must not be slower than the generic navigator. Exit
-// status 1 if not. Each phase has threads of its own, and its own navigators.
+// A long run whose hot regions change. Memory has to stay constant, no ray may get stuck, every
+// step has to be that of the generic navigator, and the run must not be slower than with that. Exit
+// status 1 if not. Each phase has its own threads, with their own navigators.
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
@@ -25,8 +25,8 @@ struct Options {
   double least_ratio = 0.97;   ///< of the generic navigator's time to that of the JIT's, by phase
 };
 
-/// Where particles come from, phase by phase: along z either way, from everywhere, and from the
-/// corners of the world.
+/// Where particles come from in each phase: along z in both directions, from everywhere, and from
+/// the corners of the world.
 common::RaySource source_of(const World& world, int phase) {
   const Extent& e = world.volumes[world.top].solid.extent;
   common::RaySource source;
@@ -57,7 +57,7 @@ struct Totals {
   double with_s = 0, without_s = 0;  ///< processor time of the same rays
 };
 
-/// Blocks of rays, in turn with and without specialised navigators.
+/// Blocks of rays, with and without specialised navigators in turn.
 Totals work(Runtime& runtime, Runtime& generic, const common::RayMaker& rays, double seconds,
             std::atomic<std::uint64_t>& next) {
   using Clock = std::chrono::steady_clock;

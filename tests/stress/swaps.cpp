@@ -1,5 +1,5 @@
-// Navigators installed, replaced and deoptimised without pause while many threads navigate: every
-// trace has to stay the generic navigator's, and memory has to stay flat. Exit status 1 if not.
+// Navigators are installed, replaced and deoptimised without pause while many threads navigate.
+// Every trace has to be the generic navigator's, and memory constant. Exit status 1 if not.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
@@ -43,7 +43,7 @@ bool same(const Trace& a, const Trace& b) {
       });
 }
 
-/// The whole ray, with whatever navigators the table has at each step.
+/// Traces the whole ray, at each step with the navigators that the table has then.
 void trace(const Geometry& geometry, const DispatchTable& table, ReadSide& read_side,
            NavigationStack& stack, const Start& start, Trace& rows) {
   rows.clear();
@@ -64,7 +64,7 @@ void trace(const Geometry& geometry, const DispatchTable& table, ReadSide& read_
   }
 }
 
-/// Linked code with its records; the same object linked again and again.
+/// Linked code with its dispatch entries; the same object is linked again and again.
 struct Linked {
   jit::Code code;
   std::vector<kernels::DispatchEntry> records;

@@ -1,4 +1,4 @@
-// A folder of a test's own, gone with it; usable as a cache: nobody else can write it.
+// A folder for one test, removed with it. It can serve as a cache, since nobody else can write it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -33,8 +33,8 @@ class TemporaryFolder {
   std::string path_;
 };
 
-/// Runs `work` in a process of its own and gives its exit status as waitpid does. `work` gives the
-/// exit code; nothing of the test framework may be used in it.
+/// Runs `work` in a process of its own and returns its exit status as waitpid() does. `work`
+/// returns the exit code; it must use nothing of the test framework.
 template <class Work>
 int in_child(Work&& work) {
   const pid_t child = fork();

@@ -11,7 +11,7 @@
 
 namespace navjit::tests {
 
-/// A ball, by textbook formulas that know nothing of the library's.
+/// A ball, by textbook formulas that are independent of the library.
 class Ball : public ForeignSolid {
  public:
   explicit Ball(double radius) : radius_(radius) {}
@@ -47,7 +47,7 @@ inline Solid foreign_ball(const std::string& name, double radius) {
                       {{-radius, -radius, -radius}, {radius, radius, radius}});
 }
 
-/// A solid of the library's own behind the functions of a foreign one, with a wider surface.
+/// A solid of the library behind the functions of a foreign one, with a thicker surface.
 class Disguised : public ForeignSolid {
  public:
   explicit Disguised(Solid solid) : solid_(std::move(solid)) {}

@@ -1,4 +1,4 @@
-// A process that can get no more memory, for tests in a child.
+// Makes a process unable to get more memory, for tests in a child.
 #pragma once
 
 #include <sys/resource.h>
@@ -16,7 +16,7 @@ constexpr bool memory_can_be_limited = false;  // sanitizers map memory by the t
 constexpr bool memory_can_be_limited = true;
 #endif
 
-/// From now on this process gets so many bytes more of address space, and no more.
+/// From now on this process gets at most so many more bytes of address space.
 inline bool limit_memory(std::size_t more_bytes) {
   std::size_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;

@@ -1,4 +1,4 @@
-// Solids of facets, whole and to be broken, and an outline to be bent.
+// Solids of facets, closed or to be damaged, and an outline to be changed.
 #pragma once
 
 #include <array>

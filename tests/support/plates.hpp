@@ -1,4 +1,4 @@
-// A detector of few scenes, as a file: its navigators compile in no time on any machine.
+// A detector of few scenes, as a file: its navigators compile quickly on any machine.
 #pragma once
 
 #include <string>

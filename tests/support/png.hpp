@@ -1,4 +1,4 @@
-// PNG files, read by libpng.
+// Reads PNG files by libpng.
 #pragma once
 
 #include <png.h>
@@ -11,7 +11,7 @@
 
 namespace navjit::tests {
 
-/// Throws if it is none.
+/// Throws if it is no PNG file.
 inline picture::Image decode_png(const std::string& bytes) {
   png_image png;
   std::memset(&png, 0, sizeof png);

@@ -19,7 +19,7 @@
 
 namespace navjit::tests {
 
-/// Asks until it is so, for at most a minute: slow machines are not what is tested.
+/// Waits until it is so, for at most a minute: the test is not about slow machines.
 inline bool eventually(const std::function<bool()>& is_so) {
   for (int i = 0; i < 6000; ++i) {
     if (is_so()) return true;
@@ -28,7 +28,7 @@ inline bool eventually(const std::function<bool()>& is_so) {
   return false;
 }
 
-/// Killed on destruction if it still runs.
+/// A running program; it is killed on destruction if it still runs.
 class Process {
  public:
   /// Runs words[0] with the others as arguments; standard output and error go to the file `log`.

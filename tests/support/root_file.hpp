@@ -1,5 +1,5 @@
-// ROOT files written here, so small and so odd as a test needs them. Each class is described by
-// what its first object has.
+// Writes ROOT files, as small and as odd as a test needs them. Each class is described by the
+// members of its first object.
 #pragma once
 
 #include <lz4.h>
@@ -23,7 +23,7 @@ namespace navjit::tests {
 struct RootObject;
 using RootPointer = std::shared_ptr<RootObject>;
 
-/// What the members of an object are; see the functions below.
+/// The kinds of members of an object; see the functions below.
 struct RootBase {
   RootPointer part;
 };
@@ -34,7 +34,7 @@ struct RootCounted {
   std::string counter;  ///< written before the numbers, unless it is empty
   std::vector<double> numbers;
 };
-/// A std::vector of objects, without names, of a class that counts no versions.
+/// A std::vector of objects, without names, of a class that has no versions.
 struct RootVector {
   std::string of;
   std::vector<RootPointer> objects;
@@ -43,8 +43,8 @@ struct RootVector {
 using RootValue = std::variant<double, int, std::vector<double>, std::vector<int>, RootCounted,
                                RootPointer, RootList, RootBase, RootVector>;
 
-/// An object: its class, TNamed's name and TObject's bits, then members. Without a name of the
-/// base `named`, the class has no TNamed.
+/// An object: its class, TNamed's name and TObject's bits, then members. If `named` is false, the
+/// class has no TNamed.
 struct RootObject {
   std::string type, name{};
   std::vector<std::pair<std::string, RootValue>> members{};
@@ -59,7 +59,7 @@ inline RootPointer root_object(std::string type, std::string name,
       RootObject{std::move(type), std::move(name), std::move(members), bits});
 }
 
-/// By which classes that count no versions are known.
+/// The checksum by which a class without versions is known.
 inline std::size_t root_checksum_of(const std::string& type) {
   return std::hash<std::string>()(type) & 0xffffffff;
 }
@@ -231,7 +231,7 @@ class RootRecord : public RootBytes {
   std::map<std::string, std::size_t> class_places_;
 };
 
-/// One member of a class, as StreamerInfos have it. `more`: its counter, or what a vector is of.
+/// One member of a class, as StreamerInfos hold it. `more`: its counter, or the type in a vector.
 inline void root_element(RootRecord& record, const std::string& type, const std::string& name,
                          unsigned number, std::size_t length, const std::string& more = {}) {
   record.pointer_to(type, [&] {
@@ -350,14 +350,14 @@ inline std::string root_packed(const std::string& bytes, RootPacking packing) {
          out.substr(0, size);
 }
 
-/// An object of a file: under which name, with which cycle.
+/// An object of a file, with its name and cycle.
 struct RootEntry {
   std::string name;
   RootPointer object;
   unsigned cycle = 1;
 };
 
-/// A file with these objects, and, if `folder` has a name, with those in a folder.
+/// A file with these objects and, if `folder` has a name, with others in that folder.
 inline std::string root_file(const std::vector<RootEntry>& entries,
                              RootPacking packing = RootPacking::none,
                              const std::string& folder = {}) {

@@ -1,4 +1,4 @@
-// Pieces of a geometry of ROOT's, and the file that holds it.
+// Parts of a geometry of ROOT, and the file that holds it.
 #pragma once
 
 #include "tests/support/root_file.hpp"
@@ -52,7 +52,7 @@ inline RootPointer root_translation(double x, double y, double z) {
   return root_object("TGeoTranslation", "", {{"fTranslation", std::vector<double>{x, y, z}}});
 }
 
-/// Rows of the matrix that turns local vectors into the mother's.
+/// The rows of the matrix that turns local vectors into the mother's frame.
 inline RootPointer root_rotation(const std::vector<double>& rows) {
   return root_object("TGeoRotation", "", {{"fRotationMatrix", rows}});
 }
@@ -75,7 +75,7 @@ inline RootPointer root_boolean(const std::string& operation, const RootPointer&
   return root_object("TGeoCompositeShape", "boolean", {{"fNode", node}});
 }
 
-/// Half of space: what the normal at the point points away from.
+/// The half space that the normal at the point leads out of.
 inline RootPointer root_half_space(const std::vector<double>& point,
                                    const std::vector<double>& normal) {
   return root_object("TGeoHalfSpace", "half", {{"fP", point}, {"fN", normal}});

@@ -1,4 +1,4 @@
-// A file of ROOT's that a test writes and reads.
+// A file of ROOT that a test writes and reads.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What tests cannot ask of a program under a sanitizer.
+// What tests cannot demand of a program under a sanitizer.
 #pragma once
 
 namespace navjit::tests {

@@ -48,7 +48,7 @@ inline std::string ascii_stl(const Mesh& mesh) {
   return text + "endsolid of a test\n";
 }
 
-/// Each corner of each facet by itself; every second face counts back from the last corner.
+/// Writes each corner of each facet by itself; every second face counts back from the last one.
 inline std::string obj(const Mesh& mesh) {
   std::string text = "# a test\no thing\n";
   std::size_t count = 0;

@@ -1,4 +1,4 @@
-// Rays through worlds, every step kept, to be compared bit for bit.
+// Rays through worlds with every step kept, for comparison bit by bit.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ inline std::vector<Ray> rays_through(const World& world, std::uint64_t seed, int
   return rays;
 }
 
-/// How many of the rays are traced otherwise than generically, in bits.
+/// The number of rays whose traces differ in any bit from the generic ones.
 inline std::size_t traces_that_differ(Runtime& runtime, const std::vector<Ray>& rays) {
   const World& world = runtime.world();
   Runtime generic(runtime.share_world(), {.jit = JitMode::off});
@@ -71,7 +71,7 @@ inline std::size_t traces_that_differ(Runtime& runtime, const std::vector<Ray>& 
   }));
 }
 
-/// The part of all steps so far that was made in scenes that are specialised now. Equal answers
+/// The fraction of all steps so far that was made in scenes that are specialised now. Equal answers
 /// prove nothing unless specialised navigators gave them.
 inline double share_specialised(const Runtime& runtime) {
   double share = 0;
@@ -94,8 +94,8 @@ inline std::shared_ptr<const Faults> edited(std::function<void(std::string&)> ed
   return std::make_shared<const Faults>(Faults{.edit_source = std::move(edit)});
 }
 
-/// Generated code whose steps are a last bit too long, installed all the same: what has to notice
-/// is tried with it.
+/// Generated code whose steps are too long by a last bit, but which is installed nevertheless: for
+/// tests of what has to notice it.
 inline std::shared_ptr<const Faults> wrong_code() {
   const auto faults = std::make_shared<Faults>();
   faults->skip_verification = true;

@@ -1,5 +1,5 @@
-// The same detector with a volume of its own for every copy, as programs write it that give each
-// copy a name.
+// The same detector with a volume of its own for every copy, as it is written by programs that give
+// each copy a name.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace navjit::tests {
 
-/// Every placement in it has a volume of its own, but those of volumes that `stay`.
+/// Every placement gets a volume of its own, except placements of volumes in `stay`.
 inline World volumes_apart(const World& from, const std::vector<VolumeId>& stay = {}) {
   World world;
   std::vector<VolumeId> same(from.volumes.size(), ~VolumeId{0});

@@ -1,4 +1,4 @@
-// Chambers of wires at random: rows of parallel tubes or bars.
+// Random chambers of wires: rows of parallel tubes or bars.
 #pragma once
 
 #include <cmath>
@@ -27,7 +27,7 @@ struct Stringing {
   bool cut_at_frame = true;  ///< lengths fall off to both ends of the row
 };
 
-/// Unit vectors along the wires, along the row, and across it.
+/// Unit vectors along the wires, along a row, and across the rows.
 struct WireAxes {
   Vec3 along, across, normal;
 };
@@ -72,7 +72,7 @@ inline int string_wires(World& world, VolumeId mother, const Stringing& s,
   return strung;
 }
 
-/// The kinds of chambers that tests go through.
+/// The kinds of chambers that tests try.
 inline std::vector<std::pair<std::string, Stringing>> stringings() {
   std::vector<std::pair<std::string, Stringing>> all;
   const auto add = [&](const char* name, auto change) {
@@ -97,8 +97,8 @@ inline std::vector<std::pair<std::string, Stringing>> stringings() {
   return all;
 }
 
-/// A ray for number `i`: anyhow, along wires, along rows, and nearly so, from the middle of the
-/// chamber, or from a wire's surface if it is given one.
+/// A ray for number `i`: in any direction, along wires, along rows, or nearly so, from the middle
+/// of the chamber, or from a wire's surface if one is given.
 inline std::pair<Vec3, Vec3> ray_among_wires(std::mt19937_64& random, const Stringing& s, int i) {
   const WireAxes axes = axes_of(s);
   const double spread = i % 2 == 0 ? s.half : 2 * s.radius;

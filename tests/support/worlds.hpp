@@ -37,7 +37,7 @@ inline void place(World& world, VolumeId mother, VolumeId daughter, Vec3 at,
   world.volumes[mother].daughters.push_back(std::move(placement));
 }
 
-/// A box of 200 mm with touching plates, a grid of tubes with cores, and rotated boxes: no
+/// A box of 200 mm with touching plates, a grid of tubes with cores, and rotated boxes, without
 /// overlaps.
 inline World mixed_world() {
   World world;
@@ -70,8 +70,8 @@ inline World mixed_world() {
   return world;
 }
 
-/// Boxes and tubes at random in a grid of cells, so that they cannot overlap; `side`^3 of them,
-/// each with one more inside, at random angles.
+/// Random boxes and tubes in a grid of cells, so that they cannot overlap; `side`^3 of them, each
+/// with one more inside, at random angles.
 inline World random_world(std::uint64_t seed, int side) {
   std::mt19937_64 random(seed);
   World world;

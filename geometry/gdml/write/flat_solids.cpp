@@ -1,4 +1,4 @@
-// Solids of flat faces, and of faces that straight lines rule.
+// Writes solids of flat faces, and of faces that are ruled by straight lines.
 #include <cmath>
 
 #include "geometry/gdml/write/solids.hpp"
@@ -14,7 +14,7 @@ using Plane = kernels::Plane<double>;
   throw GeometryError("solid '" + name + "' cannot be written as GDML: " + why);
 }
 
-/// A line in a plane across z: a x + b y + c = 0, the solid being where it is negative.
+/// A line in a plane across z: a x + b y + c = 0. The solid is on the negative side.
 struct Line {
   double a, b, c;
 };
@@ -42,7 +42,7 @@ std::string polygon_text(const std::vector<PlanarPoint>& polygon) {
   return text;
 }
 
-/// A hull that was made of two sections has their planes first, then its sides in their order.
+/// A hull that was made of two sections has the planes of the ends first, then its sides in order.
 bool write_as_extruded(SolidWriter& out, const std::string& name, const kernels::Hull<double>& s) {
   const auto across_z = [&](int i, double up) {
     return s.planes[i].a == 0 && s.planes[i].b == 0 && s.planes[i].c == up;
@@ -57,7 +57,7 @@ bool write_as_extruded(SolidWriter& out, const std::string& name, const kernels:
     below.push_back(meet(name, line_at(f, low), line_at(g, low)));
     above.push_back(meet(name, line_at(f, high), line_at(g, high)));
   }
-  // The larger end is the polygon, and the other one a scaled copy of it.
+  // The larger end is the polygon, and the other end a scaled copy of it.
   const auto size = [](const std::vector<PlanarPoint>& p) {
     double largest = 0;
     for (const PlanarPoint& q : p) {
@@ -85,7 +85,7 @@ bool write_as_extruded(SolidWriter& out, const std::string& name, const kernels:
   return true;
 }
 
-/// The part of a polygon that is behind a plane.
+/// The part of a polygon that lies behind a plane.
 std::vector<Vec3> behind(const std::vector<Vec3>& polygon, const Plane& f) {
   std::vector<Vec3> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -99,7 +99,7 @@ std::vector<Vec3> behind(const std::vector<Vec3>& polygon, const Plane& f) {
   return kept;
 }
 
-/// A face of a hull: a square about the origin's nearest point on the plane, cut by all others.
+/// A face of a hull: a square around the point nearest to the origin, cut by all other planes.
 std::vector<Vec3> face_of(const kernels::Hull<double>& s, int face, double reach) {
   const Plane& f = s.planes[face];
   const Vec3 normal{f.a, f.b, f.c}, foot = (-f.d) * normal;
@@ -191,7 +191,7 @@ void write_shape(SolidWriter& out, const std::string& name, const kernels::Arb8<
       return Line{f.a * z + f.e, f.b * z + f.f, (f.c * z + f.d) * z + f.g};
     };
     for (std::size_t i = 0; i < 4; ++i) {
-      // A triangle has its last corner twice.
+      // A triangle repeats its last corner.
       const std::size_t k = std::min(i, count - 1);
       const PlanarPoint p = meet(name, line(k + count - 1), line(k));
       const std::string which = "v" + std::to_string((z < 0 ? 1 : 5) + i);
@@ -205,7 +205,7 @@ void write_shape(SolidWriter& out, const std::string& name, const kernels::Hull<
   if (write_as_extruded(out, name, s)) return;
   double reach = 0;
   for (int i = 0; i < s.count; ++i) reach = std::max(reach, std::abs(s.planes[i].d));
-  // First to see how far it reaches, then close to it, so that corners are accurate.
+  // First the reach is found; then faces are cut from squares near to it, for accurate corners.
   for (const double factor : {1e3, 2.0}) {
     const double bound = factor * reach;
     reach = 0;
@@ -247,7 +247,7 @@ void write_shape(SolidWriter& out, const std::string& name, const kernels::Prism
 
 void write_twisted(SolidWriter& out, const std::string& name, SolidKind kind,
                    const kernels::TwistedTrap<double>& s) {
-  // The other way round of make_twisted(): what it has is linear in z.
+  // The inverse of make_twisted(): the dimensions that this holds are linear in z.
   const double y0 = s.front.c0, y1 = s.front.c1, hz = s.hz;
   double x0 = 0, x1 = 0, slant = 0, d0 = 0, d1 = 0;
   if (s.steepening == 0) {

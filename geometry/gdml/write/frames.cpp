@@ -31,7 +31,7 @@ double determinant(const double (&r)[9]) {
 
 Vec3 angles_of(const double (&r)[9]) {
   const double x = std::atan2(r[7], r[8]), y = std::atan2(-r[6], std::hypot(r[0], r[3]));
-  // Where y is a right angle, x may be anything: z is what is left once x is turned back.
+  // If y is a right angle, x may be anything: z is what is left once x is turned back.
   const double s = std::sin(x), c = std::cos(x);
   return {x, y, std::atan2(r[2] * s - r[1] * c, r[4] * c - r[5] * s)};
 }

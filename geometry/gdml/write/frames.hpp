@@ -1,4 +1,4 @@
-// Frames as GDML has them: positions, and angles about the axes.
+// Frames as GDML writes them: positions, and angles about the axes.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace navjit::gdml {
 
-/// The angles of rotation_from_angles() for a rotation without a reflection, rad.
+/// The angles from which rotation_from_angles() makes a rotation without reflection, rad.
 Vec3 angles_of(const double (&rotation)[9]);
 
-/// <position/> and <rotation/>, and <scale/> of a frame that reflects; nothing of what is not
-/// there. They are called `name`, which no other frame is: VecGeom asks for that.
+/// <position/> and <rotation/>, and <scale/> of a frame that reflects; what a frame lacks is left
+/// out. They are called `name`, which no other frame may have: VecGeom demands that.
 std::string placement_text(const std::string& name, const Transformation& frame);
 
-/// Likewise of the second operand of a boolean, which turns the solid and not its frame.
+/// The same for the second operand of a boolean: there GDML turns the solid and not its frame.
 std::string operand_text(const std::string& name, const Transformation& frame);
 
 }  // namespace navjit::gdml

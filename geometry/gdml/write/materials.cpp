@@ -26,19 +26,19 @@ std::string state_text(MaterialState state) {
   return "";
 }
 
-/// Whether the material was given by its Z: its element came with it.
+/// Whether the material was given by its Z, so that its element was made with it.
 bool is_own_element(const World& world, const Material& material) {
   if (material.elements.size() != 1) return false;
   const Element& element = world.elements[material.elements[0].element];
   return element.name == material.name && element.isotopes.empty();
 }
 
-/// Geant4 takes no material without elements, and this has none.
+/// Whether it is a vacuum without elements: Geant4 takes no material without elements.
 bool is_vacuum(const Material& material) {
   return material.elements.empty() && material.density > 0 &&
          material.density <= most_density_of_vacuum;
 }
-/// What stands for a vacuum's element, as it does in Geant4's own: hydrogen.
+/// The element that stands for that of a vacuum, as in Geant4's own vacuum: hydrogen.
 const Element thin_gas{.name = "H", .z = 1, .a = 1.00794};
 
 }  // namespace
@@ -50,7 +50,7 @@ WrittenMaterials write_materials(const World& world) {
   for (const Material& material : world.materials) {
     made.names.push_back(material.name.empty() ? "" : names.own(material.name));
   }
-  // Elements that come with a material are referred to by its name; no other has it.
+  // Elements that are made with a material are referred to by its name; no other has that name.
   std::vector<bool> comes(world.elements.size());
   for (std::size_t m = 0; m < world.materials.size(); ++m) {
     const Material& material = world.materials[m];
@@ -87,7 +87,7 @@ WrittenMaterials write_materials(const World& world) {
   }
   for (std::size_t m = 0; m < world.materials.size(); ++m) {
     const Material& material = world.materials[m];
-    // Those of Geant4's own table are known there by name.
+    // Materials of Geant4's own table are known there by name.
     const bool known_elsewhere =
         material.density == 0 && material.elements.empty() && material.name.starts_with("G4_");
     if (made.names[m].empty() || known_elsewhere) continue;

@@ -1,4 +1,4 @@
-// Solids about the z axis.
+// Writes solids about the z axis.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,14 +16,14 @@ double radius(const Face& face, double z) {
   return std::max(0.0, (face.radius + face.slope * z) / face.cosine);
 }
 
-/// Rings that follow one another along z, each touching the next: the planes of one polycone.
+/// Rings along z, each touching the next: they are the planes of one polycone.
 struct Chain {
   std::vector<ZPlane> planes;
 };
 
 bool nearly(double a, double b) { return std::abs(a - b) <= 1e-13 * (std::abs(a) + std::abs(b)); }
 
-/// Contours that turn back in z have several rings at one height: they are several chains.
+/// A contour that turns back in z has several rings at one height: it becomes several chains.
 std::vector<Chain> chains_of(const Section* sections, int count) {
   std::vector<Chain> chains;
   for (int i = 0; i < count; ++i) {
@@ -77,7 +77,7 @@ std::string planes_text(const std::vector<ZPlane>& planes) {
   return text;
 }
 
-/// The polar angle of a limit, which is the nappe about +z or that about -z.
+/// The polar angle of a limiting cone, which is the nappe about +z or that about -z.
 double polar_angle(const Face& face, bool upper) {
   return upper ? std::atan2(face.slope, face.cosine) : std::atan2(-face.slope, -face.cosine);
 }
@@ -91,7 +91,7 @@ void write_shape(SolidWriter& out, const std::string& name, const kernels::Tube<
 }
 
 void write_shape(SolidWriter& out, const std::string& name, const kernels::CutTube<double>& s) {
-  // Both ends cross the axis at the same distance.
+  // Both end planes cross the axis at the same distance from the origin.
   out.write("cutTube", name,
             attributes({{"rmin", s.rmin},
                         {"rmax", s.rmax},

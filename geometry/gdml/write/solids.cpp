@@ -24,8 +24,8 @@ Transformation relative(const Transformation& a, const Transformation& b) {
   return make_transformation({t.x, t.y, t.z}, rotation);
 }
 
-/// Writes a boolean without the frame of its first operand, and gives that frame. Where the order
-/// of the operands does not matter, one without a frame is the first.
+/// Writes a boolean without the frame of its first operand, and returns that frame. If the order of
+/// the operands does not matter, one without a frame comes first.
 template <class Shape>
 Transformation write_boolean(SolidWriter& out, const char* tag, const std::string& name,
                              const Shape& s, bool ordered) {

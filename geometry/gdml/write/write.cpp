@@ -1,4 +1,4 @@
-// A detector as a GDML file.
+// Writes a detector as a GDML file.
 #include <algorithm>
 
 #include "geometry/gdml/write/frames.hpp"

@@ -20,7 +20,7 @@ std::string escaped(std::string_view text) {
       case '"':
         out += "&quot;";
         break;
-      // As themselves they would be read as spaces.
+      // Written as themselves they would be read as spaces.
       case '\n':
         out += "&#10;";
         break;

@@ -1,4 +1,4 @@
-// XML as it is written: escaped text, numbers that are read back as they are, names of their own.
+// Writes XML: escaped text, numbers that are read back unchanged, names that are unique.
 #pragma once
 
 #include <initializer_list>
@@ -9,7 +9,7 @@
 
 namespace navjit::gdml {
 
-/// Text within an attribute.
+/// Text, escaped for an attribute.
 std::string escaped(std::string_view text);
 
 /// The shortest decimal number that is read back as this one.
@@ -23,14 +23,14 @@ using Numbers = std::initializer_list<std::pair<std::string_view, double>>;
 /// ` a="1" b="2.5"`.
 std::string attributes(Numbers numbers);
 
-/// Names that references can tell apart.
+/// Makes names unique, so that references can tell them apart.
 class NameBook {
  public:
-  /// The name, or that and a number if it is taken or empty.
+  /// The name itself, or the name with a number if it is taken or empty.
   std::string own(const std::string& name) {
     const auto [taken, is_free] = next_number_.try_emplace(name.empty() ? "nameless" : name, 2);
     if (is_free) return taken->first;
-    // A million corners have one name.
+    // The next number is kept, since a million corners may share one name.
     for (int& number = taken->second;;) {
       const std::string unique = name + '_' + std::to_string(number++);
       if (next_number_.try_emplace(unique, 2).second) return unique;
@@ -38,7 +38,7 @@ class NameBook {
   }
 
  private:
-  std::unordered_map<std::string, int> next_number_;  ///< of the names that are taken
+  std::unordered_map<std::string, int> next_number_;  ///< by name that is taken
 };
 
 }  // namespace navjit::gdml

@@ -1,6 +1,6 @@
-// What the shared libraries show: all else in them is hidden (docs/install.md).
+// What the shared libraries export; everything else in them is hidden (docs/install.md).
 #pragma once
 
-/// Before the name of a namespace: what is declared in it is part of the public API. As a standard
-/// attribute, which Clang 14 takes there, too.
+/// Stands before the name of a namespace: what is declared there is part of the public API. It is
+/// written as a standard attribute, since Clang 14 accepts that form in this place, too.
 #define NAVJIT_API [[gnu::visibility("default")]]

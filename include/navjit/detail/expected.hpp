@@ -1,4 +1,4 @@
-// What can fail without throwing: a value, or why there is none. A header alone, for every room.
+// A value, or the reason why there is none: the result of what can fail without throwing.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@ namespace navjit {
 /// Why an operation did not succeed: every diagnostic in one string, ready to be shown.
 struct Failure {
   std::string message;
-  /// For want of memory or threads: the next try would hardly do better.
+  /// Memory or threads ran out: the next try would hardly do better.
   bool exhausted = false;
-  /// Because it was asked to stop.
+  /// The operation was asked to stop.
   bool stopped = false;
 };
 
-/// The failure of what was asked to stop.
+/// The failure of an operation that was asked to stop.
 inline Failure stopped() { return {.message = "stopped", .stopped = true}; }
-/// The failure for want of memory. Made without any.
+/// The failure of an operation that ran out of memory. To make it takes none.
 inline Failure out_of_memory() { return {.message = "out of memory", .exhausted = true}; }
 
-/// Either a value or the `Failure` that kept it from being made. Owns whichever it holds.
+/// Either a value or the `Failure` that kept it from being made. It owns the one that it holds.
 template <typename T>
 class [[nodiscard]] Expected {
  public:

@@ -13,7 +13,7 @@ constexpr int stack_levels = 64;
 /// translation).
 struct StackLevel {
   double translation[3];
-  const double* rotation;  ///< null: identity. Points to `own_rotation` of this or an outer level
+  const double* rotation;  ///< null: identity; else `own_rotation` of this or an outer level
   unsigned long long touchable;
   unsigned volume;
   unsigned daughter;  ///< index of the placement in the mother; 0 for the world
@@ -22,47 +22,47 @@ struct StackLevel {
 };
 static_assert(sizeof(StackLevel) == 128);
 
-/// The ray that steps are made along: its direction with reciprocals, kept because its steps share
-/// it.
+/// The ray along which steps are made: its direction with reciprocals, kept because all its steps
+/// share them.
 struct RayConstants {
   double given[3] = {0, 0, 0};  ///< as the caller gave it
   Direction<double> direction = make_direction<double>(0, 0, 0);
   bool oblique = false;  ///< is_oblique(direction)
 };
 
-/// The same in a frame whose rotation all touchables of a volume share; specialised navigators keep
-/// it.
+/// The direction of the ray in a frame whose rotation all touchables of a volume share; specialised
+/// navigators keep it.
 struct TurnedRay {
   Direction<double> direction = make_direction<double>(0, 0, 0);
   unsigned rotation = 0;  ///< FrameFacts::rotation; 0: none since the ray began
   bool oblique = false;
 };
 
-/// A daughter that the innermost volume's ray has left for good: it came out of it through a face
-/// that bounds its convex hull, and would have to turn round to meet it again. Specialised
-/// navigators keep it, to ask one daughter less.
+/// A daughter that the ray in the innermost volume has left for good: the ray came out through a
+/// face that bounds the daughter's convex hull, and would have to turn round to meet it again.
+/// Specialised navigators keep this, to ask one daughter less.
 struct LeftForGood {
   static constexpr unsigned none = ~0U;
-  double at[3] = {0, 0, 0};       ///< where, mm, in the world
+  double at[3] = {0, 0, 0};       ///< where it was left, mm, in the world
   unsigned long long mother = 0;  ///< the touchable that it is a daughter of
   unsigned daughter = none;
   int from = -1;  ///< depth of the level whose own end was the last step's; -1: not known
 };
 
-/// The boxes of a mother's daughters that its ray meets, as a search found them once: the next
-/// steps of the ray in that mother need not look for them again. Specialised navigators keep it.
+/// The boxes of a mother's daughters that the ray meets, as a search found them once: the next
+/// steps of the ray in that mother need not look for them again. Specialised navigators keep this.
 struct BoxesAhead {
   static constexpr unsigned room = 32;  ///< blocks of eight boxes; a guess
-  const void* search = nullptr;         ///< that it is of; null: nothing is known
+  const void* search = nullptr;         ///< the search that found them; null: nothing is known
   unsigned long long mother = 0;        ///< the touchable
   double at[3] = {0, 0, 0};             ///< where the ray was then, mm, in the mother's frame
   double until = 0;                     ///< the path, mm, up to which all boxes are here
-  unsigned count = 0;                   ///< of blocks
+  unsigned count = 0;                   ///< the number of blocks
   unsigned keys[room][8];               ///< as ScanKeys has them
   float leave[room][8];                 ///< the path to where the ray leaves the box, at most
 };
 
-/// Not copyable by bytes: rotations point into the stack itself.
+/// Must not be copied byte by byte: rotations point into the stack itself.
 struct NavigationStack {
   int depth;     ///< index of the innermost level; -1 outside the world
   int boundary;  ///< whether the last step ended on a boundary
@@ -75,34 +75,34 @@ struct NavigationStack {
 
 struct Context;
 
-// The direction of steps, and of relocation behind them, is the stack's ray (set_ray): in memory it
-// takes no registers, all of which a call would have to save. `data` is DispatchEntry::data, for
-// safeties DispatchEntry::safety_data.
+// The direction of steps, and of the relocation after them, is the stack's ray (set_ray). It is in
+// memory, since a call would have to save every register that it took. `data` is
+// DispatchEntry::data; for safeties it is DispatchEntry::safety_data.
 
-/// A step from the global point (x, y, z) at most `limit` long. Gives its length and leaves the
-/// stack at the next touchable. A negative result: this navigator does not take the state; the
+/// A step from the global point (x, y, z), at most `limit` long. Returns its length and leaves the
+/// stack at the next touchable. A negative result: this navigator does not take the state, and the
 /// stack is unchanged.
 using StepFunction = double (*)(NavigationStack*, const Context*, const void* data, double x,
                                 double y, double z, double limit);
-/// The point has just come into the innermost level: from outside (blocked < 0), then it is known
-/// to be in it; or out of its daughter `blocked`, then it may have to leave this level too. Brings
-/// the stack to the deepest touchable with the point.
+/// The point has just come into the innermost level: either from outside (blocked < 0), and then it
+/// is known to be in it; or out of its daughter `blocked`, and then it may have to leave this
+/// level, too. Brings the stack to the deepest touchable that holds the point.
 using RelocateFunction = void (*)(NavigationStack*, const Context*, const void* data, double x,
                                   double y, double z, int blocked);
 
 /// A lower bound (mm, >= 0) of the distance from a global point to the nearest boundary of the
-/// innermost volume or of its daughters; `enough` (mm, >= 0) if that is less: what is farther away
-/// need not be looked at.
+/// innermost volume or of its daughters. It is no more than `enough` (mm, >= 0), since what is
+/// farther away need not be looked at.
 using SafetyFunction = double (*)(const NavigationStack*, const Context*, const void* data,
                                   double x, double y, double z, double enough);
 
-/// A step of length zero: the global point is where the innermost volume ends, and the ray heads
-/// out. Brings the stack to the next touchable, and notes the boundary.
+/// A step of length zero: at the global point the innermost volume ends, and the ray heads out of
+/// it. Brings the stack to the next touchable, and notes the boundary.
 using LeaveFunction = void (*)(NavigationStack*, const Context*, double x, double y, double z);
 
-/// The global point is in the innermost volume, maybe where the daughter that was left last begins
-/// and the ray heads back into it. If so, makes that step of length zero, and gives its length. A
-/// negative result: it is not so, or not known to be; the touchable is unchanged.
+/// The global point is in the innermost volume, perhaps on the surface of the daughter that was
+/// left last, and the ray may head back into that. If so, makes that step of length zero, and
+/// returns its length. Negative if it is not so, or not known; then the touchable is unchanged.
 using ReturnFunction = double (*)(NavigationStack*, const Context*, double x, double y, double z);
 
 /// What navigates one volume: immutable, published by one atomic pointer.
@@ -112,7 +112,7 @@ struct DispatchEntry {
   SafetyFunction safety;
   /// The numbers of the scene that are not in the code; null: there are none.
   const void* data = nullptr;
-  /// The same for the safety, which another navigator of the volume may tell than makes the steps.
+  /// The same for the safety, which another navigator may compute than the one that makes steps.
   const void* safety_data = nullptr;
 };
 
@@ -122,24 +122,24 @@ struct Context {
   const void* geometry;               ///< the generic navigator's data
   LeaveFunction leave_at_once;
   ReturnFunction return_at_once;
-  /// By volume: the volumes of its daughters, in order, for code that several volumes share whose
-  /// daughters are not the same ones; null where there is none.
+  /// By volume: the volumes of its daughters, in order. It serves code that several volumes share
+  /// although their daughters differ; null where there is no such code.
   const unsigned* const* daughters = nullptr;
 };
 
-/// The record of a volume, as other threads published it.
+/// The dispatch entry of a volume, as another thread has published it.
 inline const DispatchEntry* dispatch_entry_of(const Context* context, unsigned volume) {
   return __atomic_load_n(context->table + volume, __ATOMIC_ACQUIRE);
 }
 
-/// Relocation in a volume that the table knows how to navigate: see RelocateFunction.
+/// Relocates in a volume by the navigator that the table has for it; see RelocateFunction.
 inline void relocate_in_table(NavigationStack* stack, const Context* context, unsigned volume,
                               double x, double y, double z, int blocked) {
   const DispatchEntry* entry = dispatch_entry_of(context, volume);
   entry->relocate(stack, context, entry->data, x, y, z, blocked);
 }
 
-/// Equal bits: cheaper than equal values, and all the same for what is only kept to save work.
+/// Whether the bits are equal. Cheaper than equal values, and enough for what only saves work.
 inline bool same_bits(double a, double b) {
   return __builtin_bit_cast(unsigned long long, a) == __builtin_bit_cast(unsigned long long, b);
 }

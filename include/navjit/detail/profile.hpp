@@ -1,6 +1,6 @@
-// What one thread's navigation tells the specialiser: steps per volume, how many points were
-// located, and now and then a question as it was asked.
-// Written by the navigating thread, read by one other; no locks.
+// What the navigation of one thread tells the specialiser: the number of steps in each volume, how
+// many points were located, and now and then a whole question as it was asked. The navigating
+// thread writes it, one other thread reads it; there are no locks.
 #pragma once
 
 #include <array>
@@ -28,21 +28,21 @@ struct Sample {
   Vec3 point, direction;
   double limit;
   unsigned left = 0;  ///< the daughter that was left last, or any number: no answer depends on it
-  bool left_for_good = false;                    ///< that daughter, as kernels::LeftForGood has it
+  bool left_for_good = false;                    ///< whether for good (LeftForGood)
   const kernels::DispatchEntry* used = nullptr;  ///< what made the step, if it was timed
-  std::uint64_t ticks = 0;                       ///< that it took
-  Question question = Question::step;            ///< of a location only what follows matters
+  std::uint64_t ticks = 0;                       ///< how long that took
+  Question question = Question::step;            ///< for a location only what follows matters
 
-  /// A volume's part in a step that was not made in it, or in a location.
+  /// The part that a volume had in a step that began in another one, or in a location.
   struct Relocation {
     VolumeId volume = no_volume;
     const kernels::DispatchEntry* used = nullptr;
   };
-  /// More volumes seldom take part.
+  /// More volumes than this seldom take part.
   static constexpr unsigned most_relocations = 8;
-  /// Those in which the track was relocated at the step's end, from the mother of what was left
-  /// outwards, then inwards, or in which the point was located, inwards; volumes without daughters
-  /// are none.
+  /// The volumes in which the track was relocated at the step's end, first outwards from the mother
+  /// of what was left, then inwards; or those in which the point was located, inwards. Volumes
+  /// without daughters are not among them.
   Relocation relocations[most_relocations]{};
   unsigned relocation_count = 0;
 };
@@ -54,29 +54,29 @@ class Profile {
         steps_(std::make_unique<std::atomic<std::uint64_t>[]>(volumes)),
         bail_outs_(std::make_unique<std::atomic<std::uint64_t>[]>(volumes)) {}
 
-  /// By the owner. Not an atomic increment: there is one writer.
+  /// For the owner, which is the only writer: so this need not be an atomic increment.
   void count(VolumeId volume) {
     std::atomic<std::uint64_t>& n = steps_[volume];
     n.store(n.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   }
-  /// By the owner, in addition, where a specialised navigator did not take the state.
+  /// For the owner, in addition to count(): a specialised navigator did not take the state.
   void count_bail_out(VolumeId volume) {
     std::atomic<std::uint64_t>& n = bail_outs_[volume];
     n.store(n.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   }
-  /// By the owner, once a step: true when the step should be recorded.
+  /// For the owner, once a step: true if the step should be recorded.
   bool due() { return --countdown_ == 0; }
-  /// By the owner: the next step is due, too.
+  /// For the owner: the next step should be recorded, too.
   void come_again() { countdown_ = 1; }
-  /// By the owner, once a safety: true when it should be recorded.
+  /// For the owner, once a safety: true if it should be recorded.
   bool safety_due() { return --safety_countdown_ == 0; }
-  /// By the owner, once a location: counts it; true when it should be recorded.
+  /// For the owner, once a location: counts it; true if it should be recorded.
   bool location_due() {
     locations_.store(locations_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
     return --location_countdown_ == 0;
   }
-  /// By the owner. A full queue drops the sample, and then few are made until there is room again:
-  /// the reader says by how often it looks how many it wants.
+  /// For the owner. A full queue drops the sample, and then samples are rare until there is room
+  /// again. So the reader decides how many it gets by how often it looks.
   void record(const Sample& sample) {
     const std::uint32_t head = head_.load(std::memory_order_relaxed);
     const bool full = head - tail_.load(std::memory_order_acquire) == queue_.size();
@@ -86,11 +86,11 @@ class Profile {
     head_.store(head + 1, std::memory_order_release);
   }
 
-  /// By the owner, at last: nothing is counted any more.
+  /// For the owner, at the end: nothing is counted after this.
   void finish() { finished_.store(true, std::memory_order_release); }
   bool finished() const { return finished_.load(std::memory_order_acquire); }
 
-  /// By the reader.
+  /// For the reader.
   std::uint64_t steps(VolumeId volume) const {
     return steps_[volume].load(std::memory_order_relaxed);
   }
@@ -99,7 +99,7 @@ class Profile {
   }
   std::uint64_t locations() const { return locations_.load(std::memory_order_relaxed); }
   std::size_t size() const { return size_; }
-  /// By the reader: takes the oldest sample; false if there is none.
+  /// For the reader: takes the oldest sample; false if there is none.
   bool take(Sample& sample) {
     const std::uint32_t tail = tail_.load(std::memory_order_relaxed);
     if (tail == head_.load(std::memory_order_acquire)) return false;
@@ -108,9 +108,9 @@ class Profile {
     return true;
   }
 
-  /// Steps between samples; prime, so that it does not beat with the detector's own periods.
+  /// Steps between samples; prime, so that it does not beat with periods of the detector.
   static constexpr std::uint32_t period = 61;
-  /// The same while there is no room for them, since nobody takes those that were made. Prime,
+  /// The same while the queue is full, since nobody takes the samples out. It is prime,
   /// too.
   static constexpr std::uint32_t period_when_full = 2039;
 

@@ -1,4 +1,4 @@
-// Marks of navigating threads, so that replaced code is freed only once no thread is in it.
+// Marks that navigating threads set, so that replaced code is freed only once no thread is in it.
 #pragma once
 
 #include <atomic>

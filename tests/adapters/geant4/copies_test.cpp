@@ -1,4 +1,4 @@
-// Replicas, divisions, parameterised volumes, assemblies and reflections made in code.
+// Replicas, divisions, parameterised volumes, assemblies and reflections that are made in code.
 #include <gtest/gtest.h>
 #include <G4AssemblyVolume.hh>
 #include <G4Box.hh>
@@ -88,7 +88,7 @@ TEST(Divisions, OfBoxAndCone) {
   tests::expect_alike(*hall.world);
 }
 
-/// Chambers that grow, alternately of two materials, each turned a little more.
+/// Chambers that grow, of two materials in turn, each turned a little more than the one before.
 class Chambers : public G4VPVParameterisation {
  public:
   Chambers(G4Material* a, G4Material* b) : materials_{a, b} {}

@@ -1,4 +1,4 @@
-// navjit for single volumes, behind Geant4's own navigator.
+// navjit for single volumes, below Geant4's own navigator.
 #include "navjit/geant4/external.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ G4LogicalVolume* box(const char* name, double x, double y, double z) {
   return new G4LogicalVolume(new G4Box(name, x, y, z), nullptr, name);
 }
 
-/// Two turned modules of bricks and rods; a brick has a chip in it, two of its faces flush.
+/// Two turned modules of bricks and rods. A brick has a chip in it that shares two of its faces.
 struct Modules {
   G4LogicalVolume* hall = box("hall", 300, 300, 300);
   G4VPhysicalVolume* world = new G4PVPlacement(nullptr, {}, hall, "hall", nullptr, false, 0);
@@ -53,7 +53,7 @@ struct Row {
   G4ThreeVector normal;
 };
 
-/// Straight tracks, some with limits, as transportation makes them.
+/// Straight tracks, some with limits, stepped as Geant4's transportation does.
 std::vector<Row> walk(G4Navigator& navigator, int tracks) {
   std::vector<Row> rows;
   std::mt19937_64 random(3);

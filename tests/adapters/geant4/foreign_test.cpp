@@ -1,5 +1,5 @@
-// Solids that navjit has no kernel for: Geant4's own answer, and the world is navjit's all the
-// same.
+// Solids that navjit has no kernel for: Geant4 answers for them, and navjit navigates the world
+// nevertheless.
 #include <gtest/gtest.h>
 #include <G4AffineTransform.hh>
 #include <G4Box.hh>
@@ -21,7 +21,7 @@
 namespace navjit {
 namespace {
 
-/// A user's class, with no more than the base class asks for. It is what it holds.
+/// A user's class with only what the base class demands. It stands for the solid that it holds.
 class Wrapped : public G4VSolid {
  public:
   explicit Wrapped(const G4VSolid* of) : G4VSolid("own_" + of->GetName()), of_(of) {}
@@ -54,7 +54,7 @@ class Wrapped : public G4VSolid {
   const G4VSolid* of_;
 };
 
-/// A class of Geant4's that a user changed: only its very own class is known.
+/// A class of Geant4's that a user changed: navjit must recognise only the exact class of Geant4.
 class Lower : public G4Box {
  public:
   using G4Box::G4Box;
@@ -103,7 +103,7 @@ TEST(OwnSolids, ArePartsOfOthers) {
   tests::expect_alike(*hall.world);
 }
 
-/// Bricks that grow.
+/// Bricks whose size grows from copy to copy.
 class Bricks : public G4VPVParameterisation {
  public:
   void ComputeTransformation(const G4int copy, G4VPhysicalVolume* volume) const override {
@@ -126,7 +126,7 @@ TEST(OwnSolids, OfCopiesThatDiffer) {
   EXPECT_EQ(geometry.asked_of_geant4()[0], "brick");
 }
 
-/// A user's class that inherits a Clone(): that of a box is a box.
+/// A user's class that inherits Clone() from the box: its clone is only a box.
 class Uncloned : public G4Box {
  public:
   using G4Box::G4Box;

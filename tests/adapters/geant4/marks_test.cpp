@@ -1,4 +1,4 @@
-// What Geant4's run looks at, as tags of the converted detector.
+// Volumes that Geant4's run observes become tags of the converted detector.
 #include <gtest/gtest.h>
 #include <G4Box.hh>
 #include <G4HCofThisEvent.hh>

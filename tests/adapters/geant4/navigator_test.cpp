@@ -1,4 +1,4 @@
-// Calls of Geant4's that walks do not make, and how navjit gets into a program.
+// Calls of Geant4 that walks do not make, and how navjit gets into a program.
 #include "navjit/geant4/navigator.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@
 namespace navjit {
 namespace {
 
-/// A hall of half width 100 with a box of 20 in its middle, which has one of 5 in its own.
+/// A hall of half width 100 with a box of 20 in its middle, and a box of 5 in the middle of that.
 struct Boxes {
   G4LogicalVolume* hall = new G4LogicalVolume(new G4Box("hall", 100, 100, 100), nullptr, "hall");
   G4LogicalVolume* outer = new G4LogicalVolume(new G4Box("outer", 20, 20, 20), nullptr, "outer");
@@ -166,7 +166,7 @@ TEST_F(Calls, SecondariesStartFromTheirTouchable) {
   EXPECT_EQ(name(navigator_.ResetHierarchyAndLocate({5, 0, 0}, -x_, history)), "inner");
 }
 
-/// Keeps what it is told, as long as it lives.
+/// Keeps the exceptions that it is told of while it lives.
 struct Handler : G4VExceptionHandler {
   Handler() = default;
   ~Handler() override { G4StateManager::GetStateManager()->SetExceptionHandler(nullptr); }

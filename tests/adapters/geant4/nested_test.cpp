@@ -34,7 +34,7 @@ struct Hall {
   }
 };
 
-/// Voxels along z of two materials, as a chess board with the columns and rows that they are in.
+/// Voxels along z of two materials, a chess board together with the columns and rows around them.
 class Board : public G4VNestedParameterisation {
  public:
   Board(G4Material* a, G4Material* b) : materials_{a, b} {}
@@ -104,7 +104,7 @@ TEST(Nested, HaveTheMaterialOfTheMothersCopy) {
   EXPECT_EQ(seen[0], seen[1]);
 }
 
-/// Voxels of 10 mm that fill the container, of three materials.
+/// Voxels of 10 mm, of three materials, which fill the container.
 G4PVParameterised* phantom(const Hall& hall, bool skip) {
   static std::vector<std::size_t> indices;
   constexpr int nx = 16, ny = 12, nz = 10;

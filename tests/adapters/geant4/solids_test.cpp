@@ -1,4 +1,4 @@
-// Every solid of Geant4's that navjit has a kernel for, walked through with both navigators.
+// Every solid of Geant4 that navjit has a kernel for; both navigators walk through it.
 #include <gtest/gtest.h>
 #include <G4Box.hh>
 #include <G4Cons.hh>
@@ -42,7 +42,7 @@
 namespace navjit {
 namespace {
 
-/// What the solids of a test are.
+/// The solids of a test.
 struct Sample {
   const char* name;
   G4VSolid* (*make)();

@@ -15,7 +15,7 @@
 namespace navjit::tests {
 namespace {
 
-/// A track that waits: where it is made, and in what.
+/// A track that waits to be followed: where it starts, and in which touchable.
 struct Secondary {
   G4ThreeVector point, direction;
   G4TouchableHandle touchable;

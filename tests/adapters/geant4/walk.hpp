@@ -1,4 +1,4 @@
-// Tracks through a world of Geant4's, as its tracking makes them, with both navigators.
+// Tracks through a world of Geant4, made as Geant4's tracking makes them, with both navigators.
 #pragma once
 
 #include <G4VPhysicalVolume.hh>
@@ -20,7 +20,7 @@ struct Walk {
   geant4::Options options{};
 };
 
-/// What came of it.
+/// What came of a walk.
 struct Walked {
   geant4::Counts counts{};
   std::uint64_t boundaries = 0;
@@ -29,7 +29,7 @@ struct Walked {
   std::string refusal{};
 };
 
-/// Makes the tracks: steps to boundaries and to limits, scattering within the safety, parasitic
+/// Makes the tracks: steps to boundaries and to limits, scattering within the safety, additional
 /// calls, secondaries that start later from their touchable. Closes the geometry.
 Walked walk(G4VPhysicalVolume& world, Walk walk);
 

@@ -1,8 +1,8 @@
 // Random states of every volume: VecGeom's interface over navjit answers with navjit's own bits in
-// VecGeom's own paths, and beside VecGeom's own navigators.
+// VecGeom's own paths, and nearly as VecGeom's own navigators do.
 //
-// NAVJIT_VECGEOM_STATES: how many a volume, by default 300 (docs/vecgeom.md has a million);
-// NAVJIT_VECGEOM_REPORT: a line for each difference from VecGeom.
+// NAVJIT_VECGEOM_STATES: how many states for each volume, by default 300 (docs/vecgeom.md has a
+// million). NAVJIT_VECGEOM_REPORT: prints a line for each difference from VecGeom.
 #include <VecGeom/navigation/GlobalLocator.h>
 #include <VecGeom/volumes/UnplacedTorus2.h>
 
@@ -33,13 +33,13 @@ void PrintTo(const Case& of, std::ostream* out) { *out << of.name; }
 
 bool same(double a, double b) { return kernels::same_bits(a, b); }
 
-/// VecGeom's booleans push by 1e-6 of its unit (tests/reference/vecgeom_test.cpp), those in others
-/// several times.
+/// VecGeom's booleans push points by 1e-6 of its unit (tests/reference/vecgeom_test.cpp); booleans
+/// within others do so several times.
 constexpr double most_difference = 3.1e-6;
-/// After a boundary VecGeom looks for the point that much further on, in its unit.
+/// After a boundary VecGeom looks for a point that is this much further on, in its unit.
 constexpr double vecgeom_push = 1e-6;
 
-/// Why VecGeom's step is another one, as far as it is known.
+/// The reason why VecGeom's step is another one, so far as it is known.
 enum Why { copy, overlap, missed, edge, torus, own_look_up, unknown, reasons };
 constexpr const char* names[reasons] = {
     "a copy of the placement that was left",
@@ -66,8 +66,8 @@ bool begins(const NavigationState& path, const NavigationState& with) {
   return same;
 }
 
-/// Whether the track is still where it was at a point between the two ends, as it is if and only if
-/// navjit's step is the longer one.
+/// Whether the track is still in the same place at a point between the two ends: this is so if and
+/// only if navjit's step is the longer one.
 Why why_length(const NavigationState& in, NavigationState& found, const Vector& point,
                const Vector& direction, double ours, double its) {
   found.Clear();

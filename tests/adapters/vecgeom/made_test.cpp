@@ -1,5 +1,5 @@
-// Volumes made in code: assemblies, scaled shapes, booleans, every shape with a kernel; what is
-// refused.
+// Volumes made in code: assemblies, scaled shapes, booleans, every shape that has a kernel, and
+// what is refused.
 #include <VecGeom/base/Transformation3D.h>
 #include <VecGeom/navigation/GlobalLocator.h>
 #include <VecGeom/volumes/UnplacedAssembly.h>
@@ -44,7 +44,7 @@ using ::vecgeom::UnplacedBox;
 using ::vecgeom::VUnplacedVolume;
 using Vector = ::vecgeom::Vector3D<double>;
 
-/// A world of VecGeom's, made in code; VecGeom's manager owns what is in it.
+/// A world of VecGeom's, made in code; VecGeom's manager owns everything in it.
 class VecGeomMade : public ::testing::Test {
  protected:
   static LogicalVolume& volume(const char* name, const VUnplacedVolume* shape) {

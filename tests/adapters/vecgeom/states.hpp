@@ -1,4 +1,4 @@
-// Random states: of every volume of a detector, in any of its touchables.
+// Random states of every volume of a detector, each in any of its touchables.
 #pragma once
 
 #include <algorithm>

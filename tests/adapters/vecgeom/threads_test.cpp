@@ -1,4 +1,4 @@
-// Many threads in VecGeom's loop over one navigator, while code is swapped below them.
+// Many threads are in VecGeom's loop over one navigator while the code behind it is replaced.
 #include <VecGeom/navigation/GlobalLocator.h>
 
 #include <atomic>

@@ -1,5 +1,5 @@
-// VecGeom's world in a test: one for each process, as its manager is a singleton. CTest runs each
-// test in a process of its own; by hand, name one test.
+// VecGeom's world in a test: one for each process, since VecGeom's manager is a singleton. CTest
+// runs each test in a process of its own; if you run it by hand, name one test.
 #pragma once
 
 #include <VecGeom/gdml/Frontend.h>
@@ -18,7 +18,7 @@
 
 namespace navjit::tests {
 
-/// Takes what is written to std::cout and std::cerr while it lives: VecGeom says a lot.
+/// Takes what is written to std::cout and std::cerr while it lives: VecGeom prints much.
 class Quiet {
  public:
   Quiet() : cout_(std::cout.rdbuf(text_.rdbuf())), cerr_(std::cerr.rdbuf(text_.rdbuf())) {}
@@ -40,14 +40,14 @@ inline bool& has_world() {
   return has;
 }
 
-/// Reads a file; `unit`: how long a mm is.
+/// Reads a file. `unit` is the length of a mm in VecGeom's unit.
 inline void load_world(const std::string& file, double unit = 1) {
   ASSERT_FALSE(std::exchange(has_world(), true)) << "one world a process: run one test of these";
   const Quiet quiet;
   ASSERT_TRUE(vgdml::Frontend::Load(file, false, unit, false)) << file;
 }
 
-/// The file of a published detector in `data`, or of the project.
+/// The file of a published detector in `data`, or else of one of the project.
 inline std::string detector_file(const std::string& name) {
   const std::filesystem::path own = std::filesystem::path(NAVJIT_DETECTORS_DIR) / name;
   if (std::filesystem::exists(own)) return own;

@@ -1,4 +1,4 @@
-// A mother with daughters that are in a pattern, and that no candidate is left out that is met.
+// A mother with daughters in a pattern, and the check that no candidate which is met is left out.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -72,8 +72,8 @@ struct Tally {
   std::size_t asked = 0, all = 0, met = 0;
 };
 
-/// `walk` finds the nearest daughter as all of them together do, `at` all that hold a point, for
-/// the rays that ray_of(i) gives.
+/// `walk` must find the same nearest daughter as all daughters together, and `at` all that hold a
+/// point, for the rays that ray_of(i) gives.
 template <class RayOf, class Walk, class At>
 void expect_complete_for(const Arrangement& a, std::mt19937_64& random, double half, RayOf ray_of,
                          Walk walk, At at, Tally& tally) {

@@ -1,4 +1,4 @@
-// Candidates from cells and blocks of boxes: never is a daughter left out that is met.
+// Candidates from cells and blocks of boxes: no daughter that is met is ever left out.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 using tests::random_direction;
 using tests::uniform;
 
-/// A box turned about a random axis, in a scene of +-`scene`.
+/// A box turned about a random axis, in a scene from -`scene` to +`scene`.
 struct Turned {
   Solid solid;
   Transformation at;
@@ -34,7 +34,7 @@ Transformation turned(std::mt19937_64& random, double scene) {
   return make_transformation({somewhere(), somewhere(), somewhere()}, rotation);
 }
 
-/// Grid as BlockGrid has them.
+/// A grid in the form that BlockGrid has.
 struct Blocks {
   std::vector<unsigned> first{0};
   std::vector<kernels::BoxBlock> blocks;

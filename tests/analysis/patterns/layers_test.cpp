@@ -1,4 +1,4 @@
-// Slabs within slabs: how they are found, and that nothing is left out that a ray or a point meets.
+// Slabs within slabs: they are found, and nothing that a ray or a point meets is left out.
 #include "analysis/patterns/layers.hpp"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ using tests::uniform;
 
 constexpr double half = 60;
 
-/// Layers along z of rows of tiles, some of them missing, with a plate behind each; the plates may
-/// overlap with the tiles.
+/// Layers along z of rows of tiles, some of which are missing, with a plate behind each layer; the
+/// plates may overlap with the tiles.
 void add_calorimeter(Arrangement& a, std::mt19937_64& random, double overlap, bool turned) {
   for (int layer = 0; layer < 7; ++layer) {
     const double z = -48 + 14 * layer;
@@ -44,7 +44,7 @@ Arrangement calorimeter(std::uint64_t seed, double overlap, bool turned) {
   return a;
 }
 
-/// Straws in rows that stand on the gaps of those below.
+/// Straws in rows; each row lies on the gaps of the row below.
 Arrangement straws(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   Arrangement a(make_box("mother", half, half, half));
@@ -58,7 +58,7 @@ Arrangement straws(std::uint64_t seed) {
   return a;
 }
 
-/// A row of boxes, and three turned ones that no plane between them divides.
+/// A row of boxes, and three turned boxes that no plane between them divides.
 Arrangement with_a_group() {
   std::mt19937_64 random(3);
   Arrangement a(make_box("mother", half, half, half));
@@ -70,7 +70,7 @@ Arrangement with_a_group() {
   return a;
 }
 
-/// Blocks of rows, which are divided along the axis again that the blocks follow one another on.
+/// Blocks of rows. They are divided twice along the same axis: the blocks follow one another on it.
 Arrangement blocks_of_rows() {
   std::mt19937_64 random(8);
   Arrangement a(make_box("mother", half, half, half));
@@ -92,7 +92,7 @@ WorldFacts forced_to_layers(const Geometry& geometry) {
   return facts;
 }
 
-/// What the search offers against every daughter's own kernel.
+/// Compares what the search offers with every daughter's own kernel.
 void expect_nothing_left_out(const Arrangement& a, std::uint64_t seed) {
   const Geometry& geometry = *a.geometry;
   const ScenePlan plan = plan_scene(geometry, forced_to_layers(geometry), 0);

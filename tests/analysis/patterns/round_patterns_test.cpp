@@ -1,5 +1,5 @@
-// Nests and rings: where daughters are about an axis, and that no candidate is left out that is
-// met.
+// Nests and rings: which daughters are about an axis, and that no candidate which is met is left
+// out.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -196,7 +196,7 @@ TEST(Nest, LeadsToWhatTheRayMeetsFirst) {
 
 using RayOf = std::function<tests::AskedRay(int)>;
 
-/// `ray_of`: the rays; null: of all kinds.
+/// `ray_of` gives the rays; null: rays of all kinds.
 void expect_complete_rings(const Arrangement& a, std::mt19937_64& random, double half, Tally& tally,
                            RayOf ray_of = nullptr) {
   const auto rings = find_rings(a.geometry->world(), a.mother(), a.daughters(), margin);
@@ -271,8 +271,8 @@ TEST(Rings, LeadToWhatTheRayMeetsFirst) {
   EXPECT_LT(3 * tally.asked, tally.all) << "no filter at all";
 }
 
-/// Boxes in a ring whose first edge leans from the radius by some angle, anticlockwise; about axis
-/// 0, 1 or 2.
+/// Boxes in a ring about axis 0, 1 or 2. The first edge of each is inclined to the radius by some
+/// angle, anticlockwise.
 void add_leaning(Arrangement& a, int steps, double start, double radius, double leaning, int axis,
                  double thick, bool gaps = false) {
   for (int i = 0; i < steps; ++i) {

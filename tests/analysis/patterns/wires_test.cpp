@@ -1,5 +1,5 @@
-// Rows of wires: that they are found, that no candidate is left out that is met, and that nothing
-// nearer is left out for safety.
+// Rows of wires: they are found, no candidate which is met is left out, and a safety leaves out
+// none that is nearer.
 #include "analysis/patterns/wires.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ std::size_t rows_of(const Wires& wires) {
 
 Arrangement chamber() { return Arrangement(make_box("mother", 90, 90, 90)); }
 
-/// The kernel's view of a plan's wires; keeps rows alive.
+/// The kernel's form of a plan's wires; keeps the rows alive.
 struct KernelWires {
   std::vector<std::vector<kernels::WireRow<std::uint32_t>>> rows;
   std::vector<kernels::WireBundle<std::uint32_t>> bundles;

@@ -1,4 +1,4 @@
-// The instrument itself: what is wrong has to be told, and what is right left alone.
+// The instrument itself: it must report what is wrong, and must not report what is right.
 #include "apps/accuracy/judge.hpp"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(Judge, FindsNoFaultWithTheGenericNavigator) {
   EXPECT_GT(steps, 1000u);
 }
 
-/// What a ray's steps are turned into, at a step that is not the last.
+/// Changes a ray's steps into wrong ones, at a step that is not the last.
 using Spoil = void (*)(MadeRay& made, std::size_t step);
 
 void expect_told(Spoil spoil, bool JudgedStep::*fault) {
@@ -102,7 +102,7 @@ TEST(Judge, TellsAWrongNextVolume) {
       &JudgedStep::wrong_volume);
 }
 
-/// A plate far thinner than the steps beside it, which a ray crosses at right angles.
+/// A plate far thinner than the steps beside it; a ray crosses it at right angles.
 World world_with_plate(double thickness) {
   World world;
   world.top = tests::add_volume(world, "world", make_box("world", 100, 100, 100));

@@ -1,4 +1,4 @@
-// Observations beside every boundary: what rays go through, where they come into observed volumes.
+// Observations against every boundary: what rays go through, where they enter observed volumes.
 #include "apps/accuracy/observed.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace navjit::accuracy {
 namespace {
 
-/// A hall with eight blocks, each of 20 plates of lead and plastic in turn. Blocks are observed.
+/// A hall with eight blocks, each of 20 plates, lead and plastic in turn. The blocks are observed.
 Detector blocks() {
   DetectorBuilder builder;
   const auto element = [&](const char* name, double z, double a) {

@@ -1,4 +1,4 @@
-// Views, cuts, colours, legends and files, each by itself.
+// Views, cuts, colours, legends and files, each tested by itself.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What pixels show, against steps of a ray through the whole detector, and against locate().
+// What pixels show is compared with steps of a ray through the whole detector, and with locate().
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ std::shared_ptr<const World> detector(const std::string& name) {
       read_world(std::string(NAVJIT_DETECTORS_DIR) + "/" + name + ".gdml"));
 }
 
-/// The ray from where it enters the world's box, by the planes of the box; nothing if it misses it.
+/// The ray from where it enters the world's box, by the box's planes; nothing if it misses the box.
 std::optional<Ray> into_the_box(const World& world, const Ray& ray) {
   const Extent& box = world.volumes[world.top].solid.extent;
   double from = 0, to = 1e300;
@@ -64,7 +64,7 @@ std::vector<Part> parts_of(Navigator& navigator, const World& world, const Ray& 
   return parts;
 }
 
-/// How much of a part is left by the cuts, mm: by the middles of its pieces between their planes.
+/// How much of a part the cuts leave, mm: judged by the middles of its pieces between their planes.
 double left_by(const std::vector<Cut>& cuts, const Part& part, const Vec3& direction) {
   std::vector<double> ends{0, part.length};
   for (const Cut& cut : cuts) {

@@ -1,4 +1,4 @@
-// `navjit scan`: sums along rays, against numbers that are known and against steps of single rays.
+// `navjit scan`: sums along rays, compared with known numbers and with steps of single rays.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 constexpr auto npos = std::string::npos;
 const std::string barrel = NAVJIT_DETECTORS_DIR "/barrel.gdml";
 
-/// A tube of lead, 10 mm thick, about the axis, in nothing.
+/// A tube of lead, 10 mm thick, about the axis, in empty space.
 std::shared_ptr<const World> lead_tube() {
   World world;
   world.elements = {{.name = "Lead", .z = 82, .a = 207.2}};

@@ -16,15 +16,15 @@ namespace {
 constexpr auto npos = std::string::npos;
 const std::string detector = std::string(NAVJIT_DETECTORS_DIR) + "/absorber.gdml";
 
-/// Names of what navjit may have left in the folder for temporary files.
+/// The number of files that navjit has left in the folder for temporary files.
 std::size_t leftovers(const std::string& folder) {
   std::size_t count = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++count;
   return count;
 }
 
-/// Had the runs of that mode the time for a swap, and if they have a cache, something in it? Scenes
-/// are bound to data first, so that a short run may compile nothing.
+/// Whether the runs of that mode had time for a swap and, if they have a cache, whether it holds
+/// something. Scenes are bound to data first, so that a short run may compile nothing.
 bool swapped(const nlohmann::json& report, const std::string& mode) {
   const auto& variants = report.at("variants");
   return std::all_of(variants.begin(), variants.end(), [&](const auto& variant) {

@@ -1,4 +1,4 @@
-// What follows from the series of the warm-up experiment.
+// What is concluded from the series of the warm-up experiment.
 #include "apps/warmup/series.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ double uniform(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// Steps at random times, at random rates.
+/// A series with steps at random times, at random rates.
 Series random_series(std::mt19937_64& random, int points) {
   Series series{{0, 0}};
   for (int i = 1; i < points; ++i) {

@@ -1,4 +1,4 @@
-// Faces, ties, unbounded boxes, orders: what random boxes do not reach.
+// Faces, ties, unbounded boxes and orders, which random boxes do not reach.
 #include <gtest/gtest.h>
 #ifdef __SSE2__
 #include <pmmintrin.h>

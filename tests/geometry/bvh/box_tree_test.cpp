@@ -1,4 +1,4 @@
-// The contract of the traversals, on random boxes and rays.
+// The contract of the traversals, checked on random boxes and rays.
 #include "geometry/bvh/box_tree.hpp"
 
 #include <gtest/gtest.h>

@@ -30,7 +30,7 @@ inline std::vector<Structure> structures() {
   return result;
 }
 
-/// As a test's name may be.
+/// The structure's name, in the form that a test's name may have.
 inline std::string name_of(const Structure& structure) {
   std::string name = to_string(structure);
   for (char& c : name) c = c == '-' || c == ':' ? '_' : c;
@@ -80,14 +80,14 @@ inline double reach(const Extent& box, const Vec3& p) {
   return result;
 }
 
-/// The rounding of a tree stays within this of a box, for points and boxes of a given reach.
+/// How far a tree's rounding may widen a box, for points and boxes within `reach`.
 inline double slack(double reach) { return reach * 0x1p-20 + 0x1p-98; }
 
 inline Direction towards(const Vec3& from, const Vec3& to) {
   return normalised(to.x - from.x, to.y - from.y, to.z - from.z);
 }
 
-/// A corner, or a point on an edge, on a face or within.
+/// A corner of the box, or a point on an edge, on a face or within.
 inline Vec3 target(Generator& generator, const Extent& box) {
   const auto choose = [&](double low, double high) {
     const std::size_t way = pick(generator, 3);
@@ -96,7 +96,7 @@ inline Vec3 target(Generator& generator, const Extent& box) {
   return {choose(box.min.x, box.max.x), choose(box.min.y, box.max.y), choose(box.min.z, box.max.z)};
 }
 
-/// Visits with a constant limit; asserts the contract for one ray.
+/// Visits with a constant limit, and asserts the contract for one ray.
 inline void check_ray(const BoxTree& tree, std::span<const Extent> boxes, const Vec3& p,
                       const Direction& v, double limit) {
   std::vector<int> visits(boxes.size());

@@ -11,7 +11,7 @@ namespace navjit::bvh::test {
 
 using Generator = std::mt19937_64;
 
-/// In [low, high); the same on every platform, unlike the standard distributions.
+/// A number in [low, high), the same on every platform, unlike the standard distributions.
 inline double uniform(Generator& generator, double low, double high) {
   return low + (high - low) * static_cast<double>(generator() >> 11) * 0x1p-53;
 }
@@ -22,7 +22,7 @@ inline Vec3 point(Generator& generator, double half_size) {
           uniform(generator, -half_size, half_size)};
 }
 
-/// `count` boxes in a cube of half length `half_size`; of edges up to `edge`, some of them flat.
+/// `count` boxes in a cube of half length `half_size`; their edges are up to `edge`, some are flat.
 inline std::vector<Extent> boxes(Generator& generator, std::size_t count, double half_size,
                                  double edge) {
   std::vector<Extent> result;
@@ -51,7 +51,7 @@ inline Direction normalised(double x, double y, double z) {
   return kernels::make_direction(x / length, y / length, z / length);
 }
 
-/// Isotropic, or with components that are zero, subnormal or tiny.
+/// A direction: isotropic, or with components that are zero, subnormal or tiny.
 inline Direction direction(Generator& generator) {
   Vec3 v;
   do v = point(generator, 1);

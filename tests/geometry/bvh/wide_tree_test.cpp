@@ -13,8 +13,8 @@ namespace {
 
 using test::Generator;
 
-/// Every box once, every node but the root once and after the one it is below, bounds around all
-/// that is below, no path longer than the limit.
+/// Every box must occur once, and every node but the root once and after the node above it. Bounds
+/// must enclose all that is below, and no path may be longer than the limit.
 void check(const std::vector<WideNode>& nodes, const std::vector<Extent>& boxes) {
   std::vector<int> seen(boxes.size()), level(nodes.size(), -1);
   if (!nodes.empty()) level[0] = 0;

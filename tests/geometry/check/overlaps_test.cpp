@@ -86,7 +86,7 @@ TEST(Overlaps, ShallowerThanTheToleranceAreNotTold) {
   EXPECT_EQ(overlaps(world, {.tolerance = 1e-6}).size(), 1U);
 }
 
-/// A world of 20 mm with the two solids, which are expected to overlap, or not.
+/// The overlaps in a world of 20 mm with the two solids.
 std::vector<Overlap> of_two(const Solid& a, const Solid& b, Vec3 at = {0, 0, 0},
                             Vec3 angles = {0, 0, 0}) {
   World world;

@@ -1,4 +1,4 @@
-// <auxiliary> tags are kept for the program that reads the file, as they stand in it.
+// <auxiliary> tags are kept unchanged for the program that reads the file.
 #include "tests/geometry/gdml/gdml_files.hpp"
 
 namespace navjit::testing {

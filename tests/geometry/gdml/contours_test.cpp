@@ -1,4 +1,4 @@
-// Solids from corners and contours, many at once, stretched and reflected ones, as GDML has them.
+// Solids from corners and contours, multiUnions, scaled and reflected solids, as GDML writes them.
 #include <cmath>
 #include <numbers>
 

@@ -1,5 +1,5 @@
-// Tori, solids behind quadrics and twisted solids: GDML's dimensions and units become the
-// factories'. Some elements give whole lengths, others half of them.
+// Tori, solids behind quadrics and twisted solids: the makers get GDML's dimensions in their own
+// units. Some elements give whole lengths, others half lengths.
 #include <cmath>
 #include <numbers>
 

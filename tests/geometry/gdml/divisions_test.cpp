@@ -1,4 +1,4 @@
-// divisionvol against the placements it stands for, each of a solid written out.
+// Compares divisionvol with the placements that it stands for, each with its solid written out.
 #include <cmath>
 
 #include "tests/geometry/gdml/gdml_files.hpp"
@@ -7,7 +7,7 @@
 namespace navjit::testing {
 namespace {
 
-/// A solid, how it is divided, and the slices: solids with the rest of their physvols.
+/// A solid, how it is divided, and the slices: their solids, with what else their physvols contain.
 struct DivisionCase {
   const char* name;
   std::string mother;    ///< the attributes and children of its solid 'm'

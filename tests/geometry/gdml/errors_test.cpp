@@ -1,4 +1,4 @@
-// What is wrong with a file is told in one line that names file, line and element.
+// An error in a file is reported in one line that names the file, the line and the element.
 #include <algorithm>
 
 #include "tests/geometry/gdml/gdml_files.hpp"

@@ -14,7 +14,7 @@
 
 namespace navjit::testing {
 
-/// A folder of its own for each test, removed afterwards.
+/// Each test has a folder of its own, which is removed afterwards.
 class GdmlFiles : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -68,7 +68,7 @@ struct Gdml {
   }
 };
 
-/// A volume of the box 'b'.
+/// A volume whose solid is the box 'b'.
 inline std::string volume(const std::string& name, const std::string& daughters = "") {
   return "<volume name='" + name + "'><materialref ref='G4_AIR'/><solidref ref='b'/>" + daughters +
          "</volume>";

@@ -1,4 +1,4 @@
-// Files that gzip made are read, whatever their name; damaged ones and bombs are refused.
+// Files made by gzip are read, whatever their names; damaged ones and bombs are refused.
 #include <zlib.h>
 
 #include "tests/geometry/gdml/gdml_files.hpp"

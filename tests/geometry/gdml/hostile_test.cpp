@@ -1,4 +1,4 @@
-// Files made to exhaust memory or time are refused in one line, and without doing what they ask.
+// Files made to exhaust memory or time are refused in one line, before they do so.
 #include "tests/geometry/gdml/gdml_files.hpp"
 
 namespace navjit::testing {

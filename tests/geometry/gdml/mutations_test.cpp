@@ -1,4 +1,4 @@
-// Files that are nearly right: 20,000 of them, always the same, read and used or refused.
+// Files that are nearly right, 20,000 and always the same ones: they are read and used, or refused.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-// Names of what is written: each its own.
+// Names in files that are written: each is unique.
 #include <gtest/gtest.h>
 
 #include <unordered_set>

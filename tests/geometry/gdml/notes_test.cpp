@@ -1,4 +1,4 @@
-// What is odd in a file is told with its place, and is not told without end.
+// What is odd in a file is reported with its place, but only so many times.
 #include "tests/geometry/gdml/gdml_files.hpp"
 
 namespace navjit::testing {

@@ -1,11 +1,11 @@
-// paramvol and replicas outwards, against the placements they stand for.
+// Compares paramvol, and replicas outwards, with the placements that they stand for.
 #include "tests/geometry/gdml/gdml_files.hpp"
 #include "tests/geometry/gdml/same_traces.hpp"
 
 namespace navjit::testing {
 namespace {
 
-/// A kind of solid with two lots of dimensions: as a solid, and as in a paramvol.
+/// A kind of solid with two sets of dimensions, each as a solid and as in a paramvol.
 struct ParameterCase {
   const char* kind;
   std::string solids[2];      ///< attributes and children of the solid
@@ -13,7 +13,7 @@ struct ParameterCase {
 };
 void PrintTo(const ParameterCase& c, std::ostream* out) { *out << c.kind; }
 
-/// "attributes|children" as an element.
+/// Makes "attributes|children" into an element.
 std::string element(const std::string& tag, const std::string& name, const std::string& text) {
   const auto bar = std::min(text.find('|'), text.size());
   const std::string children = bar < text.size() ? text.substr(bar + 1) : "";

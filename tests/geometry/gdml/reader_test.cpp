@@ -156,7 +156,7 @@ TEST_F(GdmlReader, ReadsModules) {
   EXPECT_EQ(top(world).touchables, 7u);
 }
 
-// Geant4 is started beside the main file, and knows no other place.
+// Geant4 is started in the folder of the main file, and looks nowhere else.
 TEST_F(GdmlReader, ModulesOfModulesAreNamedFromTheMainFile) {
   write("parts/wheel/spoke.gdml", Gdml{.structure = volume("W")});
   write("parts/wheel/wheel.gdml",
@@ -167,7 +167,7 @@ TEST_F(GdmlReader, ModulesOfModulesAreNamedFromTheMainFile) {
   EXPECT_EQ(top(world).touchables, 3u);
 }
 
-// Many projects keep their files in a folder, and start Geant4 beside that.
+// Many projects keep their files in a folder, and start Geant4 in the folder above.
 TEST_F(GdmlReader, ModulesMayBeNamedFromAFolderAboveTheMainFile) {
   write("project/geometry/parts/spoke.gdml", Gdml{.structure = volume("W")});
   const auto main =

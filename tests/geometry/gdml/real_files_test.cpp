@@ -1,4 +1,4 @@
-// Detectors as they are published: the folder that NAVJIT_DATA names, or the build's.
+// Published detectors, from the folder that NAVJIT_DATA names, or else from that of the build.
 #include <gtest/gtest.h>
 
 #include <algorithm>

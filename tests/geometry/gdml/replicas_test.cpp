@@ -1,4 +1,4 @@
-// divisionvol and replicavol against the placements they stand for.
+// Compares divisionvol and replicavol with the placements that they stand for.
 #include "tests/geometry/gdml/gdml_files.hpp"
 
 namespace navjit::testing {

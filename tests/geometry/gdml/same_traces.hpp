@@ -1,4 +1,4 @@
-// Two worlds that should mean the same, seen by rays.
+// Compares two worlds that should mean the same, by rays.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ struct NamedStep {
   double length;
 };
 
-/// The steps of a ray but for those of no length. The names of volumes end where an underscore
-/// follows.
+/// The steps of a ray, except those of no length. Names of volumes are cut off at the first
+/// underscore.
 inline std::vector<NamedStep> named_trace(const Geometry& geometry, Vec3 point, const Vec3& v) {
   const auto stack = std::make_unique<NavigationStack>();
   generic::locate(geometry, *stack, point, v);
@@ -39,7 +39,7 @@ inline std::vector<NamedStep> named_trace(const Geometry& geometry, Vec3 point, 
   return steps;
 }
 
-/// Rays from all over the world volume's box.
+/// Compares rays from all over the world volume's box.
 inline void expect_same_traces(World first, World second, int rays = 300) {
   const Extent box = first.volumes[first.top].solid.extent;
   const Geometry a(std::make_shared<const World>(std::move(first)));
@@ -62,7 +62,7 @@ inline void expect_same_traces(World first, World second, int rays = 300) {
   EXPECT_GT(compared, 0u);
 }
 
-/// The daughters' volumes together.
+/// The volume of all daughters together.
 inline double daughters_capacity(const World& world) {
   double sum = 0;
   for (const Placement& p : world.volumes[world.top].daughters) {

@@ -1,4 +1,4 @@
-// Every supported solid: GDML's dimensions and units become the factories'.
+// Every supported solid: the makers get GDML's dimensions in their own units.
 #include <cmath>
 #include <numbers>
 

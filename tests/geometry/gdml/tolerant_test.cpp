@@ -1,4 +1,4 @@
-// What does not change an answer is never fatal: the file loads, and a note names the place.
+// What changes no answer is never fatal: the file is read, and a note names the place.
 #include <algorithm>
 
 #include "tests/geometry/gdml/gdml_files.hpp"

@@ -49,7 +49,7 @@ void expect_same_material(const Detector& a, const Material& x, const Detector& 
   }
 }
 
-/// The same tree, by names and numbers: volumes are in another order.
+/// Expects the same tree, by names and numbers; the order of the volumes may differ.
 void expect_same_tree(const Detector& a, const Detector& b) {
   EXPECT_EQ(a.touchables(), b.touchables());
   EXPECT_EQ(a.levels(), b.levels());

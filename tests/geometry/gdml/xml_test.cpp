@@ -1,4 +1,4 @@
-// Entities, encodings and what hostile XML may try.
+// Entities, encodings, and what hostile XML may try.
 #include "tests/geometry/gdml/gdml_files.hpp"
 
 namespace navjit::testing {

@@ -1,5 +1,5 @@
-// The same bits whether a solid's numbers are known to the compiler or not: what lets generated
-// code with literals agree exactly with the generic kernels.
+// Kernels give the same bits whether the compiler knows a solid's numbers or not. So generated code
+// with literals can agree exactly with the generic kernels.
 #include <gtest/gtest.h>
 
 #include <bit>

@@ -1,4 +1,4 @@
-// Several faces at once answer as one after the other: sides of polyhedra, planes of convex bodies.
+// Several faces asked at once answer as one by one: sides of polyhedra, planes of convex bodies.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -17,7 +17,7 @@ const Polyhedra& polyhedra_of(const Solid& s) {
   return *static_cast<const Polyhedra*>(s.any().shape);
 }
 
-/// One to forty sides, over the whole circle or a part of it.
+/// A polyhedra of one to forty sides, over the whole circle or a part of it.
 Solid random_solid(Random& random) {
   const std::vector<ZPlane> planes{{-1, 0.2, 0.9}, {0.3, 0.3, 1.2}, {1, 0.1, 1.2}};
   const bool whole = random.chance(0.7);
@@ -25,7 +25,7 @@ Solid random_solid(Random& random) {
                         random.uniform(0, 6), whole ? 2 * std::numbers::pi : 2.5);
 }
 
-/// Some on a side's plane, and some on the edge of two.
+/// A point near a face: some on a side's plane, and some on the edge of two.
 V point_near(Random& random, const Polyhedra& s, const Face& f) {
   const auto& n = s.sides[random.integer(0, s.side_count - 1)];
   const double z = random.uniform(0, 1), r = (f.radius + f.slope * z) / f.cosine;
@@ -105,7 +105,7 @@ TEST(EightSides, OfALastGroupThatIsNotFullAreThere) {
   }
 }
 
-/// In and around the solid, now and then where a face is.
+/// A point in or near the solid, now and then where a face is.
 V point_at(Random& random, const Solid& solid) {
   const Extent& e = solid.extent;
   const auto within = [&](double low, double high) {
@@ -119,7 +119,7 @@ V point_at(Random& random, const Solid& solid) {
   return t > 0 && t < 1e9 && random.chance(0.3) ? kernels::advance(p, v, t) : p;
 }
 
-/// The kernels for several faces, and the templates that ask one after the other.
+/// Compares the kernels for several faces with the templates that ask one face after the other.
 template <class Shape>
 void expect_the_same(Random& random, const Solid& solid, int& met) {
   const Shape& s = *static_cast<const Shape*>(solid.any().shape);

@@ -1,4 +1,4 @@
-// Groups of eight boxes around triangles, and leaves of eight triangles: what they offer a ray.
+// Groups of eight boxes around triangles, and leaves of eight triangles: what they offer to a ray.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ const Facets<double>& facets_of(const Solid& s) {
   return *static_cast<const Facets<double>*>(s.any().shape);
 }
 
-/// By facet, how often it is offered.
+/// For each facet, how often it is offered.
 std::vector<int> offered(const Facets<double>& s, const Vec3& p, const Direction& v,
                          double margin) {
   std::vector<int> times(static_cast<std::size_t>(s.facet_count), 0);
@@ -28,7 +28,7 @@ std::vector<int> offered(const Facets<double>& s, const Vec3& p, const Direction
   return times;
 }
 
-/// Points and directions of which some are along axes, from corners and in the planes of boxes.
+/// Points and directions; some are along axes, from corners and in the planes of boxes.
 struct Rays {
   const Facets<double>& s;
   std::mt19937_64 random{7};
@@ -87,7 +87,7 @@ TEST(FacetGroups, OfferWhatIsCrossedOnce) {
   }
 }
 
-/// By lane.
+/// The numbers by lane.
 template <class Number>
 std::array<Number, 8> numbers(const kernels::EightOf<Number>& eight) {
   std::array<Number, 8> by_lane;
@@ -101,7 +101,7 @@ std::array<Vec3, 8> places(const kernels::EightCorners<double>& corners) {
   return by_lane;
 }
 
-/// Facets are in one lane of the leaves each, and all other lanes have one place for all corners.
+/// Each facet must be in one lane of the leaves; all other lanes have their corners in one place.
 void expect_leaves_of_all_facets(const Facets<double>& s) {
   std::vector<kernels::FacetLeaf<double>> leaves(s.leaves, s.leaves + s.leaf_count);
   std::sort(leaves.begin(), leaves.end(),
@@ -124,7 +124,7 @@ void expect_leaves_of_all_facets(const Facets<double>& s) {
   }
 }
 
-/// Leaves below a group are within the boxes of its lanes, and each is below one lane.
+/// Leaves below a group must be within the boxes of its lanes, and each is below one lane.
 void expect_boxes_around_leaves(const Facets<double>& s, int group, std::vector<int>& found) {
   const kernels::FacetGroup<double>& g = s.groups[group];
   const std::array low{numbers(g.x_low), numbers(g.y_low), numbers(g.z_low)};
@@ -167,7 +167,7 @@ TEST(FacetGroups, HoldEachFacetOnce) {
   }
 }
 
-/// The line through a point: anywhere, through a corner, or through an edge of one of the
+/// The line through a point: any point, or one of a corner or of an edge of one of the
 /// triangles.
 kernels::RayFrame<double> line_near(std::mt19937_64& random, std::span<const Vec3> corners) {
   const auto one = [&random] { return std::uniform_real_distribution<double>(-1, 1)(random); };

@@ -37,7 +37,7 @@ inline Wide triangle_distance(const Triangle& t, const WidePoint& p) {
   }
   return over ? std::abs(dot(n, minus(p, t[0]))) / std::sqrt(dot(n, n)) : least;
 }
-/// How much of the sphere about the point the triangle covers, with a sign.
+/// The part of the sphere about the point that the triangle covers, with a sign.
 inline Wide solid_angle(const Triangle& t, const WidePoint& p) {
   const WidePoint a = minus(t[0], p), b = minus(t[1], p), c = minus(t[2], p);
   const Wide la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), lc = std::sqrt(dot(c, c));
@@ -55,7 +55,7 @@ inline SignedDistance triangles_distance(std::vector<Triangle> triangles) {
   };
 }
 
-/// The sides of an extruded solid as triangles, and its ends as fans: that covers more than the
+/// The sides of an extruded solid as triangles, and its ends as fans. These cover more than the
 /// ends where the polygon is not convex, but what is covered twice has opposite signs.
 inline SignedDistance extruded_distance(const std::vector<Corner>& polygon,
                                         const std::vector<ExtrudedSection>& sections) {

@@ -1,5 +1,5 @@
-// Safeties of triangle meshes against all of their triangles: boxes leave out no nearer one, and
-// the side is told by the nearest where it can.
+// Safeties of triangle meshes against those of all their triangles: boxes leave out no nearer
+// triangle, and the nearest one tells the side where it can.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,4 +1,4 @@
-// Four boxes at once answer as one after the other.
+// Four boxes asked at once answer as one after the other.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -29,7 +29,7 @@ struct PlacedBox {
   kernels::Box<double> box;
 };
 
-/// Boxes on a coarse lattice, so that faces coincide, and some over others.
+/// Boxes on a coarse lattice, so that faces coincide; some overlap.
 std::vector<PlacedBox> random_boxes(std::mt19937_64& random, std::size_t count) {
   const auto coarse = [&](double lo, double hi) { return std::round(uniform(random, lo, hi)); };
   std::vector<PlacedBox> boxes;
@@ -54,7 +54,7 @@ void fill(FourBoxes (&fours)[2], const std::vector<PlacedBox>& boxes) {
   }
 }
 
-/// Anywhere, on faces and edges, and a little beside them.
+/// A point anywhere, on faces and edges, or a little beside them.
 V random_point(std::mt19937_64& random) {
   double p[3];
   for (double& x : p) {

@@ -1,4 +1,4 @@
-// What a ray has left for good it does not meet again: the kernels agree, from wherever in a
+// A ray does not meet again what it has left for good: the kernels agree on this, wherever in a
 // detector they are asked.
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ struct Exits {
   int for_good = 0, not_known = 0, met_again = 0;
 };
 
-/// Told by what the solid is.
+/// Judged by the solid itself.
 struct BySolid {
   bool operator()(const Solid& solid, const Vec3& placed, const Vec3& in_mother,
                   const Direction&) const {
@@ -27,7 +27,7 @@ struct BySolid {
     });
   }
 };
-/// Told by the box around it, as neighbour lists have it.
+/// Judged by the box around the solid, as neighbour lists hold it.
 struct ByBox {
   bool operator()(const Solid& solid, const Vec3& placed, const Vec3& in_mother,
                   const Direction& v) const {
@@ -45,8 +45,8 @@ struct ByBox {
   }
 };
 
-/// Rays out of a solid, whose frame is anywhere in a world of 20 m; where they end they are asked
-/// again in the frame of a mother, as a navigator does: a few roundings off.
+/// Rays go out of a solid whose frame is anywhere in a world of 20 m. Where they end they are asked
+/// again in the frame of a mother, as a navigator does it: a few roundings away.
 template <class ForGood>
 Exits leave(const SolidCase& c, Random& random, int rays, const ForGood& for_good) {
   Exits exits;

@@ -1,5 +1,5 @@
-// Normals against the 113-bit instance of the same kernels, and against the slopes of oracles that
-// know nothing of them.
+// Normals against those of the same kernels with 113 bits, and against the slopes of oracles that
+// are independent of the kernels.
 #include <gtest/gtest.h>
 
 #include "geometry/solids/normal.hpp"
@@ -20,15 +20,15 @@ Vec3 moved(const Vec3& p, double by, const Vec3& along) {
   return {p.x + by * along.x, p.y + by * along.y, p.z + by * along.z};
 }
 
-/// The same at 113 bits.
+/// The normal computed with 113 bits.
 Vec3 wide_normal(const WideSolid<Quad>& wide, const Vec3& p, double tol) {
   const kernels::Vec3<Quad> n =
       kernels::normal<Quad>(wide.any(), kernels::Vec3<Quad>{p.x, p.y, p.z}, Quad(tol));
   return {static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)};
 }
 
-/// The direction in which an oracle grows, from differences over `step`; nothing where there is
-/// none, or where it is not the same on both sides: at an edge.
+/// The direction in which an oracle grows, from differences over `step`. Nothing where there is
+/// none, or where it differs between the two sides, as at an edge.
 std::optional<Vec3> slope(const SolidCase& c, const Vec3& p, double step) {
   bool edge = false;
   const auto along = [&](const Vec3& axis) {
@@ -46,7 +46,7 @@ std::optional<Vec3> slope(const SolidCase& c, const Vec3& p, double step) {
   return Vec3{g.x / size, g.y / size, g.z / size};
 }
 
-/// Where a random ray crosses the surface.
+/// The point where a random ray crosses the surface.
 std::optional<Vec3> crossing(const SolidCase& c, Random& random) {
   const kernels::AnySolid<double> s = c.solid.any();
   const Vec3 p = random.point_in(c.solid.extent, 0.2);

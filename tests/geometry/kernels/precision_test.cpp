@@ -1,4 +1,4 @@
-// The kernels in double against the same kernels at 113 bits: what rounding costs.
+// The kernels in double against the same kernels with 113 bits: the effect of rounding.
 #include <gtest/gtest.h>
 
 #include <string_view>
@@ -19,7 +19,7 @@ kernels::Direction<Quad> quad(const Direction& v) {
   return kernels::make_direction<Quad>(v.x, v.y, v.z);
 }
 
-/// |n.v| where a ray crosses the surface after `t`, from how the safety grows behind it.
+/// |n.v| where a ray crosses the surface after `t`, from the growth of the safety beyond it.
 double crossing_slope(const kernels::AnySolid<Quad>& s, const Vec3& p, const Direction& v, Quad t,
                       double size) {
   const Quad h = Quad(1e-9) * size;

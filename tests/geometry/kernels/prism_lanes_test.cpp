@@ -1,4 +1,4 @@
-// Eight edges of a polygon at once answer as one after the other.
+// Eight edges of a polygon asked at once answer as one after the other.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -10,7 +10,7 @@ namespace {
 
 using Prism = kernels::Prism<double>;
 
-/// A star of as many corners, which an upright prism has for its outline.
+/// A star of so many corners, as the outline of an upright prism.
 Solid star(Random& random, int corners) {
   std::vector<navjit::PlanarPoint> outline;
   for (int i = 0; i < corners; ++i) {

@@ -1,4 +1,4 @@
-// Short ways of solids behind quadrics give what the long ones do, and are taken.
+// Short ways of solids behind quadrics give the same results as the long ones, and are taken.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,7 +66,7 @@ TEST(Quadrics, WhatIsOffTheSurfaceIsToldWithoutARoot) {
   EXPECT_GT(told, off * 0.99);
 }
 
-/// As solids of any faces have it: all parts of the ray, and where the first of them begins.
+/// As for solids of any faces: finds all parts of the ray, and where the first of them begins.
 double entry_by_spans(const Solids& s, const V& p, const Direction& v, double tolerance) {
   const double shift = kernels::approach(s.hx, s.hy, s.z_low, s.z_high, p, v);
   if (!(shift < infinity)) return infinity;
@@ -108,7 +108,7 @@ TEST(Quadrics, AreEnteredWhereThePartsOfTheRaySay) {
   EXPECT_GT(grazed, 0);
 }
 
-/// How far beside the face a point is, mm, computed with more digits.
+/// How far from the face a point is, mm, computed with more digits.
 long double beside_face(const kernels::Quadric<double>& f, const V& p, const Direction& v,
                         double t) {
   const kernels::Quadric<long double> g{f.a, f.b, f.c, f.d, f.e, f.origin};

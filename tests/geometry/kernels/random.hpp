@@ -1,4 +1,4 @@
-// Random numbers, points and directions of the sort that geometry is tested with.
+// Random numbers, points and directions for tests of geometry.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace navjit::test {
 
-/// How often a property is tried: more often by the factor NAVJIT_TEST_SCALE of the environment, to
-/// look for what is rare.
+/// How often a property is tried. The factor NAVJIT_TEST_SCALE of the environment raises it, to
+/// look for rare faults.
 inline int scaled(int count) {
   const char* text = std::getenv("NAVJIT_TEST_SCALE");
   const double scale = text == nullptr ? 1 : std::strtod(text, nullptr);

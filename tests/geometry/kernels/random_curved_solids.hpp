@@ -86,7 +86,7 @@ inline SolidCase random_hype(Random& random) {
   return {make_hype("hype", rmin, s, inner, outer, hz), f, 2 * std::max(2 * s, hz)};
 }
 
-/// Sides of a section that turns, within a box; `sides` are the outward distances in its frame.
+/// Sides of a section that turns along z, within a box; `sides` are outward distances in its frame.
 template <class Sides>
 SignedDistance twisted_distance(Wide hx, Wide hy, Wide hz, Wide steepest, Sides sides) {
   return [=](const WidePoint& p) {

@@ -153,7 +153,7 @@ inline SolidCase random_tessellated(Random& random) {
   return {make_tessellated("mesh", facets), triangles_distance(std::move(triangles)), 2 * s};
 }
 
-/// Not quite a distance: a bound of it, which the test of precise slopes must not be given.
+/// Not a distance but a lower bound of it: the test of exact slopes must not use it.
 inline SignedDistance arb8_distance(const std::vector<Corner>& corners, Wide hz) {
   return [corners, hz](const WidePoint& p) {
     const Wide u = std::clamp<Wide>(p.z / hz, -1, 1);
@@ -177,9 +177,9 @@ inline SignedDistance arb8_distance(const std::vector<Corner>& corners, Wide hz)
   };
 }
 
-/// A trap of size `s` with sides that are not planar. Where make_trap takes them for planar, as it
-/// does if no corner is 1e-5 mm off, it makes their mean planes: for a trap of some micrometres
-/// visibly another solid than the arb8 of its corners.
+/// A trap of size `s` with sides that are not planar. If no corner is 1e-5 mm off, make_trap takes
+/// the sides as planar and makes their mean planes: for a trap of some micrometres this is visibly
+/// another solid than the arb8 of its corners.
 inline SolidCase bent_trap(Random& random, double s) {
   const double hz = s * random.scale(0.5, 2);
   const double theta = random.uniform(-0.5, 0.5), phi = random.uniform(-3, 3);
@@ -236,7 +236,7 @@ inline SolidCase random_arb8(Random& random) {
           arb8_distance(corners, hz), 2 * std::max(s, hz)};
 }
 
-/// As corners come that are given to a few digits: its sides twist a little.
+/// Corners that are given to a few digits: the sides twist a little.
 inline SolidCase random_nearly_flat_arb8(Random& random) {
   const double s = random.scale(1e-3, 1e4), hz = s * random.scale(0.3, 5);
   const double slack = s * random.scale(1e-12, 3e-2);
@@ -279,7 +279,7 @@ inline SolidCase random_cut_tube(Random& random) {
           2 * (hz + rmax)};
 }
 
-/// A contour that no list of z planes has: a hollow that opens outwards.
+/// A contour that no list of z planes can give: a hollow that opens outwards.
 inline std::vector<PlanarPoint> hollow_contour(double s) {
   return {{0.3L * s, -s},       {s, -s},       {0.9L * s, -0.4L * s}, {0.5L * s, -0.2L * s},
           {0.6L * s, 0.3L * s}, {s, 0.5L * s}, {0.9L * s, s},         {0.4L * s, 0.8L * s}};

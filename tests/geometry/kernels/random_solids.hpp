@@ -8,7 +8,7 @@
 
 namespace navjit::test {
 
-/// A solid, what it should be, and its rough size, mm.
+/// A solid, its oracle, and its rough size, mm.
 struct SolidCase {
   Solid solid;
   SignedDistance distance;
@@ -123,7 +123,7 @@ inline SolidCase random_sphere(Random& random) {
           sphere_distance(rmin, rmax, phi.start, phi.delta, start, delta), 2 * rmax};
 }
 
-/// Planes of ascending z (or descending) with steps; rings always touch at a step.
+/// Planes of ascending (or descending) z with steps; rings always touch at a step.
 inline std::vector<ZPlane> random_planes(Random& random, double s) {
   std::vector<ZPlane> planes;
   double z = s * random.uniform(-1, 1);
@@ -153,7 +153,7 @@ inline std::vector<ZPlane> random_planes(Random& random, double s) {
   return planes;
 }
 
-/// Contours that turn back along z.
+/// Planes whose contour turns back along z.
 inline std::vector<ZPlane> turning_planes(double s) {
   // A cup: up along a thin wall, over the rim, and down inside.
   return {{0, 0.9 * s, 1.0 * s},
@@ -195,7 +195,7 @@ inline SolidCase random_polyhedra(Random& random) {
           polyhedra_distance(planes, sides, phi.start, phi.delta), 5 * s};
 }
 
-/// The primitives by name.
+/// The makers of random primitives, by name.
 struct Maker {
   const char* name;
   SolidCase (*make)(Random&);

@@ -1,4 +1,4 @@
-// Every kernel against its oracle: where points are, how far rays go, and how near the surface is.
+// Every kernel against its oracle: where points are, how far rays go, how near the surface is.
 #include <gtest/gtest.h>
 
 #include "tests/geometry/kernels/random_curved_solids.hpp"
@@ -20,7 +20,7 @@ std::string describe(const SolidCase& c, const Vec3& p, const Direction& v) {
 
 class RayProperties : public testing::TestWithParam<Maker> {};
 
-/// One ray from a point away from the surface: everything that the kernel says about it.
+/// Checks everything that the kernel says about one ray from a point away from the surface.
 void check_ray(const SolidCase& c, const Vec3& p, const Direction& v) {
   SCOPED_TRACE(describe(c, p, v));
   const kernels::AnySolid<double> s = c.solid.any();
@@ -100,7 +100,7 @@ TEST_P(RayProperties, AgreeWithTheOracle) {
   }
 }
 
-/// A point within rounding of the surface, reached from a random ray; nothing if it met none.
+/// A point within rounding of the surface, found by a random ray; nothing if the ray met none.
 std::optional<Vec3> surface_point(const SolidCase& c, Random& random) {
   const Vec3 p = random.point_in(c.solid.extent, 0.2);
   const Direction v = random.direction();
@@ -149,8 +149,8 @@ TEST_P(RayProperties, StartsOnTheSurfaceGoByTheDirection) {
   }
 }
 
-/// What holds for every start and direction, on edges and tangents too: the directional answers
-/// agree with one another, so that a navigator cannot go round in circles.
+/// Checks what must hold for every start and direction, also on edges and tangents: the directional
+/// answers agree with one another, so that a navigator cannot go round in circles.
 void check_agreement(const SolidCase& c, const Vec3& p, const Direction& v) {
   SCOPED_TRACE(describe(c, p, v));
   const kernels::AnySolid<double> s = c.solid.any();

@@ -1,5 +1,5 @@
-// A point's section, found by halves, is the one that looking at all of them finds; and of rings
-// with thick walls one face tells what both do.
+// The section of a point found by halving is the one found by looking at all; and for rings with
+// thick walls one face gives the answer of both.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,8 +53,8 @@ TEST(Sections, HoldAPointThatOneOfThemHolds) {
   EXPECT_GT(on_planes, scaled(600) * 20);
 }
 
-/// Counts, of solids whose walls are thick, rays for which one face suffices: those that start well
-/// in a bore, and those that come in from outside.
+/// For solids with thick walls, counts the rays for which one face suffices: those that start well
+/// inside a bore, and those that come in from outside.
 struct OneFace {
   int in_bores = 0, from_outside = 0;
 };

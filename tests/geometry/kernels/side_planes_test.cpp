@@ -1,5 +1,5 @@
-// Sides that twist a little are near planes, and what these tell is what asking all sides would
-// say.
+// Sides that twist a little are near to planes, and these planes give the answer that all sides
+// would give.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ Vec3 point_about(Random& random, const Shape& s, double room) {
           random.uniform(-room, room) * s.hz};
 }
 
-/// The side's function and its gradient.
+/// The value of the side's function, and its gradient.
 double value_of(const kernels::TwistedFace<double>& f, const Vec3& p) {
   return (f.a * p.x + f.b * p.y + f.c * p.z + f.d) * p.z + f.e * p.x + f.f * p.y + f.g;
 }
@@ -87,7 +87,7 @@ struct Tally {
   int inside = 0, entries = 0, exits = 0, by_one_side = 0, asked = 0;
 };
 
-/// One ray by the planes, and by all sides in 113 bits.
+/// Compares the answers of the planes for one ray with those of all sides with 113 bits.
 void compare(const Shape& s, const kernels::Arb8<Quad>& wide, const Vec3& p, const Direction& v,
              double size, Tally& tally) {
   const kernels::Vec3<Quad> wide_p{p.x, p.y, p.z};

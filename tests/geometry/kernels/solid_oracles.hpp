@@ -1,6 +1,6 @@
-// Signed distance functions of the solids, straight from their dimensions and independent of the
-// kernels: by angles and polygons in long double. All change by at most the distance moved, so that
-// marching along a ray by |f| cannot jump over a crossing.
+// Signed distance functions of the solids, made from their dimensions and independent of the
+// kernels: they use angles and polygons in long double. None changes by more than the distance
+// moved, so that steps of |f| along a ray cannot jump over a crossing.
 #pragma once
 
 #include <algorithm>
@@ -18,12 +18,12 @@ using Wide = long double;
 struct WidePoint {
   Wide x, y, z;
 };
-/// Negative inside; its size is a lower bound of the distance to the surface.
+/// Negative inside; its absolute value is a lower bound of the distance to the surface.
 using SignedDistance = std::function<Wide(const WidePoint&)>;
 
 constexpr Wide wide_pi = std::numbers::pi_v<Wide>;
 
-/// The sector [start, start + delta] of azimuth.
+/// Signed distance to the sector [start, start + delta] of azimuth.
 inline Wide azimuth_distance(const WidePoint& p, Wide start, Wide delta) {
   if (delta >= 2 * wide_pi - 1e-9L) return -INFINITY;
   Wide from_start = std::fmod(std::atan2(p.y, p.x) - start, 2 * wide_pi);
@@ -110,7 +110,7 @@ inline SignedDistance sphere_distance(Wide rmin, Wide rmax, Wide start, Wide del
   };
 }
 
-/// The convex body with these corners: 0..3 at the bottom, 4..7 at the top, counted x first.
+/// The distance to the convex body with these corners: 0..3 below, 4..7 above, along x first.
 inline SignedDistance hexahedron_distance(const std::vector<WidePoint>& c) {
   struct Face {
     Wide a, b, c, d;
@@ -150,7 +150,7 @@ struct Crossing {
   Wide slope;  ///< |n.v|; 1 if there is no crossing
 };
 
-/// The first change of sign of f after `from`, up to `limit`; nothing if the ray runs so close
+/// The first change of sign of f after `from`, up to `limit`. Nothing if the ray runs so close
 /// along the surface (within `resolution`) that the answer is open.
 inline std::optional<Crossing> first_crossing(const SignedDistance& f, const Vec3& p,
                                               const Direction& v, Wide from, Wide limit,

@@ -1,5 +1,5 @@
-// Rays within a torus come to its surfaces by steps that are never too long: where the turning
-// points of the distance from its circle say, and nearly always.
+// Rays within a torus reach its surfaces by steps that are never too long; they end where the
+// turning points of the distance from its circle say, and are nearly always used.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ double exit_by_turning_points(const Torus& s, const Vec3& p, const Direction& v)
   return s.rmin > 0 ? leave_into_holes(ring_spans(s.rmin, q, turns, tolerance), leave) : leave;
 }
 
-/// Without turning points, or a negative number.
+/// The exit found without turning points, or a negative number.
 double exit_by_steps(const Torus& s, const Vec3& p, const Direction& v) {
   const kernels::RingForm<double> q{s.rtor, p, v};
   const double hole = s.rtor - s.rmax, leave = ring_exit(s.rmax, hole, q, tolerance);
@@ -44,7 +44,7 @@ struct Ray {
   Direction v;
 };
 
-/// One that starts between the surfaces.
+/// A ray that starts between the surfaces.
 Ray ray_within(Random& random, const Torus& s) {
   const double phi = random.uniform(0, 2 * std::numbers::pi);
   const double psi = random.uniform(0, 2 * std::numbers::pi);

@@ -1,4 +1,4 @@
-// Rays through the hole of a torus are told without its turning points: only those, and nearly all.
+// Rays through the hole of a torus are known without turning points: only those, and nearly all.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,8 +22,8 @@ bool told(const kernels::Torus<double>& s, const Vec3& p, const Direction& v) {
   return passes_through_hole(s, {s.rtor, p, v}, tolerance);
 }
 
-/// The least distance of the ray, from its start on, from the circle in the middle of the tube:
-/// around the planes that bound it the ray is cut into many pieces.
+/// The least distance of the ray, from its start on, to the circle in the middle of the tube.
+/// Around the planes that bound the tube, the ray is cut into many pieces.
 double nearest_to_ring(const kernels::Torus<double>& s, const Vec3& p, const Direction& v) {
   const double far = 4 * (s.rtor + s.rmax) + std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
   double from = 0, to = far;

@@ -1,4 +1,4 @@
-// Where a touchable is found among daughters, whatever the sizes of their trees.
+// The daughter that holds a touchable is found, whatever the sizes of the daughters' trees.
 #include "geometry/model/daughter_holding.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ std::vector<Starts> daughters_of(const std::vector<TouchableId>& trees) {
   return daughters;
 }
 
-/// The same, one by one.
+/// The same, found by a look at one daughter after the other.
 std::size_t last_that_starts(const std::vector<Starts>& daughters, TouchableId below) {
   std::size_t found = 0;
   for (std::size_t k = 0; k < daughters.size(); ++k) {

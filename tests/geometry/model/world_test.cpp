@@ -7,7 +7,7 @@
 namespace navjit {
 namespace {
 
-/// Adds a volume with these daughters; each placement is called by its volume's name and number.
+/// Adds a volume with these daughters; each placement gets its volume's name with a number.
 VolumeId add(World& world, const std::string& name, std::initializer_list<VolumeId> daughters) {
   LogicalVolume volume;
   volume.name = name;

@@ -1,5 +1,5 @@
-// Worlds with solids whose facets do not close, and outlines that cross themselves: no ray is stuck
-// or lost.
+// Worlds with solids whose facets do not close, and with outlines that cross themselves: no ray is
+// stuck or lost.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -15,7 +15,7 @@ namespace {
 using tests::Mesh;
 using tests::uniform;
 
-/// One of each defect, turned, with a small box within.
+/// One solid with each defect, turned, with a small box inside.
 World broken_world() {
   std::vector<Solid> solids;
   const auto add = [&](const Mesh& mesh) { solids.push_back(make_tessellated("mesh", mesh)); };

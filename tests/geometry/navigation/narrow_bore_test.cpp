@@ -1,5 +1,5 @@
-// Rays from far away that cross a bore which is next to nothing beside the way to it: they come
-// into it, and out of it into what is beyond.
+// Rays from far away cross a bore that is tiny compared with the way to it: they enter it, and
+// leave it into what is beyond.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Where a track leaves a daughter, the daughter's list of neighbours serves.
+// Where a track leaves a daughter, the daughter's list of neighbours is enough.
 #include <gtest/gtest.h>
 
 #include "geometry/navigation/geometry.hpp"

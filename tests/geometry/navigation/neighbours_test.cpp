@@ -153,7 +153,7 @@ TEST(NeighbourLists, DoNotListTooMany) {
   EXPECT_EQ(s.of[5].count, 1);
 }
 
-/// Boxes of edge 1 in a lattice, so that each touches up to 26 others.
+/// Boxes of edge 1 in a lattice; each touches up to 26 others.
 std::vector<Extent> lattice(int edge) {
   std::vector<Extent> boxes;
   for (int i = 0; i < edge; ++i) {
@@ -224,7 +224,7 @@ TEST(NeighbourLists, AreNotMadeWhereNoCacheHoldsThem) {
   EXPECT_EQ(none.at(0, {0.5, 0.5, 0.5}), nullptr);
 }
 
-/// Boxes in a row, each of which touches two others.
+/// Boxes in a row; each touches two others.
 std::vector<Extent> row(std::size_t count) {
   std::vector<Extent> boxes;
   for (std::size_t i = 0; i < count; ++i) {

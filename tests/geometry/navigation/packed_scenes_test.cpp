@@ -1,4 +1,4 @@
-// What the generic navigator reads is what the scenes say, and lies in whole cache lines.
+// What the generic navigator reads agrees with the scenes, and lies in whole cache lines.
 #include "geometry/navigation/packed_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 std::uintptr_t address(const void* p) { return reinterpret_cast<std::uintptr_t>(p); }
 
-/// By answers: the shapes are copies.
+/// Compares solids by their answers, since the shapes are copies.
 void expect_same_solid(const kernels::AnySolid<double>& a, const kernels::AnySolid<double>& b,
                        std::mt19937_64& random) {
   ASSERT_EQ(a.kind, b.kind);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// Relocates like the generic navigator, and then enters the first daughter, wherever the point is.
+/// Relocates as the generic navigator does, and then enters the first daughter, right or wrong.
 void enter_wrongly(NavigationStack* stack, const kernels::Context* context, const void*, double x,
                    double y, double z, int blocked) {
   const auto& geometry = *static_cast<const Geometry*>(context->geometry);
@@ -31,8 +31,8 @@ struct Made {
   std::uint64_t left = 0, returned = 0, unknown = 0;
 };
 
-/// Photons that are turned back at every boundary, half of them to exactly where they came from,
-/// while each of their steps of length zero is made in both ways.
+/// Photons are reflected at every boundary, half of them exactly backwards, and each of their steps
+/// of length zero is made in both ways.
 Made reflect(const Geometry& geometry, const kernels::DispatchEntry& entry, std::uint64_t seed,
              int photons) {
   const std::vector<const kernels::DispatchEntry*> table(geometry.size(), &entry);

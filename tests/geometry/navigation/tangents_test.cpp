@@ -1,5 +1,5 @@
-// Rays that touch round faces, nearly along them, in frames that are turned by what pi is rounded
-// to: they go on.
+// Rays that touch round faces, nearly along them, in frames that are turned by the rounded value of
+// pi: no ray gets stuck.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double turn = 2 * std::numbers::pi;
 
-/// A round body of radius 38 mm with one of 37 mm in it, along z and turned over.
+/// A round body of radius 38 mm with a body of 37 mm in it, along z and turned upside down.
 struct Bodies {
   Solid outer, inner;
 };
@@ -31,7 +31,7 @@ std::vector<Bodies> round_bodies() {
           {make_eltube("outer", 38, 38, 114), make_eltube("inner", 37, 37, 113)}};
 }
 
-/// Whether the ray leaves the world; else it is stuck.
+/// Whether the ray leaves the world; if not it is stuck.
 bool goes_on(const Geometry& geometry, NavigationStack& stack, const Vec3& start, const Vec3& v) {
   Vec3 p = start;
   double path = 0;

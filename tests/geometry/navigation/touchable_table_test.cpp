@@ -1,4 +1,4 @@
-// What is found in the table is what would have been composed.
+// What is found in the table is the same as what would have been composed.
 #include "geometry/navigation/touchable_table.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 using tests::uniform;
 using Force = GeometryOptions::Force;
 
-/// Levels of a tree, some of which are turned; `breadth` daughters in each volume but the last.
+/// A tree of so many levels, some of them turned; `breadth` daughters in each volume but the last.
 std::shared_ptr<const World> tree(int levels, int breadth) {
   std::mt19937_64 random(4);
   World world;
@@ -39,7 +39,7 @@ std::shared_ptr<const World> tree(int levels, int breadth) {
   return std::make_shared<const World>(std::move(world));
 }
 
-/// Every level to the bit, and not only in value.
+/// Compares every level bit by bit, and not only by value.
 bool same_bits(const NavigationStack& a, const NavigationStack& b) {
   if (!identical(a, b)) return false;
   for (int i = 0; i <= a.depth; ++i) {

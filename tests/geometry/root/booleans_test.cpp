@@ -1,4 +1,4 @@
-// Shapes of ROOT's that are made of others, half spaces among them.
+// ROOT's shapes that are made of others, half spaces among them.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// ROOT files as containers, whole and broken.
+// ROOT files as containers, intact and damaged.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,4 +1,4 @@
-// Shapes of ROOT's as solids: kind, volume and extent, by formulas.
+// ROOT's shapes as solids: kind, volume and extent, by formulas.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ class RootShapes : public RootReading {
   std::string refusal_of(const RootPointer& shape) { return refusal(root_world_around(shape)); }
 };
 
-/// `cm3`: its volume. Extents in cm.
+/// `cm3` is the solid's volume. Extents are in cm.
 void expect(const Solid& solid, SolidKind kind, double cm3, const Vec3& min, const Vec3& max) {
   EXPECT_STREQ(kind_name(solid.kind), kind_name(kind)) << solid.name;
   EXPECT_NEAR(capacity(solid) / 1000, cm3, 1e-9 * cm3) << solid.name;

@@ -1,4 +1,4 @@
-// Volumes, placements and materials of ROOT's, as a detector has them.
+// ROOT's volumes, placements and materials, as the detector has them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ class RootStructure : public RootReading {
   }
 };
 
-/// Rows of a random rotation, or of a reflection.
+/// The rows of a random rotation, or of a rotation with a reflection.
 Numbers random_rows(std::mt19937_64& random, bool reflects) {
   std::normal_distribution<double> normal;
   double r[3][3];

@@ -1,4 +1,4 @@
-// ROOT's tessellated solids, however a version of ROOT writes them, and broken ones.
+// ROOT's tessellated solids, in the form of every version of ROOT, and damaged ones.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,8 +12,8 @@ using namespace tests;
 using Vertices = std::vector<std::vector<double>>;
 using Facets = std::vector<std::vector<int>>;
 
-/// A house: four walls, a floor, a roof of two sides with triangles below its ends. 2 cm by 2 cm,
-/// the walls 2 cm high, the ridge 1 cm above them along x.
+/// A house: four walls, a floor, and a roof of two sides with triangles below its ends. It is 2 cm
+/// by 2 cm; the walls are 2 cm high, and the ridge is 1 cm above them, along x.
 const Vertices house = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0},  {-1, 1, 0}, {-1, -1, 2},
                         {1, -1, 2},  {1, 1, 2},  {-1, 1, 2}, {-1, 0, 3}, {1, 0, 3}};
 const Facets walls = {{3, 2, 1, 0}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7},

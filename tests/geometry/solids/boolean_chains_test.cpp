@@ -1,4 +1,4 @@
-// Chains of booleans are made anew as balanced trees: the same set of points, told much sooner.
+// Chains of booleans are made anew as balanced trees: the same set of points, found much faster.
 #include <gtest/gtest.h>
 
 #include <deque>
@@ -12,7 +12,7 @@ namespace {
 constexpr double tolerance = 1e-9;
 constexpr int length = 40;
 
-/// Operands in a row, some of which overlap.
+/// The operands are in a row, and some of them overlap.
 Solid part(int i) {
   SolidFrame frame;
   frame.translation[0] = 3.0 * i + (i % 5 == 0 ? 1.3 : 0);
@@ -41,7 +41,7 @@ int parts(const kernels::AnySolid<double>& solid) {
   return parts(u.a.solid) + parts(u.b.solid);
 }
 
-/// The chain as it is written, one operand a level, without any box.
+/// The chain as it is written, with one operand on each level, and without boxes.
 template <class Any>
 struct AsWritten {
   std::vector<Solid> operands;
@@ -57,7 +57,7 @@ struct AsWritten {
   }
 };
 
-/// Answers about random rays, which go on where they meet the surface.
+/// Compares answers about random rays, which continue where they meet the surface.
 void expect_same(const kernels::AnySolid<double>& a, const kernels::AnySolid<double>& b) {
   std::mt19937_64 random(4);
   const auto uniform = [&](double low, double high) {

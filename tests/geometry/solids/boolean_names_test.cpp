@@ -1,5 +1,5 @@
-// Booleans have the name that they were given, however their operands are put together, and what
-// is wrong with them is told with it.
+// Booleans have the name that they were given, however their operands are combined, and errors in
+// them name it.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -10,7 +10,7 @@
 namespace navjit {
 namespace {
 
-/// Too long to be kept within a string: moved from, it is gone.
+/// Too long to be stored inside a string: once it is moved from, it is gone.
 const std::string long_name = "the fourth support of the inner tracker's second layer";
 
 Solid part(int i) {

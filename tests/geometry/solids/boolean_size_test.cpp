@@ -1,4 +1,4 @@
-// What booleans will be made of, before they are made.
+// The size of booleans, known before they are made.
 #include "geometry/solids/boolean_size.hpp"
 
 #include <gtest/gtest.h>

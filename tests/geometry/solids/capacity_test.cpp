@@ -1,4 +1,4 @@
-// Volumes and extents against sampling, with the oracles deciding what is inside.
+// Volumes and extents against sampling; the oracles decide what is inside.
 #include <gtest/gtest.h>
 
 #include "tests/geometry/kernels/random_curved_solids.hpp"

@@ -20,8 +20,8 @@ using tests::flip;
 using tests::Mesh;
 
 constexpr double tol = 1e-11;
-/// A ray through the whole solid: where it enters and leaves. Fails if it is stuck, or if what the
-/// solid says about one place depends on the way from which it is looked at.
+/// Checks a ray through the whole solid: where it enters and leaves. Fails if it is stuck, or if
+/// what the solid says about a place depends on the direction in which it was reached.
 void expect_navigable(const Solid& s, const Vec3& start, const Vec3& v, std::mt19937_64& random) {
   const Direction d = kernels::make_direction(v.x, v.y, v.z);
   double path = 0;
@@ -62,7 +62,7 @@ void expect_navigable(const Solid& s, int rays = 2000) {
   }
 }
 
-/// The same answers as another solid's, at random points and along random rays.
+/// Compares the answers with those of another solid, at random points and along random rays.
 void expect_same(const Solid& s, const Solid& whole) {
   std::mt19937_64 random(6);
   int wrong = 0;
@@ -243,7 +243,7 @@ TEST(FacetsThatDoNotClose, ThoseThatEncloseNothingAreRefused) {
 using Polygon = std::vector<PlanarPoint>;
 const std::vector<ExtrudedSection> sections{{-3, 0, 0, 1}, {3, 0, 0, 1}};
 
-/// How often a polygon surrounds a point, by angles.
+/// How often a polygon winds around a point, by angles.
 int windings(const Polygon& polygon, double x, double y) {
   double sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

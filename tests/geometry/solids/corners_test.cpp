@@ -1,4 +1,4 @@
-// Solids from corners, facets and contours: what the factories accept and refuse, and their
+// Solids from corners, facets and contours: what their makers accept and refuse, and their
 // volumes.
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ std::string refusal(Make make) {
   }
   return "accepted";
 }
-/// A box of quadrilaterals.
+/// A box made of quadrilaterals.
 Mesh cube(double h) {
   const auto at = [h](int i) { return Vec3{i & 1 ? h : -h, i & 2 ? h : -h, i & 4 ? h : -h}; };
   constexpr int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},

@@ -1,4 +1,4 @@
-// What the factories of tori, quadrics and twisted solids accept and refuse, and the conventions of
+// What the makers of tori, quadrics and twisted solids accept and refuse, and the conventions of
 // their dimensions.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The boxes around triangles, however these lie.
+// The boxes around triangles, whatever their arrangement.
 #include "geometry/solids/facet_hierarchy.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ Mesh anywhere(int count) {
   }
   return mesh;
 }
-/// Each twice as large as the one before: the best cut leaves one of them on its side.
+/// Triangles, each twice as large as the one before: the best cut leaves one of them on its side.
 Mesh doubling(int count) {
   Mesh mesh;
   for (int i = 0; i < count; ++i) {
@@ -58,14 +58,14 @@ Mesh along_a_line(int count) {
   return mesh;
 }
 
-/// So large that products of lengths, and sums of places, are infinite.
+/// Triangles so large that products of lengths, and sums of coordinates, are infinite.
 Mesh huge(int count) {
   Mesh mesh = anywhere(count);
   for (Vec3& p : mesh.corners) p = {1.7e306 * p.x, 0.0, 1e306 * p.z};
   return mesh;
 }
 
-/// How many boxes a way from the outermost to a leaf goes through at most.
+/// The most boxes on a way from the outermost box to a leaf.
 int levels(const std::vector<kernels::FacetBox<double>>& boxes) {
   std::vector<int> ends;
   std::size_t most = 0;
@@ -77,7 +77,7 @@ int levels(const std::vector<kernels::FacetBox<double>>& boxes) {
   return static_cast<int>(most);
 }
 
-/// How many groups wait at most, where a ray meets all of them.
+/// The most groups that wait at a time, where a ray meets all of them.
 int waiting(const std::vector<kernels::FacetGroup<double>>& groups) {
   std::vector<int> open{0};
   std::size_t most = 0;

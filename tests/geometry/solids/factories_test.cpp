@@ -1,4 +1,4 @@
-// What the factories accept and refuse, and the conventions of their dimensions.
+// What the makers accept and refuse, and the conventions of their dimensions.
 #include <gtest/gtest.h>
 
 #include <cmath>

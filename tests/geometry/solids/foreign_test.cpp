@@ -42,7 +42,7 @@ TEST(Foreign, OnItsSurfaceTheDirectionDecides) {
   EXPECT_EQ(normal(any, Vec3{0, 0, 21}, tolerance), up);
 }
 
-/// One that takes the surface that a ray leaves for one that it comes to, as some do.
+/// A ball that, as some solids do, reports the surface that a ray leaves as one that it comes to.
 struct Forgetful : tests::Ball {
   using Ball::Ball;
   double distance_to_in(const Vec3& p, const Vec3& v) const override {
@@ -66,7 +66,7 @@ TEST(Foreign, IsLeftAndEnteredAlthoughItSaysZeroOnItsSurface) {
   EXPECT_TRUE(contains(any, Vec3{0, 0, 20 - way}, along({0, 0, -1}), tolerance));
 }
 
-/// An L: at its inner edge the normal of one face points along the other.
+/// An L: at its inner edge the normal of one face points along the other face.
 Solid corner() {
   const PlanarPoint polygon[] = {{-10, -10}, {10, -10}, {10, 0}, {0, 0}, {0, 10}, {-10, 10}};
   const ExtrudedSection sections[] = {{-10, 0, 0, 1}, {10, 0, 0, 1}};

@@ -1,4 +1,4 @@
-// A union that is moved is the union of its parts, moved, and what is moved twice is moved once.
+// A moved union is the union of its moved parts, and a solid that is moved twice is moved once.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,7 +49,7 @@ Direction local(const Transformation& t, const Direction& v) {
                                  rotate_row(t.rotation + 6, v.x, v.y, v.z));
 }
 
-/// `moved` is `solid` as `frame` places it.
+/// Expects that `moved` is `solid` placed by `frame`.
 void expect_moved(Random& random, const Solid& moved, const Solid& solid, const SolidFrame& frame,
                   int& met) {
   const Transformation t = transformation(frame);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double tolerance = 1e-9;
 
-/// Without the boxes.
+/// The same operand without its box.
 template <class Any>
 Any plain(Any solid) {
   solid.a.boxed = solid.b.boxed = 0;
@@ -67,8 +67,8 @@ TEST(OperandBoxes, ChangeNoBit) {
   }
 }
 
-/// The boxes are part of safeties: outside they add what is known of the way to the operand, and no
-/// safety is more than the way to the surface along any ray.
+/// The boxes are part of safeties: outside they add what is known of the distance to the operand.
+/// No safety may be more than the way to the surface along any ray.
 template <class Any>
 void check_safeties(const Any& boxed, const Vec3& p, std::mt19937_64& random, int& more) {
   const Any without = plain(boxed);

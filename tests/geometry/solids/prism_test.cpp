@@ -1,4 +1,4 @@
-// Polygons of many corners, up to the most that a prism has.
+// Polygons of many corners, up to the most that a prism may have.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ class ManyCorners : public testing::TestWithParam<int> {
       make_extruded("star", corners(), std::vector<ExtrudedSection>{{-5, 0, 0, 1}, {5, 0, 0, 1}});
 };
 
-/// Half turns of the polygon about a point, counted edge by edge.
+/// Whether a point is inside, by counting the edges that are beside it.
 bool is_within(std::span<const PlanarPoint> polygon, double x, double y) {
   bool within = false;
   for (std::size_t i = 0, before = polygon.size() - 1; i < polygon.size(); before = i++) {

@@ -1,5 +1,5 @@
-// Traps whose sides are not quite planar are their mean planes, and these have corners of their
-// own.
+// Traps with sides that are not quite planar get the mean planes of their sides, and these have
+// their own corners.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ bool holds(const Extent& e, const Vec3& p, double slack) {
          p.y <= e.max.y + slack && p.z >= e.min.z - slack && p.z <= e.max.z + slack;
 }
 
-/// Of points about the corners of the box, so many are in the solid; all are to be in the box.
+/// How many of some points near the box's corners are in the solid; all these must be in the box.
 int check_corners(const Solid& solid, double far, std::mt19937_64& random) {
   const Extent& e = solid.extent;
   int within = 0;

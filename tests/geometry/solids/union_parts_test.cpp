@@ -1,4 +1,4 @@
-// A union of many parts, found by their boxes eight at once, answers as its tree does, bit by bit.
+// A union of many parts, found by their boxes eight at once, answers as its tree does, bit for bit.
 #include "geometry/solids/union_parts.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ struct Counted {
   int asked = 0, met = 0, held = 0, deep = 0;
 };
 
-/// Asks both forms about rays from all around, and on from where they meet the surface.
+/// Compares both forms for rays from all around, which continue where they meet the surface.
 void compare(const Solid& solid, std::mt19937_64& random, double from, int rays, Counted& counted) {
   const Union& made = shape_of(solid);
   Union tree = made;

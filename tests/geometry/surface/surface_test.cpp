@@ -50,7 +50,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// The volume within, mm3.
+/// The volume within the surface, mm3.
 double volume_of(const Surface& surface) { return capacity(make_tessellated("it", surface)); }
 
 TEST_F(Surfaces, AreTheSameInAllFormats) {
@@ -250,7 +250,7 @@ TEST_F(Surfaces, ChangedBytesNeverCrash) {
   EXPECT_GT(closed, 10);
 }
 
-/// The area of triangles of a polygon in the plane z = 0, and of the polygon.
+/// Compares the area of the polygon's triangles, in the plane z = 0, with that of the polygon.
 void expect_cut(const std::vector<Vec3>& polygon, double area) {
   const auto triangles = surface::cut(polygon);
   EXPECT_EQ(triangles.size(), polygon.size() - 2);

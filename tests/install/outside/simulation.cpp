@@ -1,5 +1,5 @@
 // A toy simulation outside navjit: scattering, step limits, safety, surface normals and local
-// coordinates, on two threads, without and with the JIT: the results have the same bits.
+// coordinates, on two threads. Without and with the JIT the results have the same bits.
 #include <navjit/navjit.hpp>
 
 #include <array>
@@ -32,7 +32,7 @@ navjit::Vec3 random_direction(std::mt19937_64& random, const navjit::Vec3& near,
   return (1 / norm(direction)) * direction;
 }
 
-/// All bits of all answers of one thread's particles, mixed into one number.
+/// All bits of all answers about one thread's particles, mixed into one number.
 std::uint64_t transport(navjit::Navigator navigator, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uint64_t bits = 0;

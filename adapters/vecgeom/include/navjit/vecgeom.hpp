@@ -6,7 +6,7 @@
 //   ...
 //   step = volume->GetNavigator()->ComputeStepAndPropagatedState(point, direction, limit, in, out);
 //
-// docs/vecgeom.md has the whole of it.
+// docs/vecgeom.md describes all of it.
 #pragma once
 
 #include <VecGeom/navigation/NavigationState.h>
@@ -30,70 +30,70 @@
 
 namespace navjit::vecgeom {
 
-/// The material of a volume: made in the builder, or made before for another volume.
+/// Gives the material of a volume: made in the builder, or made before for another volume.
 using MaterialOf =
     std::function<DetectorBuilder::MaterialId(DetectorBuilder&, const ::vecgeom::LogicalVolume&)>;
 
-/// How VecGeom's world is taken over.
+/// How VecGeom's world is converted.
 struct Options {
-  /// How many mm VecGeom's unit of length is. 0: as GeoManager::GetMillimeterUnit() says, which the
-  /// GDML reader sets (by default a unit is a cm, and this 10). Geometry made in code has whatever
-  /// unit its author had in mind; navigation is the same with any, up to its tolerance, which is
-  /// a length.
+  /// VecGeom's unit of length in mm. 0: what GeoManager::GetMillimeterUnit() gives, which the GDML
+  /// reader sets (by default a unit is a cm, and this is 10). Geometry made in code has whatever
+  /// unit its author had in mind. Navigation is the same with any unit, except for its tolerance,
+  /// which is a length.
   double mm_per_unit = 0;
-  /// Empty: one material without a name for all. Navigation reads none.
+  /// Empty: one material without a name for all volumes. Navigation reads no material.
   MaterialOf material{};
   RuntimeOptions runtime{};
 };
 
-/// VecGeom's world, navigated by navjit. One object for all threads: each thread that asks gets a
-/// navjit::Navigator of its own, which this object owns, and which goes to another thread when its
-/// thread ends. Functions are for one thread at a time, unless said otherwise; those of the
-/// navigator and the safety estimator may be called by any number of threads at once.
+/// VecGeom's world, navigated by navjit. One object serves all threads: each thread that asks gets
+/// a navjit::Navigator, which this object owns, and which another thread gets when that thread
+/// ends. Functions are for one thread at a time, unless said otherwise; those of the navigator and
+/// of the safety estimator may be called by any number of threads at once.
 ///
-/// User data of the detector's volumes and placements are the addresses of VecGeom's.
+/// The user data of the detector's volumes and placements are the addresses of VecGeom's.
 class Navigation {
  public:
-  /// Takes the GeoManager's world, which has to be closed and to stay. Throws UsageError if there
-  /// is none, GeometryError naming the volume if a shape has no kernel or its dimensions make no
-  /// solid.
+  /// Converts the GeoManager's world, which has to be closed and must stay. Throws UsageError if
+  /// there is none, and GeometryError, which names the volume, if a shape has no kernel or if its
+  /// dimensions make no solid.
   explicit Navigation(Options options = {});
   Navigation(const Navigation&) = delete;
   Navigation& operator=(const Navigation&) = delete;
-  /// Detaches. No thread may be in the navigator, nor use it any more.
+  /// Detaches. No thread may be in the navigator, nor use it from then on.
   ~Navigation();
 
-  /// Sets navigator and safety estimator of all volumes of the world but assemblies; or of those
-  /// volumes alone: say, of those that are hot in the report of an earlier run. Throws UsageError
-  /// if one is not in the world, or an assembly.
+  /// Sets navigator and safety estimator of all volumes of the world except assemblies; or of the
+  /// given volumes only, such as those that are hot in the report of an earlier run. Throws
+  /// UsageError if one is not in the world, or is an assembly.
   void attach();
   void attach(std::span<const ::vecgeom::LogicalVolume* const> volumes);
-  /// Gives the volumes back what they had before the first attach(); those whose navigator was
-  /// changed since keep theirs. Where several of these objects are attached to a volume, the last
-  /// has to be detached first.
+  /// Gives the volumes back what they had before the first attach(); volumes whose navigator was
+  /// changed since then keep theirs. If several of these objects are attached to a volume, the last
+  /// of them has to be detached first.
   void detach();
 
-  /// What volumes are given: good for all volumes of the world.
+  /// The navigator that volumes are given: it serves all volumes of the world.
   const ::vecgeom::VNavigator& navigator() const;
   const ::vecgeom::VSafetyEstimator& safety_estimator() const;
 
-  /// The deepest volume with a point (VecGeom's unit), written into the state; false if it is
-  /// outside. On faces the direction decides. Thread-safe. Throws UsageError if a number is not
-  /// finite, or if the state has too little room.
+  /// The deepest volume that holds a point (VecGeom's unit), written into the state; false if the
+  /// point is outside. On faces the direction decides. Thread-safe. Throws UsageError if a number
+  /// is not finite, or if the state has too little room.
   bool locate(const ::vecgeom::Vector3D<double>& point,
               const ::vecgeom::Vector3D<double>& direction,
               ::vecgeom::NavigationState& state) const;
 
-  /// VecGeom's state as navjit's, and the way back. Thread-safe. `write` throws UsageError if the
+  /// Converts VecGeom's state to navjit's, and back. Thread-safe. `write` throws UsageError if the
   /// state is of another detector, or if `out` has too little room.
   State state(const ::vecgeom::NavigationState& state) const;
   void write(const State& state, ::vecgeom::NavigationState& out) const;
 
-  /// The number of a volume in the detector; nothing if it is not in the world, or an assembly.
+  /// The number of a volume in the detector; nothing if it is not in the world or is an assembly.
   std::optional<VolumeId> volume(const ::vecgeom::LogicalVolume& volume) const;
 
-  /// Names of volumes that were left out, with what is in them, because they hold no point: say,
-  /// intersections of shapes that are apart. No track is ever in one.
+  /// Names of volumes that were left out, with everything in them, because they hold no point, such
+  /// as intersections of shapes that are apart. No track is ever in one.
   const std::vector<std::string>& empty_volumes() const;
 
   double mm_per_unit() const;

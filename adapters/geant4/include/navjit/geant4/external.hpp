@@ -1,4 +1,4 @@
-// navjit for single volumes of an application that keeps its own navigator.
+// navjit for single volumes of an application that otherwise keeps its own navigator.
 #pragma once
 
 #include <G4LogicalVolume.hh>
@@ -13,27 +13,27 @@
 
 namespace navjit::geant4 {
 
-/// A volume that navjit navigates: what it and its daughters are to it.
+/// A volume that navjit navigates, as navjit sees it and its daughters.
 struct ExternalVolume;
 
-/// Navigation in these volumes, among their daughters; all else is Geant4's as before. For volumes
-/// that take much of the time, with many placed daughters, say. One for each navigator, which owns
-/// it; the others get a Clone():
+/// Navigates in these volumes, among their daughters; everything else is Geant4's as before. It
+/// serves volumes that take much of the time, such as those with many placed daughters. Each
+/// navigator owns one of these objects; further navigators get a Clone():
 ///
 ///   auto* external = new navjit::geant4::ExternalNavigation(hot);   // after the geometry is made
 ///   navigator->SetExternalNavigation(external);
 class ExternalNavigation : public G4VExternalNavigation {
  public:
   /// Converts the volumes and changes the type of their daughters to kExternal: from then on each
-  /// navigator of the process needs one of these. They have to stay as they are. Throws Unsupported
-  /// if a volume has replicas or a parameterisation, GeometryError if a solid is none; then
-  /// nothing is changed.
+  /// navigator of the process needs one of these objects, and the volumes must not change. Throws
+  /// Unsupported if a volume has replicas or a parameterisation, GeometryError if the dimensions of
+  /// a solid make none; then nothing is changed.
   explicit ExternalNavigation(std::span<G4LogicalVolume* const> volumes,
                               const RuntimeOptions& options = {});
   ~ExternalNavigation() override;
   ExternalNavigation& operator=(const ExternalNavigation&) = delete;
 
-  /// For another navigator, of this thread or another; the volumes are shared.
+  /// Makes one for another navigator, of this thread or another; the volumes are shared.
   G4VExternalNavigation* Clone() override;
 
   G4bool LevelLocate(G4NavigationHistory& history, const G4VPhysicalVolume* blocked,
@@ -50,7 +50,7 @@ class ExternalNavigation : public G4VExternalNavigation {
 
  private:
   using Volumes = std::unordered_map<const G4LogicalVolume*, std::shared_ptr<ExternalVolume>>;
-  /// A volume with this object's own navigator.
+  /// One of the volumes, with this object's own navigator in it.
   struct Own {
     ExternalVolume* volume;
     navjit::Navigator navigator;

@@ -1,4 +1,4 @@
-// Safeties that were asked for not long ago.
+// Remembers safeties that were asked for a short time ago.
 #pragma once
 
 #include <bit>
@@ -11,15 +11,15 @@
 
 namespace navjit::geant4 {
 
-/// Remembers the safeties of recent points, found by the point's very bits. Geant4 asks for that of
-/// a point twice, one call after the other; and secondaries start where their parents' steps ended,
-/// some while ago. For what was asked last there is no look into the table, which mostly is not in
-/// the nearest cache.
+/// Remembers the safeties of recent points, found by the exact bits of the point. Geant4 asks for
+/// the safety of a point twice, one call after the other; and secondaries start where steps of
+/// their parents ended, some time ago. What was asked last is not looked for in the table, which is
+/// mostly not in the nearest cache.
 class KnownSafeties {
  public:
-  /// mm, if it was what was asked for last; negative if not.
+  /// The safety, mm, if this was asked for last; else negative.
   double last(const State& state, const Vec3& point) const { return last_.at(state, point); }
-  /// mm; negative where none is known. It is the last from now on.
+  /// The safety, mm; negative if none is known. From now on it counts as asked for last.
   double find(const State& state, const Vec3& point) {
     const Entry& entry = entries_[slot(point)];
     const double known = entry.at(state, point);

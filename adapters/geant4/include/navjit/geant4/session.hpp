@@ -16,14 +16,14 @@
 
 namespace navjit::geant4 {
 
-/// Who answers Geant4.
+/// Which navigator answers Geant4.
 enum class Mode : std::uint8_t {
   navjit,
-  geant4,  ///< Geant4's own navigator; its calls are counted and timed, to know what is to be won
-  shadow,  ///< navjit, and Geant4's own is asked the same; differences are counted and printed
+  geant4,  ///< Geant4's own; its calls are counted and timed, to see what can be gained
+  shadow,  ///< navjit's; Geant4's is asked the same, and differences are counted and printed
 };
 
-/// How navjit shall work within Geant4.
+/// How navjit is to work within Geant4.
 struct Options {
   Mode mode = Mode::navjit;
   RuntimeOptions runtime{};
@@ -34,40 +34,40 @@ struct Options {
 /// What Geant4 asks of a navigator.
 enum class Call : std::uint8_t { step, locate, relocate_within, safety, reset, normal };
 constexpr std::size_t call_kinds = 6;
-/// In words.
+/// The name of a call, in words.
 const char* call_name(Call call);
 
 using Count = Tally<std::uint64_t>;
 
-/// Calls of one kind, and the time that they took: of one in `sampled_calls` it is measured.
+/// Calls of one kind, and the time that they took: one in `sampled_calls` is timed.
 struct CallCount {
   Count calls;
   Count sampled;
   Tally<double> sampled_seconds;
-  /// Of all calls, s; `clock`: what the clock itself adds to a sample, s.
+  /// The time of all calls, s. `clock` is what the clock itself adds to a sample, s.
   double seconds(double clock) const {
     if (sampled == 0) return 0;
     return (sampled_seconds / static_cast<double>(sampled) - clock) * static_cast<double>(calls);
   }
 };
 constexpr std::uint64_t sampled_calls = 256;  ///< a power of two
-/// What samples are timed with, s.
+/// The time that the clock adds to a sample, s.
 double sampling_time();
 
 /// In shadow mode: how often the two navigators disagreed.
 struct Differences {
   Count steps;      ///< compared
-  Count lengths;    ///< that differ by more than 1e-6 mm, or of which one has a boundary
+  Count lengths;    ///< that differ by more than 1e-6 mm, or of which only one ends on a boundary
   Count locates;    ///< compared
   Count histories;  ///< that differ in a volume or number
-  Count ties;       ///< likewise, with the point on a face: either is right
-  Count safeties;   ///< of navjit that reach farther than a step of Geant4's
+  Count ties;       ///< as `histories`, but the point is on a face: either is right
+  Count safeties;   ///< those of navjit's that reach farther than a step of Geant4's
   Count normals;    ///< that differ by more than 1e-3
-  Tally<double> largest_length;  ///< mm, of those that agree
+  Tally<double> largest_length;  ///< the largest difference of those that agree, mm
   std::uint64_t total() const { return lengths + histories + safeties + normals; }
 };
 
-/// One thread's part, or the sum of all.
+/// The counts of one thread, or the sum of all.
 struct Counts {
   std::array<CallCount, call_kinds> calls{};
   Differences differences{};
@@ -78,7 +78,7 @@ struct Counts {
   void add(const Counts& other);
 };
 
-/// A world and how it is navigated.
+/// A world, and how navjit navigates it.
 struct Engine {
   Geometry geometry;
   Runtime runtime;
@@ -87,30 +87,30 @@ struct Engine {
       : geometry(world), runtime(geometry.detector(), options) {}
 };
 
-/// What the threads of a run share: the options, the world as navjit has it once a thread needs it,
+/// What the threads of a run share: the options, navjit's form of the world once a thread needs it,
 /// and the counts. Thread-safe.
 class Session {
  public:
   explicit Session(Options options);
 
   const Options& options() const { return options_; }
-  /// The world as navjit has it; null where it cannot be, for which Geant4 gets one warning that
-  /// says why. The first call converts it.
+  /// navjit's form of the world; null if there can be none: then Geant4 gets one warning, which
+  /// says why. The first call converts the world.
   std::shared_ptr<Engine> engine(G4VPhysicalVolume& world);
-  /// That world, where it was converted.
+  /// The same, if the world has been converted.
   std::shared_ptr<Engine> present_engine() const;
   /// Forgets a world that changed; the next call of engine() converts it anew.
   void geometry_changed();
-  /// How often that was.
+  /// How often geometry_changed() was called.
   std::uint64_t generation() const { return generation_.load(std::memory_order_acquire); }
-  /// Why there is no engine; empty if there is one, or none was asked for.
+  /// Why there is no engine; empty if there is one, or if none was asked for.
   std::string refusal() const;
 
-  /// A navigator's, which adds to it. Counted in counts() as it is then.
+  /// Counts for one navigator, which adds to them. counts() includes them as they are then.
   std::shared_ptr<Counts> new_counts();
-  /// Of all navigators so far. Threads may navigate meanwhile; what they count then may be missing.
+  /// The counts of all navigators so far. What threads count meanwhile may be missing.
   Counts counts() const;
-  /// Of the whole process since the session was made.
+  /// The processor time of the whole process since the session was made.
   double processor_seconds() const;
 
  private:
@@ -121,7 +121,7 @@ class Session {
   const G4VPhysicalVolume* refused_ = nullptr;
   std::atomic<std::uint64_t> generation_{1};
   std::vector<std::shared_ptr<Counts>> counts_;
-  double made_at_;  ///< the process's processor time, s
+  double made_at_;  ///< the processor time of the process then, s
 };
 
 }  // namespace navjit::geant4

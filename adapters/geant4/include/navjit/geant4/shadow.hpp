@@ -1,13 +1,13 @@
-// Both navigators side by side.
+// Runs both navigators side by side.
 #pragma once
 
 #include "navjit/geant4/navigator.hpp"
 
 namespace navjit::geant4 {
 
-/// navjit's answers; Geant4's own navigator is asked the same, and what differs is counted and
-/// printed with the touchable (Differences). After a difference Geant4's is set to where navjit's
-/// is, so that each is counted once.
+/// Gives navjit's answers. Geant4's own navigator is asked the same; what differs is counted, and
+/// printed with the touchable (Differences). After a difference Geant4's navigator is set to
+/// navjit's place, so that each difference is counted once.
 class ShadowNavigator : public Navigator {
  public:
   explicit ShadowNavigator(std::shared_ptr<Session> session);
@@ -30,11 +30,11 @@ class ShadowNavigator : public Navigator {
     const G4NavigationHistory& history() const { return fHistory; }
   };
 
-  /// What a locate was asked, to be printed.
+  /// What a locate was asked; it is printed with a difference.
   struct Circumstances {
     const G4NavigationHistory& before;
     const G4ThreeVector* direction;
-    bool by_step;  ///< a boundary ended the step before it
+    bool by_step;  ///< whether the step before it ended on a boundary
   };
 
   void compare_histories(const char* call, const G4ThreeVector& point,

@@ -1,12 +1,12 @@
-// A number that one thread counts and others may read meanwhile.
+// A number that one thread counts and that others may read meanwhile.
 #pragma once
 
 #include <atomic>
 
 namespace navjit::geant4 {
 
-/// As a plain number, but what others read while its owner adds is one of its values. Not an atomic
-/// increment: there is one writer.
+/// Works as a plain number, but others that read while its owner adds see one of its values. It
+/// needs no atomic increment, since there is one writer.
 template <typename Number>
 class Tally {
  public:
@@ -19,7 +19,7 @@ class Tally {
   }
   operator Number() const { return value_.load(std::memory_order_relaxed); }
 
-  /// Give the sum.
+  /// Returns the sum.
   Number operator+=(Number more) {
     const Number sum = *this + more;
     *this = sum;

@@ -1,4 +1,4 @@
-// navjit in a program that uses Geant4: one line.
+// One line brings navjit into a program that uses Geant4.
 #pragma once
 
 #include <iosfwd>
@@ -13,19 +13,19 @@ namespace navjit::geant4 {
 ///   auto session = navjit::geant4::use();
 ///   auto* run_manager = G4RunManagerFactory::CreateRunManager(G4RunManagerType::Serial);
 ///
-/// The world is converted at the first call that locates a point in it; if it is refused, Geant4
-/// gets one warning and its own navigation goes on. Multithreaded programs also give the run
+/// The world is converted at the first call that locates a point in it. If it is refused, Geant4
+/// gets one warning and its own navigation continues. Multithreaded programs also give the run
 /// manager a WorkerInitialization (navjit/geant4/worker.hpp).
 std::shared_ptr<Session> use(Options options = {});
-/// The same where the world is known: it is converted at once, and if it is refused nothing is
-/// installed.
+/// The same for a world that is already known: it is converted at once, and if it is refused
+/// nothing is installed.
 std::shared_ptr<Session> use(G4VPhysicalVolume& world, Options options = {});
-/// The same for one more thread, which shares the session: to be called before that thread's run
-/// manager is made. Processes that were made before keep the navigator that they have.
+/// The same for one more thread, which shares the session. Call it before the run manager of that
+/// thread is made. Processes that were made before keep the navigator that they have.
 void install(const std::shared_ptr<Session>& session);
 
-/// For the end of a run: how often Geant4 asked what, how long that took of the processor's time
-/// since the session was made, what differed in shadow mode, and the hottest volumes.
+/// For the end of a run: prints how often Geant4 asked what, how much that took of the processor
+/// time since the session was made, what differed in shadow mode, and the hottest volumes.
 void print_report(Session& session, std::ostream& out);
 
 }  // namespace navjit::geant4

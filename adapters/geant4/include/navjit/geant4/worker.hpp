@@ -13,7 +13,7 @@ namespace navjit::geant4 {
 ///
 ///   run_manager->SetUserInitialization(new navjit::geant4::WorkerInitialization(session));
 ///
-/// A program that has a class of its own calls install() in its WorkerInitialize(), and, if
+/// A program that has a class of its own calls install() in its WorkerInitialize() and, if
 /// touchables are to be kept, keep_touchables() in its WorkerRunStart().
 class WorkerInitialization : public G4UserWorkerInitialization {
  public:
@@ -22,7 +22,7 @@ class WorkerInitialization : public G4UserWorkerInitialization {
       : session_(std::move(session)), touchables_(touchables) {}
   void WorkerInitialize() const override { install(session_); }
   void WorkerRunStart() const override {
-    // A thread that has replaced them before has none left to replace.
+    // A thread that has replaced its transportation before finds nothing more to replace.
     if (touchables_ == Touchables::kept) keep_touchables();
   }
 
