@@ -61,7 +61,7 @@ NamedSolid read_boolean(FileContext& file, const XmlElement& element, const std:
   const NamedSolid& a = operand(file, element, first, "first");
   const NamedSolid& b = operand(file, element, second, "second");
   NamedSolid result;
-  result.size = size_of(kind, a.size, is_moved(first_frame), b.size, is_moved(second_frame));
+  result.size = size_of(kind, a.size, is_moved(first_frame), b.size);
   check_size(file, element, result.size);
   result.solid = combine(name, placed(*a.solid, first_frame), placed(*b.solid, second_frame));
   return result;
@@ -99,11 +99,7 @@ NamedSolid read_multi_union(FileContext& file, const XmlElement& element, const 
     result.size.links = std::max(result.size.links, solid->size.links);
   }
   if (nodes.empty()) fail(element, "it has no <multiUnionNode>; add some");
-  for (std::size_t n = 1; n < nodes.size(); n *= 2) ++result.size.depth;
-  check_size(file, element, result.size);
-  result.solid = union_of_all(name, nodes, 0, nodes.size());
-  result.solid->name = name;
-  return result;
+  return united(file, element, name, nodes, result.size);
 }
 
 NamedSolid read_scaled(FileContext& file, const XmlElement& element, const std::string& name) {
@@ -167,6 +163,17 @@ constexpr SolidKindReader readers[] = {
 };
 
 }  // namespace
+
+NamedSolid united(FileContext& file, const XmlElement& element, const std::string& name,
+                  const std::vector<Solid>& solids, BooleanSize size) {
+  for (std::size_t n = 1; n < solids.size(); n *= 2) ++size.depth;
+  check_size(file, element, size);
+  NamedSolid result;
+  result.size = size;
+  result.solid = union_of_all(name, solids, 0, solids.size());
+  result.solid->name = name;
+  return result;
+}
 
 std::span<const SolidKindReader> boolean_readers() { return readers; }
 

@@ -59,15 +59,17 @@ std::string FileContext::resolved(const XmlElement& element, std::string_view te
   }
   if (loops == 0 && !always) return std::string(text);
   std::string name = at_element(element, [&] { return evaluator.resolve_brackets(text); });
-  if (loops > 0) {
-    const GdmlLimits& limits = session.options.limits;
-    session.loop_name_bytes += name.size();
-    if (session.loop_name_bytes > 512 * limits.max_loop_iterations) {
-      refuse(element,
-             "loops make too long names; raise GdmlLimits::max_loop_iterations if this is meant");
-    }
-  }
+  charge_name(element, name);
   return name;
+}
+
+void FileContext::charge_name(const XmlElement& element, std::string_view name) {
+  if (loops == 0) return;
+  session.loop_name_bytes += name.size();
+  if (session.loop_name_bytes > 512 * session.options.limits.max_loop_iterations) {
+    refuse(element,
+           "loops make too long names; raise GdmlLimits::max_loop_iterations if this is meant");
+  }
 }
 
 std::string FileContext::name(const XmlElement& element) {
@@ -77,7 +79,16 @@ std::string FileContext::name(const XmlElement& element) {
 }
 
 std::string FileContext::optional_name(const XmlElement& element) {
-  return resolved(element, element.find("name").value_or(""), true);
+  const std::string_view text = element.find("name").value_or("");
+  try {
+    return resolved(element, text, true);
+  } catch (const GdmlRefusal&) {
+    throw;
+  } catch (const GdmlError& e) {
+    charge_name(element, text);
+    note(element, "kept a name as it is written: what it has in brackets is no index", e);
+    return std::string(text);
+  }
 }
 
 std::string FileContext::reference(const XmlElement& element, std::string_view attribute) {
@@ -137,17 +148,24 @@ int FileContext::integer(const XmlElement& element, std::string_view attribute, 
   return element.find(attribute) ? integer(element, attribute) : fallback;
 }
 
+bool FileContext::has_unit_of(const XmlElement& element, std::string_view attribute,
+                              Dimension dimension) {
+  const auto text = element.find(attribute);
+  if (!text) return true;
+  const auto found = find_unit(*text);
+  return found && (dimension == Dimension::other || found->dimension == dimension);
+}
+
 double FileContext::unit(const XmlElement& element, std::string_view attribute, Dimension dimension,
                          double fallback) {
   const auto text = element.find(attribute);
   if (!text) return fallback;
-  const auto found = find_unit(*text);
-  if (!found || (dimension != Dimension::other && found->dimension != dimension)) {
+  if (!has_unit_of(element, attribute, dimension)) {
     const DimensionWords words = words_of(dimension);
     fail(element, std::string(attribute) + ": '" + printable(*text) + "' is not a unit of " +
                       words.kind + "; " + words.units);
   }
-  return found->value;
+  return find_unit(*text)->value;
 }
 
 double FileContext::length(const XmlElement& element, std::string_view attribute,
@@ -165,6 +183,13 @@ double FileContext::length(const XmlElement& element, std::string_view attribute
 }
 
 Vector FileContext::vector(const XmlElement& element, Dimension dimension, double fallback) {
+  if (dimension != Dimension::other && !has_unit_of(element, "unit", dimension)) {
+    const Vector zero = vector(element, Dimension::other, fallback);
+    if (zero == Vector{0, 0, 0}) {
+      note(element, "its unit is of another kind: took zero, which is the same in any unit");
+      return zero;
+    }
+  }
   const double factor = dimension == Dimension::other ? 1 : unit(element, "unit", dimension);
   return {length(element, "x", factor, fallback), length(element, "y", factor, fallback),
           length(element, "z", factor, fallback)};
@@ -207,6 +232,11 @@ void FileContext::loop(const XmlElement& element, const std::function<void()>& b
     at_element(element, [&] { evaluator.set_variable(*variable, static_cast<double>(i)); });
     body();
   }
+}
+
+void FileContext::note(const XmlElement& element, const std::string& what, const GdmlError& error) {
+  const std::string message = error.what(), place = describe(element) + ": ";
+  note(element, what, message.starts_with(place) ? message.substr(place.size()) : message);
 }
 
 void FileContext::leave_out(const XmlElement& element, const std::string& message) {

@@ -124,12 +124,15 @@ struct FileContext {
   void note(const XmlElement& element, const std::string& what, const std::string& detail = {}) {
     session.notes.add(element, what, detail);
   }
+  /// The same where the error says what is wrong with the element.
+  void note(const XmlElement& element, const std::string& what, const GdmlError& error);
   /// Counts something common that was skipped.
   void skip(const std::string& what) { session.notes.count(what); }
 
   /// The `name` of an element with its indices resolved. Fails if it is missing.
   std::string name(const XmlElement& element);
-  /// The same; empty if there is none.
+  /// The same; empty if there is none. It names nothing that others refer to, so that brackets
+  /// which hold no index are kept, with a note.
   std::string optional_name(const XmlElement& element);
   /// The `ref` of an element.
   std::string reference(const XmlElement& element, std::string_view attribute = "ref");
@@ -138,6 +141,9 @@ struct FileContext {
   double number(const XmlElement& element, std::string_view attribute, double fallback);
   int integer(const XmlElement& element, std::string_view attribute);
   int integer(const XmlElement& element, std::string_view attribute, int fallback);
+  /// Whether the unit that the attribute names is of that kind, or the attribute is missing.
+  static bool has_unit_of(const XmlElement& element, std::string_view attribute,
+                          Dimension dimension);
   /// The value of the unit that the attribute names; `fallback` where it is missing.
   double unit(const XmlElement& element, std::string_view attribute, Dimension dimension,
               double fallback = 1);
@@ -152,6 +158,9 @@ struct FileContext {
 
   /// Resolves indices in a name where it is in a loop, and checks its length.
   std::string resolved(const XmlElement& element, std::string_view text, bool always = false);
+
+  /// Charges the name of an element that a loop repeats against the limit on such names.
+  void charge_name(const XmlElement& element, std::string_view name);
 
   /// Notes that an element was left out, and why: `message` is that of the error.
   void leave_out(const XmlElement& element, const std::string& message);

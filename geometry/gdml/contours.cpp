@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "geometry/gdml/solids.hpp"
+#include "geometry/solids/extruded_steps.hpp"
 
 namespace navjit::gdml {
 namespace {
@@ -37,7 +38,8 @@ NamedSolid read_xtru(FileContext& file, const XmlElement& element, const std::st
     }
   }
   // To cut it into triangles takes time with the square of the corners.
-  const std::size_t cost = polygon.size() * polygon.size() / 64;
+  const auto steps = bodies_between_steps(sections);
+  const std::size_t cost = polygon.size() * polygon.size() / 64 * steps.size();
   if (cost > file.session.xml.elements) {
     refuse(element,
            "too many corners in the file's xtru; raise GdmlLimits::max_elements if this is "
@@ -45,11 +47,18 @@ NamedSolid read_xtru(FileContext& file, const XmlElement& element, const std::st
   }
   file.session.xml.elements -= cost;
   std::string odd;
-  NamedSolid solid = made(make_extruded(name, polygon, sections, &odd));
+  std::vector<Solid> bodies;
+  for (const std::vector<ExtrudedSection>& body : steps) {
+    bodies.push_back(make_extruded(name, polygon, body, &odd));
+  }
   if (!odd.empty()) {
     file.note(element, "its polygon touches or crosses itself: took what it surrounds", odd);
   }
-  return solid;
+  if (bodies.size() == 1) return made(std::move(bodies.front()));
+  file.note(element,
+            "it has two sections at one z: took the union of the bodies between such steps, as "
+            "ROOT");
+  return united(file, element, name, bodies, {.parts = bodies.size()});
 }
 
 NamedSolid read_arb8(FileContext& file, const XmlElement& element, const std::string& name) {
@@ -97,7 +106,7 @@ NamedSolid read_generic_polycone(FileContext& file, const XmlElement& element,
   const double angle = angle_unit(file, element);
   return made(make_generic_polycone(name, read_contour(file, element),
                                     file.number(element, "startphi", 0) * angle,
-                                    file.number(element, "deltaphi") * angle));
+                                    opening(file, element, "deltaphi", angle)));
 }
 
 NamedSolid read_generic_polyhedra(FileContext& file, const XmlElement& element,
@@ -112,7 +121,7 @@ NamedSolid read_generic_polyhedra(FileContext& file, const XmlElement& element,
   file.session.xml.elements -= cost;
   return made(make_generic_polyhedra(name, read_contour(file, element), sides,
                                      file.number(element, "startphi", 0) * angle,
-                                     file.number(element, "deltaphi") * angle));
+                                     opening(file, element, "deltaphi", angle)));
 }
 
 /// The defined position that an attribute names, times a unit of the element, as in Geant4.

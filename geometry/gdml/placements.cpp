@@ -109,6 +109,18 @@ Transformation placement_frame(const Frame& frame, const Vector& scale) {
   return make_transformation({frame.position[0], frame.position[1], frame.position[2]}, rotation);
 }
 
+/// No step depends on it, so that one which cannot be read is no reason to refuse the file.
+int copy_number(FileContext& file, const XmlElement& element) {
+  try {
+    return file.integer(element, "copynumber", 0);
+  } catch (const GdmlRefusal&) {
+    throw;
+  } catch (const GdmlError& e) {
+    file.note(element, "its copynumber cannot be read: took 0", e);
+    return 0;
+  }
+}
+
 void read_physvol(FileContext& file, const XmlElement& element, Mother& mother) {
   std::optional<Target> target;
   Frame frame;
@@ -129,7 +141,7 @@ void read_physvol(FileContext& file, const XmlElement& element, Mother& mother) 
   if (!target) fail(element, "it places no volume; add a <volumeref> or <file>");
   Placement placement;
   placement.auxiliaries = read_auxiliaries(file, element);
-  placement.copy_number = file.integer(element, "copynumber", 0);
+  placement.copy_number = copy_number(file, element);
   if (element.find("copynumber") && (mother.assembly != nullptr || target->assembly != nullptr)) {
     file.skip("gave no copynumber to what assemblies hold but that of Geant4");
   }

@@ -50,6 +50,10 @@ class Dimensions {
              .c_str());
     return std::remainder(given, 2 * right_angle);
   }
+  /// The angle that a polycone or polyhedra spans.
+  double opening(const char* attribute) const {
+    return gdml::opening(file_, element_, attribute, angle_unit());
+  }
   /// A number of sides; they cost memory as elements do, and are counted like them.
   int sides(const char* attribute) const {
     const int n = file_.integer(element_, attribute);
@@ -63,8 +67,8 @@ class Dimensions {
   void note(const char* what) const { file_.note(element_, what); }
   bool has(const char* attribute) const { return element_.find(attribute).has_value(); }
   [[noreturn]] void refuse(const char* problem) const { fail(element_, problem); }
-  /// The <zplane> children.
-  std::vector<ZPlane> z_planes() const {
+  /// The <zplane> children; only the first of them where the attribute `count` says how many.
+  std::vector<ZPlane> z_planes(const char* count = nullptr) const {
     std::vector<ZPlane> planes;
     for (const XmlElement& child : element_.children()) {
       if (child.tag != "zplane") fail(child, "unknown element here; use zplane");
@@ -73,12 +77,26 @@ class Dimensions {
                         file_.length(child, "rmin", length_unit_, 0),
                         file_.length(child, "rmax", length_unit_)});
     }
+    if (count != nullptr && has(count)) keep_first(planes, count);
     if (planes.size() < 2) fail(element_, "it has less than two <zplane>s; add some");
     check_count(static_cast<int>(planes.size()), "z planes");
     return planes;
   }
 
  private:
+  void keep_first(std::vector<ZPlane>& planes, const char* count) const {
+    const int n = file_.integer(element_, count);
+    if (n < 2 || static_cast<std::size_t>(n) > planes.size()) {
+      fail(element_, std::string(count) + " is " + std::to_string(n) + ", and there are " +
+                         std::to_string(planes.size()) +
+                         " <zplane>s; give it from 2 up to their number");
+    }
+    if (static_cast<std::size_t>(n) == planes.size()) return;
+    file_.note(element_, std::string("it has more <zplane>s than ") + count +
+                             " says: took the first of them, as Geant4");
+    planes.resize(static_cast<std::size_t>(n));
+  }
+
   double angle_unit() const { return file_.unit(element_, "aunit", Dimension::angle); }
 
   void check_count(int n, const char* what) const {
@@ -149,14 +167,14 @@ Solid read_trap(const Dimensions& d, const std::string& name) {
 DivisibleShape read_polycone(const Dimensions& d) {
   return {.tag = "polycone",
           .start = d.angle("startphi", 0),
-          .delta = d.angle("deltaphi"),
+          .delta = d.opening("deltaphi"),
           .planes = d.z_planes()};
 }
 
 DivisibleShape read_polyhedra(const Dimensions& d) {
   return {.tag = "polyhedra",
           .start = d.angle("startphi", 0),
-          .delta = d.angle("deltaphi"),
+          .delta = d.opening("deltaphi"),
           .planes = d.z_planes(),
           .sides = d.sides("numsides")};
 }
@@ -173,17 +191,18 @@ DivisibleShape read_tube_dimensions(const Dimensions& d) {
 DivisibleShape read_polycone_dimensions(const Dimensions& d) {
   return {.tag = "polycone",
           .start = d.angle("startPhi", 0),
-          .delta = d.angle("openPhi"),
-          .planes = d.z_planes()};
+          .delta = d.opening("openPhi"),
+          .planes = d.z_planes("numRZ")};
 }
 // Geant4 takes these radii as those of the edges.
 DivisibleShape read_polyhedra_dimensions(const Dimensions& d) {
   DivisibleShape shape{.tag = "polyhedra",
                        .start = d.angle("startPhi", 0),
-                       .delta = d.angle("openPhi"),
-                       .planes = d.z_planes(),
+                       .delta = d.opening("openPhi"),
+                       .planes = d.z_planes("numRZ"),
                        .sides = d.sides("numSide")};
-  const double inwards = std::cos(shape.delta / (2 * std::max(shape.sides, 1)));
+  const double spanned = std::min(shape.delta, 4 * right_angle);
+  const double inwards = std::cos(spanned / (2 * std::max(shape.sides, 1)));
   for (ZPlane& plane : shape.planes) {
     plane.rmin *= inwards;
     plane.rmax *= inwards;
@@ -275,6 +294,14 @@ constexpr SolidKindReader readers[] = {
 };
 
 }  // namespace
+
+double opening(FileContext& file, const XmlElement& element, const char* attribute, double unit) {
+  const double delta = file.number(element, attribute, 0) * unit;
+  if (delta > 0 || !std::isfinite(delta)) return delta;
+  file.note(element, std::string("its ") + attribute +
+                         " is missing or not above 0: took the whole circle, as Geant4");
+  return 4 * right_angle;
+}
 
 std::span<const SolidKindReader> primitive_readers() { return readers; }
 

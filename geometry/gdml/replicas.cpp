@@ -108,6 +108,8 @@ bool same_kind(const NamedSolid* daughter, const DivisibleShape& mother) {
   return tag == mother.tag || (tag == "trap" && mother.tag == "trd");
 }
 
+constexpr double full_turn = 2 * std::numbers::pi;
+
 Division read_counts(FileContext& file, const XmlElement& element, const DivisibleShape& shape) {
   Division d{.axis = division_axis(element)};
   const auto whole = divisible_length(shape, d.axis);
@@ -117,6 +119,11 @@ Division read_counts(FileContext& file, const XmlElement& element, const Divisib
   }
   const double unit = division_unit(file, element, d.axis);
   d.offset = file.length(element, "offset", unit, 0);
+  if (d.axis == DivisionAxis::phi && d.offset < 0) {
+    // ROOT writes the offsets of slices in azimuth less a full turn, which turns nothing.
+    d.offset = std::fmod(d.offset, full_turn) + full_turn;
+    if (d.offset > full_turn - 1e-9) d.offset = 0;
+  }
   d.width = file.length(element, "width", unit, 0);
   const int number = file.integer(element, "number", 0);
   if (number < 0 || d.width < 0) fail(element, "number and width must not be negative");

@@ -34,6 +34,15 @@ std::span<const SolidKindReader> boolean_readers();
 NamedSolid read_dimensions(FileContext& file, const XmlElement& element, std::string_view kind,
                            const std::string& name);
 
+/// The angle in rad that a polycone or polyhedra spans, generic or not: where the attribute is
+/// missing or not above 0 it is the whole circle, with a note, as in Geant4's solids.
+double opening(FileContext& file, const XmlElement& element, const char* attribute, double unit);
+
+/// The union of solids that are where they should be. `size` is that of the largest of them, with
+/// the number of all parts. Fails if that is too large for a boolean.
+NamedSolid united(FileContext& file, const XmlElement& element, const std::string& name,
+                  const std::vector<Solid>& solids, BooleanSize size);
+
 /// The solid that an element refers to. Fails if it is not defined or of an unsupported kind.
 const NamedSolid& find_solid(FileContext& file, const XmlElement& element,
                              std::string_view attribute = "ref");

@@ -24,18 +24,54 @@ struct ParserDeleter {
 };
 using ParserPtr = std::unique_ptr<std::remove_pointer_t<XML_Parser>, ParserDeleter>;
 
-/// Expat knows UTF-8, UTF-16, ISO-8859-1 and US-ASCII. For other encodings only their ASCII part
-/// matters: markup and numbers are in ASCII, and in names other bytes need only stay distinct.
-int XMLCALL on_unknown_encoding(void*, const XML_Char* name, XML_Encoding* encoding) {
-  std::string lower;
-  for (const char* c = name; *c != '\0'; ++c) lower += (*c >= 'A' && *c <= 'Z') ? *c + 32 : *c;
-  const bool ascii = lower == "ascii" || lower == "iso646-us" || lower == "ansi_x3.4-1968";
-  if (!ascii && !lower.starts_with("iso-8859-") && !lower.starts_with("windows-125")) {
+/// One character of UTF-8 of two to four bytes, for expat; -1 where it is none. Expat takes no
+/// characters beyond the first 65536 from here: they all become U+FFFD.
+int XMLCALL utf8_character(void*, const char* bytes) {
+  const auto byte = [&](int i) { return static_cast<unsigned char>(bytes[i]); };
+  const int more = byte(0) >= 0xF0 ? 3 : byte(0) >= 0xE0 ? 2 : 1;
+  int code = byte(0) & (0x3F >> more);
+  for (int i = 1; i <= more; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return -1;
+    code = code << 6 | (byte(i) & 0x3F);
+  }
+  constexpr int least[] = {0, 0x80, 0x800, 0x10000};
+  if (code < least[more] || (code >= 0xD800 && code < 0xE000) || code > 0x10FFFF) return -1;
+  return code > 0xFFFF ? 0xFFFD : code;
+}
+
+/// How many bytes of UTF-8 begin with this one, as expat wants it told.
+int utf8_length(int byte) {
+  if (byte < 0x80) return byte;
+  if (byte < 0xC2 || byte > 0xF4) return -1;
+  return byte < 0xE0 ? -2 : byte < 0xF0 ? -3 : -4;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = (c >= 'A' && c <= 'Z') ? static_cast<char>(c + 32) : c;
+  return lower;
+}
+
+/// Expat knows UTF-8, UTF-16, ISO-8859-1 and US-ASCII by these names alone; files have others for
+/// them. For other encodings only their ASCII part matters: markup and numbers are in ASCII, and in
+/// names other bytes need only stay distinct. The encoding that nobody knows is kept in `unknown`.
+int XMLCALL on_unknown_encoding(void* unknown, const XML_Char* name, XML_Encoding* encoding) {
+  const std::string lower = lower_case(name);
+  const auto is = [&](auto... names) { return ((lower == names) || ...); };
+  const auto begins = [&](auto... starts) { return (lower.starts_with(starts) || ...); };
+  const bool utf8 = is("utf8", "utf_8");
+  const bool ascii = is("ascii", "iso646-us", "ansi_x3.4-1968", "us_ascii");
+  const bool bytes = is("l1", "latin1", "latin-1", "latin_1", "ibm819", "cp819") ||
+                     begins("iso-8859-", "iso8859-", "iso_8859-", "windows-125", "cp125");
+  if (!utf8 && !ascii && !bytes) {
+    *static_cast<std::string*>(unknown) = lower.substr(0, 40);
     return XML_STATUS_ERROR;
   }
-  for (int i = 0; i < 256; ++i) encoding->map[i] = ascii && i > 127 ? -1 : i;
+  for (int i = 0; i < 256; ++i) {
+    encoding->map[i] = utf8 ? utf8_length(i) : ascii && i > 127 ? -1 : i;
+  }
   encoding->data = nullptr;
-  encoding->convert = nullptr;
+  encoding->convert = utf8 ? utf8_character : nullptr;
   encoding->release = nullptr;
   return XML_STATUS_OK;
 }
@@ -116,6 +152,7 @@ class Builder {
   std::size_t entities_ = 0, parameter_entities_ = 0;
   std::string unread_;  ///< declarations that could not be read, and why; empty if all were
   EntityReferences references_;
+  std::string unknown_encoding_;  ///< what the file says of itself, where nobody knows it
   std::string problem_;
   bool out_of_memory_ = false;
 };
@@ -353,6 +390,9 @@ void Builder::parse_text(XML_Parser parser, const std::string& file, const std::
       document_.ends_in_junk = true;  // The tree is whole; Geant4 reads it, too.
     } else if (text.empty()) {
       problem_ = printable_path(file) + ":1: the file is empty";
+    } else if (error == XML_ERROR_UNKNOWN_ENCODING) {
+      problem_ = here() + "the encoding '" + printable(unknown_encoding_) +
+                 "' is not known; convert the file to UTF-8, and say so in its first line";
     } else {
       problem_ = here() + "not well-formed XML: " + XML_ErrorString(error);
     }
@@ -375,7 +415,7 @@ void Builder::parse_document(const fs::path& path, const XmlElement* from) {
   XML_SetUserData(parser, this);
   XML_SetElementHandler(parser, on_start, on_end);
   XML_SetCharacterDataHandler(parser, on_text);
-  XML_SetUnknownEncodingHandler(parser, on_unknown_encoding, nullptr);
+  XML_SetUnknownEncodingHandler(parser, on_unknown_encoding, &unknown_encoding_);
   XML_SetEntityDeclHandler(parser, on_entity);
   XML_SetSkippedEntityHandler(parser, on_skipped_entity);
   XML_SetExternalEntityRefHandler(parser, on_external_entity);

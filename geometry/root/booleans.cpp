@@ -58,7 +58,7 @@ void check_size(Reading& reading, const Object& shape, const BooleanSize& size) 
 
 MadeSolid combine(Reading& reading, const Object& composite, Boolean operation, const Operand& a,
                   const Operand& b) {
-  const BooleanSize size = size_of(operation, a.size, a.moved, b.size, b.moved);
+  const BooleanSize size = size_of(operation, a.size, a.moved, b.size);
   check_size(reading, composite, size);
   switch (operation) {
     case Boolean::join:

@@ -1,5 +1,6 @@
 // TGeoXtru: a polygon along sections, which may form steps.
 #include "geometry/root/composites.hpp"
+#include "geometry/solids/extruded_steps.hpp"
 
 namespace navjit::root {
 
@@ -14,15 +15,11 @@ MadeSolid read_extruded(Reading& reading, const Object& s) {
   if (reading.corner_pairs > most_pairs) s.fail("the polygons have too many corners in all");
   std::vector<PlanarPoint> polygon;
   for (std::size_t i = 0; i < corners; ++i) polygon.push_back({cm * x[i], cm * y[i]});
-  // Two sections at one z form a step: one body ends there, and another one begins.
-  std::vector<std::vector<ExtrudedSection>> bodies(1);
+  std::vector<ExtrudedSection> all;
   for (std::size_t i = 0; i < sections; ++i) {
-    if (i > 0 && z[i] == z[i - 1]) {
-      if (x0[i] == x0[i - 1] && y0[i] == y0[i - 1] && scale[i] == scale[i - 1]) continue;
-      bodies.emplace_back();
-    }
-    bodies.back().push_back({cm * z[i], cm * x0[i], cm * y0[i], scale[i]});
+    all.push_back({cm * z[i], cm * x0[i], cm * y0[i], scale[i]});
   }
+  const std::vector<std::vector<ExtrudedSection>> bodies = bodies_between_steps(all);
   MadeSolid made{make_extruded(s.name, polygon, bodies.front())};
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     made = combine(reading, s, Boolean::join, {made.solid, made.size},

@@ -34,8 +34,8 @@ void read_node(Reading& reading, Reference reference, const Object& mother, int 
   constexpr std::uint32_t may_overlap = 1U << 13 | 1U << 17;  // until 2010, and since then
   if ((node.bits & may_overlap) != 0) {
     reading.notes.count(
-        "placements may overlap others (ROOT's \"many\"): where they do the first one counts; see "
-        "navjit check");
+        "placements may overlap others (ROOT's \"many\"): where they do, a point belongs to the "
+        "last of them, as in Geant4; see navjit check");
   }
   Placement placement;
   placement.name = node.name;

@@ -7,18 +7,17 @@ namespace {
 constexpr std::size_t most_parts_in_all = 5'000'000;
 
 /// What a union or subtraction adds to the chains of its operands.
-BooleanChain chain_of(const BooleanSize& a, bool a_moved, const BooleanSize& b, bool b_moved,
-                      bool subtraction) {
-  const auto united = [&](const BooleanSize& s, bool moved) {
-    return s.chain && !s.chain->subtraction && !moved ? *s.chain
-                                                      : BooleanChain{.joined_depth = s.depth};
+BooleanChain chain_of(const BooleanSize& a, bool a_moved, const BooleanSize& b, bool subtraction) {
+  // A union that is moved is the union of its moved parts.
+  const auto united = [](const BooleanSize& s) {
+    return s.chain && !s.chain->subtraction ? *s.chain : BooleanChain{.joined_depth = s.depth};
   };
   const auto join = [](const BooleanChain& x, const BooleanChain& y) {
     return BooleanChain{.joined = x.joined + y.joined,
                         .joined_depth = std::max(x.joined_depth, y.joined_depth)};
   };
-  BooleanChain chain = united(b, b_moved);
-  if (!subtraction) return join(united(a, a_moved), chain);
+  BooleanChain chain = united(b);
+  if (!subtraction) return join(united(a), chain);
   const bool goes_on = a.chain && a.chain->subtraction && !a_moved;
   if (goes_on) chain = join(*a.chain, chain);
   chain.subtraction = true;
@@ -28,13 +27,12 @@ BooleanChain chain_of(const BooleanSize& a, bool a_moved, const BooleanSize& b, 
 
 }  // namespace
 
-BooleanSize size_of(Boolean kind, const BooleanSize& a, bool a_moved, const BooleanSize& b,
-                    bool b_moved) {
+BooleanSize size_of(Boolean kind, const BooleanSize& a, bool a_moved, const BooleanSize& b) {
   BooleanSize result;
   if (kind == Boolean::meet) {
     result.depth = 1 + std::max(a.depth, b.depth);
   } else {
-    result.chain = chain_of(a, a_moved, b, b_moved, kind == Boolean::cut);
+    result.chain = chain_of(a, a_moved, b, kind == Boolean::cut);
     result.depth = result.chain->depth();
   }
   result.links = 1 + std::max(a.links, b.links);

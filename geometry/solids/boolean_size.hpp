@@ -36,10 +36,10 @@ struct BooleanSize {
 
 enum class Boolean : std::uint8_t { join, cut, meet };
 
-/// The size of the boolean of two solids. If an operand is moved in it, its chain ends there: it is
-/// one solid of the new chain.
-BooleanSize size_of(Boolean kind, const BooleanSize& a, bool a_moved, const BooleanSize& b,
-                    bool b_moved);
+/// The size of the boolean of two solids. A union goes on in a union that it is an operand of,
+/// moved or not. A subtraction goes on where more is cut from it, unless it is moved before
+/// (`a_moved`).
+BooleanSize size_of(Boolean kind, const BooleanSize& a, bool a_moved, const BooleanSize& b);
 
 /// How large the booleans of a file may be, by the options of its reader.
 struct BooleanLimits {

@@ -115,6 +115,16 @@ std::vector<Vec3> face_of(const kernels::Hull<double>& s, int face, double reach
   return polygon;
 }
 
+/// The corner of another face at this point, or else the point. Each face computes its corners from
+/// its own plane, so that those which several faces share differ by roundings.
+Vec3 shared_corner(std::vector<Vec3>& known, const Vec3& p, double roundings) {
+  for (const Vec3& corner : known) {
+    if (norm(corner - p) <= roundings) return corner;
+  }
+  known.push_back(p);
+  return p;
+}
+
 std::string facet_text(const std::string& a, const std::string& b, const std::string& c) {
   return "<triangular" + attribute("vertex1", a) + attribute("vertex2", b) +
          attribute("vertex3", c) + attribute("type", "ABSOLUTE") + "/>";
@@ -203,22 +213,35 @@ void write_shape(SolidWriter& out, const std::string& name, const kernels::Arb8<
 
 void write_shape(SolidWriter& out, const std::string& name, const kernels::Hull<double>& s) {
   if (write_as_extruded(out, name, s)) return;
-  double reach = 0;
-  for (int i = 0; i < s.count; ++i) reach = std::max(reach, std::abs(s.planes[i].d));
-  // First the reach is found; then faces are cut from squares near to it, for accurate corners.
-  for (const double factor : {1e3, 2.0}) {
-    const double bound = factor * reach;
-    reach = 0;
+  // Faces are cut from squares. First ones that are large enough are looked for, in which the reach
+  // is found: of a solid that leans, planes near the origin have corners that are far away. Then
+  // they are cut from squares near to the reach, for accurate corners.
+  const auto furthest_corner = [&](double square) {
+    double furthest = 0;
     for (int i = 0; i < s.count; ++i) {
-      for (const Vec3& p : face_of(s, i, bound)) reach = std::max(reach, norm(p));
+      for (const Vec3& p : face_of(s, i, square)) furthest = std::max(furthest, norm(p));
     }
-    if (!(reach > 0)) fail(name, "its planes enclose nothing");
-    reach *= 2;
-  }
+    if (!(furthest > 0)) fail(name, "its planes enclose nothing");
+    return furthest;
+  };
+  double square = 0;
+  for (int i = 0; i < s.count; ++i) square = std::max(square, std::abs(s.planes[i].d));
+  double reach = 0;
+  do {
+    square *= 1e3;
+    reach = furthest_corner(square);
+  } while (reach > square / 2 && square < 1e30);
+  reach = 2 * furthest_corner(2 * reach);
   std::string facets;
+  std::vector<Vec3> known;
   for (int i = 0; i < s.count; ++i) {
     std::vector<std::string> corners;
-    for (const Vec3& p : face_of(s, i, reach)) corners.push_back(out.define(name + "_v", p));
+    for (const Vec3& p : face_of(s, i, reach)) {
+      const std::string corner = out.define(name + "_v", shared_corner(known, p, 1e-11 * reach));
+      if (corners.empty() || (corner != corners.back() && corner != corners.front())) {
+        corners.push_back(corner);
+      }
+    }
     for (std::size_t k = 2; k < corners.size(); ++k) {
       facets += facet_text(corners[0], corners[k - 1], corners[k]);
     }

@@ -29,10 +29,17 @@ void append(std::string& out, const Auxiliaries& tags, const std::string& indent
   for (const Auxiliary& tag : *tags) append(out, tag, indent);
 }
 
+/// Readers take what a placement's name has in brackets for an index: V[1] would be read as V_0.
+std::string without_brackets(std::string name) {
+  std::replace(name.begin(), name.end(), '[', '(');
+  std::replace(name.begin(), name.end(), ']', ')');
+  return name;
+}
+
 void append_placement(std::string& out, const Placement& placement, const std::string& volume,
                       const std::string& frame) {
   out += "      <physvol";
-  if (!placement.name.empty()) out += attribute("name", placement.name);
+  if (!placement.name.empty()) out += attribute("name", without_brackets(placement.name));
   if (placement.copy_number != 0) {
     out += attribute("copynumber", std::to_string(placement.copy_number));
   }

@@ -58,6 +58,35 @@ TEST_F(GdmlContours, ExtrudedSolids) {
   EXPECT_HAS(error_of(file("<xtru name='s'>" + corners + "</xtru>")), "less than two sections");
 }
 
+TEST_F(GdmlContours, ExtrudedSolidsWithSteps) {
+  const std::string corners =
+      "<twoDimVertex x='-1' y='-1'/><twoDimVertex x='1' y='-1'/><twoDimVertex x='1' y='1'/>"
+      "<twoDimVertex x='-1' y='1'/>";
+  const auto section = [](int z, int x, int scale) {
+    return "<section zOrder='0' zPosition='" + std::to_string(z) + "' xOffset='" +
+           std::to_string(x) + "' scalingFactor='" + std::to_string(scale) + "'/>";
+  };
+  GdmlReport report;
+  const Solid s = top(read(file("<xtru name='s'>" + corners + section(-9, 0, 1) + section(0, 0, 1) +
+                                section(0, 0, 1) + section(0, 0, 5) + section(9, 3, 5) + "</xtru>"),
+                           &report))
+                      .solid;
+  ASSERT_EQ(report.notes.size(), 1U);
+  EXPECT_HAS(report.notes[0], "it has two sections at one z");
+  EXPECT_EQ(s.name, "s");
+  EXPECT_TRUE(has(s, 0.9, 0.9, -1));
+  EXPECT_FALSE(has(s, 1.1, 0.9, -1));
+  EXPECT_TRUE(has(s, 4.9, 4.9, 1));
+  const kernels::Direction up = kernels::make_direction(0.0, 0.0, 1.0);
+  EXPECT_NEAR(kernels::distance_to_out(s.any(), Vec3{0, 0, -8}, up, 1e-9), 17, 1e-9)
+      << "where the bodies touch the solid goes on";
+  EXPECT_TRUE(has(s, 7.5, 0, 8.9));
+  EXPECT_FALSE(has(s, -2.5, 0, 8.9));
+  EXPECT_HAS(error_of(file("<xtru name='s'>" + corners + section(0, 0, 1) + section(9, 0, 1) +
+                           section(1, 0, 1) + "</xtru>")),
+             "must ascend in z");
+}
+
 TEST_F(GdmlContours, ArbsAndTheirHalfLength) {
   const Solid s = solid(
       "<arb8 name='s' lunit='cm' dz='2' v1x='-1' v1y='-1' v2x='-1' v2y='1' v3x='1' v3y='1' "

@@ -84,6 +84,19 @@ std::vector<DivisionCase> cases() {
        "axis='kPhi' width='30' offset='15' unit='deg' number='2'",
        {{tube_of(5, 20, 60, 35, 30), ""}, {tube_of(5, 20, 60, 65, 30), ""}},
        false},
+      {"TubePhiLessATurn",
+       "<tube name='m' rmin='5' rmax='20' z='60' startphi='20' deltaphi='360' aunit='deg'/>",
+       some_tube,
+       "axis='kPhi' number='3' width='120' offset='-360' unit='deg'",
+       {{tube_of(5, 20, 60, 20, 120), ""},
+        {tube_of(5, 20, 60, 140, 120), ""},
+        {tube_of(5, 20, 60, 260, 120), ""}}},
+      {"TubePhiWidthLessATurn",
+       tube + deg + "/>",
+       some_tube,
+       "axis='kPhi' width='90' offset='-340' unit='deg'",
+       {{tube_of(5, 20, 60, 40, 90), ""}, {tube_of(5, 20, 60, 130, 90), ""}},
+       false},
       {"TubeRho",
        tube + deg + "/>",
        some_tube,
@@ -278,6 +291,9 @@ TEST_F(GdmlDivisionErrors, SayWhatCannotBe) {
   EXPECT_HAS(error_of_division(tube, other, "axis='kPhi' number='2' unit='mm'"),
              "not a unit of angle");
   EXPECT_HAS(error_of_division(tube, other, "axis='kPhi' number='2' width='4'"), "reach out");
+  EXPECT_HAS(error_of_division("<tube name='m' rmax='20' z='60' deltaphi='3'/>", other,
+                               "axis='kPhi' number='2' width='1' offset='-0.5'"),
+             "reach out");
   EXPECT_HAS(error_of_division(tube, "<box name='d' x='1' y='1' z='1'/>", "axis='kPhi' number='2'"),
              "must have a solid of the mother's kind, 'tube'");
   EXPECT_HAS(error_of_division("<orb name='m' r='9'/>", other, "axis='kPhi' number='2'"),

@@ -151,6 +151,62 @@ TEST_F(GdmlParamvolFiles, ShareVolumesOfTheSameDimensions) {
   EXPECT_EQ(top(world).touchables, 5u);
 }
 
+class GdmlParamvolShapes : public GdmlFiles {
+ protected:
+  /// The solid of a copy whose dimensions these are; its volume has another solid of that kind.
+  Solid copy_of(const std::string& kind, const std::string& own, const std::string& dimensions) {
+    report_ = {};
+    const World world = read(file(kind, own, dimensions), &report_);
+    return world.volumes[top(world).daughters[0].volume].solid;
+  }
+  static std::string file(const std::string& kind, const std::string& own,
+                          const std::string& dimensions) {
+    return Gdml{.solids = element(kind, "s", own),
+                .structure =
+                    lead("S", "s") +
+                    volume("W",
+                           "<paramvol ncopies='1'><volumeref ref='S'/><parameterised_position_size>"
+                           "<parameters number='1'>" +
+                               element(kind + "_dimensions", "", dimensions) +
+                               "</parameters></parameterised_position_size></paramvol>")};
+  }
+  GdmlReport report_;
+};
+
+TEST_F(GdmlParamvolShapes, TakeAsManyZPlanesAsTheySay) {
+  const std::string planes =
+      "<zplane z='-1' rmax='2'/><zplane z='1' rmax='3'/><zplane z='4' rmax='4'/>";
+  for (const char* kind : {"polycone", "polyhedra"}) {
+    const std::string sides = kind == std::string("polycone") ? "" : "numsides='4' ",
+                      side = kind == std::string("polycone") ? "" : "numSide='4' ";
+    const std::string own = sides + "deltaphi='7'|" + planes;
+    const auto dimensions = [&](const std::string& count) {
+      return side + "startPhi='0' openPhi='7' " + count + '|' + planes;
+    };
+    EXPECT_EQ(copy_of(kind, own, dimensions("numRZ='2'")).extent.max.z, 1) << kind;
+    ASSERT_EQ(report_.notes.size(), 1U);
+    EXPECT_HAS(report_.notes[0], "it has more <zplane>s than numRZ says: took the first of them");
+    for (const char* all : {"numRZ='3'", ""}) {
+      EXPECT_EQ(copy_of(kind, own, dimensions(all)).extent.max.z, 4) << kind << all;
+      EXPECT_TRUE(report_.notes.empty());
+    }
+    for (const char* none : {"4", "1", "-2"}) {
+      EXPECT_HAS(error_of(file(kind, own, dimensions("numRZ='" + std::string(none) + "'"))),
+                 "numRZ is " + std::string(none) + ", and there are 3 <zplane>s");
+    }
+  }
+}
+
+TEST_F(GdmlParamvolShapes, PolyhedraThatSpanMoreThanATurnKeepTheirEdges) {
+  const std::string planes = "<zplane z='-1' rmax='20'/><zplane z='1' rmax='20'/>";
+  for (const char* opening : {"360", "361", "720", "0", "-5"}) {
+    const Solid copy = copy_of("polyhedra", "numsides='6' deltaphi='7'|" + planes,
+                               "numSide='6' numRZ='2' startPhi='0' aunit='deg' openPhi='" +
+                                   std::string(opening) + "'|" + planes);
+    EXPECT_NEAR(copy.extent.max.x, 20, 1e-9) << opening << ": the radius of an edge";
+  }
+}
+
 TEST_F(GdmlParamvolFiles, SayWhatIsWrong) {
   const auto one = [](const std::string& dimensions) {
     return "<parameterised_position_size><parameters number='1'>" + dimensions +

@@ -108,6 +108,63 @@ TEST_F(GdmlTolerant, EmptyAttributesAreZero) {
         "4: <quantity name='q'>: took an empty unit for 1");
 }
 
+TEST_F(GdmlTolerant, CopyNumbersThatCannotBeRead) {
+  for (const char* number : {"abc", "4294967295", "1/0", "0.5"}) {
+    const World world =
+        noted(Gdml{.structure = volume("W", "\n<physvol copynumber='" + std::string(number) +
+                                                "'><volumeref ref='D'/></physvol>")},
+              "7: <physvol>: its copynumber cannot be read: took 0: copynumber: ");
+    EXPECT_EQ(top(world).daughters[0].copy_number, 0);
+  }
+}
+
+TEST_F(GdmlTolerant, NamesOfPlacementsWithBracketsThatHoldNoIndex) {
+  for (const std::string name : {"PMT[left]", "a]", "b[", "c[[1]]"}) {
+    const World world = noted(
+        Gdml{.structure = volume("W", '\n' + physvol("D", "", name))},
+        "7: <physvol name='" + name + "'>: kept a name as it is written: what it has in brackets");
+    EXPECT_EQ(top(world).daughters[0].name, name);
+  }
+}
+
+TEST_F(GdmlTolerant, ZeroInAUnitOfAnotherKind) {
+  const auto placed = [](const std::string& frame) {
+    return Gdml{.structure = volume("W", '\n' + physvol("D", frame))};
+  };
+  const std::string note = "its unit is of another kind: took zero";
+  const World turned = noted(placed("<rotation z='0' unit='mm'/>"), "7: <rotation>: " + note);
+  EXPECT_FALSE(top(turned).daughters[0].transformation.rotated);
+  const World moved = noted(placed("<position x='0' unit='furlong'/>"), "7: <position>: " + note);
+  EXPECT_FALSE(top(moved).daughters[0].transformation.translation[0] != 0);
+  EXPECT_HAS(error_of(placed("<rotation z='1' unit='mm'/>")), "'mm' is not a unit of angle");
+}
+
+TEST_F(GdmlTolerant, PolyconesAndPolyhedraWithoutAnOpening) {
+  const std::string planes = "><zplane z='-5' rmax='4'/><zplane z='5' rmax='8'/></";
+  const std::string contour =
+      "><rzpoint r='0' z='-5'/><rzpoint r='8' z='-5'/><rzpoint r='4' z='5'/></";
+  const std::pair<std::string, std::string> kinds[] = {{"polycone", planes},
+                                                       {"polyhedra numsides='6'", planes},
+                                                       {"genericPolycone", contour},
+                                                       {"genericPolyhedra numsides='6'", contour}};
+  for (const auto& [kind, rest] : kinds) {
+    for (const char* delta : {"", " deltaphi='0'", " deltaphi='-1'"}) {
+      const std::string tag = kind.substr(0, kind.find(' '));
+      const World world =
+          noted(Gdml{.solids = "\n<" + kind + " name='s' startphi='1'" + delta + rest + tag + '>',
+                     .structure = "<volume name='W'><materialref ref='G4_AIR'/><solidref "
+                                  "ref='s'/></volume>"},
+                "6: <" + tag + " name='s'>: its deltaphi is missing or not above 0");
+      const Solid& s = top(world).solid;
+      for (const double x : {-3.0, 3.0}) {
+        for (const double y : {-2.0, 2.0}) {
+          EXPECT_EQ(kernels::inside(s.any(), Vec3{x, y, 0}, 1e-9), Side::inside) << kind << delta;
+        }
+      }
+    }
+  }
+}
+
 TEST_F(GdmlTolerant, BrokenDefinitionsOfBrokenDefinitions) {
   std::string chain = "\n<constant name='c0' value='1+'/>";
   for (int i = 1; i <= 1000; ++i) {

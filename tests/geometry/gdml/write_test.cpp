@@ -258,6 +258,43 @@ TEST_F(GdmlWriter, TellsThingsOfOneNameApart) {
   expect_same_traces(*detector.model(), *again.model());
 }
 
+TEST_F(GdmlWriter, WritesNoBracketsInNamesOfPlacements) {
+  const std::string inner = "<volume name='V[1]'><solidref ref='b'/></volume>";
+  const Detector detector = read_gdml(
+      write("named.gdml", Gdml{.structure = inner + volume("W",
+                                                           "<physvol name='PMT[left]'><volumeref "
+                                                           "ref='V[1]'/></physvol>" +
+                                                               physvol("V[1]"))}));
+  const Detector again = read_back(detector);
+  const auto& daughters = again.volume(again.world_volume()).daughters;
+  ASSERT_EQ(daughters.size(), 2U);
+  EXPECT_EQ(daughters[0].name, "PMT(left)");
+  EXPECT_EQ(daughters[1].name, "V(1)_PV");
+  EXPECT_EQ(again.volume(daughters[1].volume).name, "V[1]");
+}
+
+TEST_F(GdmlWriter, WritesExtrudedSolidsThatLeanFar) {
+  const std::string polygon =
+      "<twoDimVertex x='30' y='90'/><twoDimVertex x='10' y='50'/><twoDimVertex x='20' y='40'/>";
+  for (const char* far : {"1e3", "5e4", "2e5"}) {
+    const std::string offset(far);
+    const Detector detector = read_gdml(write(
+        "leans.gdml",
+        Gdml{.solids = "<box name='w' x='4*" + offset + "' y='1e3' z='1e3'/><xtru name='s'>" +
+                       polygon + "<section zOrder='1' zPosition='0' xOffset='-" + offset +
+                       "' yOffset='3' scalingFactor='3'/><section zOrder='2' zPosition='50' "
+                       "xOffset='" +
+                       offset + "' yOffset='5' scalingFactor='1'/></xtru>",
+             .structure = "<volume name='V'><solidref ref='s'/></volume><volume name='W'><solidref "
+                          "ref='w'/><physvol><volumeref ref='V'/></physvol></volume>"}));
+    const Detector again = read_back(detector);
+    const auto solid = [](const Detector& d) {
+      return d.volume(d.volume(d.world_volume()).daughters[0].volume).solid;
+    };
+    EXPECT_NEAR(capacity(solid(again)) / capacity(solid(detector)), 1, 1e-6) << far;
+  }
+}
+
 TEST_F(GdmlWriter, WritesReflections) {
   DetectorBuilder builder;
   const auto air = builder.material({.name = "air", .density = 0.001});

@@ -198,10 +198,31 @@ TEST_F(GdmlXml, ReadsOtherEncodings) {
   const auto declared = [&](const std::string& encoding) {
     return "<?xml version='1.0' encoding='" + encoding + "'?>" + body;
   };
-  for (const char* encoding : {"ASCII", "US-ASCII", "UTF-8", "ISO-8859-1", "ISO-8859-15"}) {
+  for (const char* encoding : {"ASCII", "US-ASCII", "UTF-8", "UTF8", "utf8", "ISO-8859-1",
+                               "ISO-8859-15", "ISO8859-1", "latin1", "LATIN-1", "L1", "cp1252"}) {
     EXPECT_EQ(top(read(declared(encoding))).name, "W") << encoding;
   }
-  EXPECT_HAS(error_of(declared("EBCDIC")), "unknown encoding");
+  EXPECT_HAS(error_of(declared("EBCDIC")),
+             "det.gdml:1: the encoding 'ebcdic' is not known; convert the file to UTF-8");
+}
+
+TEST_F(GdmlXml, ReadsUtf8UnderItsWrongName) {
+  const auto named = [](const std::string& encoding, const std::string& name) {
+    return "<?xml version='1.0' encoding='" + encoding + "'?>" +
+           std::string(Gdml{.structure = volume(name), .world = name}).substr(21);
+  };
+  const auto name_of = [&](const std::string& encoding, const std::string& name) {
+    return top(read(named(encoding, name))).name;
+  };
+  for (const char* name : {"Caf\u00e9", "\u0416", "\u03b3-\u20ac-\uffee"}) {
+    EXPECT_EQ(name_of("UTF8", name), name_of("UTF-8", name)) << name;
+    EXPECT_EQ(name_of("UTF8", name), name);
+  }
+  EXPECT_EQ(name_of("UTF8", "a\U0001F600"), "a\ufffd") << "no character of its own";
+  for (const char* broken : {"\xc3", "\xc3\x28", "\xe2\x82", "\xc0\xaf", "\xe0\x80\xaf",
+                             "\xed\xa0\x80", "\xff", "\xf5\x80\x80\x80"}) {
+    EXPECT_HAS(error_of(named("UTF8", broken)), "not well-formed");
+  }
 }
 
 TEST_F(GdmlXml, MessagesAreOneLine) {

@@ -185,10 +185,16 @@ TEST_F(RootBooleans, AreChainedAndNestedToALimit) {
   };
   EXPECT_EQ(refusal_of(chain(1000, {})), "");
   expect_refused(chain(1001, {}), "more than 1000 shapes are within one another");
-  // What is moved does not go on with a chain.
-  const RootPointer moved = root_translation(0.1, 0, 0);
-  EXPECT_EQ(refusal_of(chain(200, moved)), "");
-  expect_refused(chain(202, moved), "nested more than 200 deep");
+  // A union that is moved goes on with a chain, and what is cut from does not.
+  const RootPointer moved = root_translation(0.01, 0, 0);
+  EXPECT_EQ(refusal_of(chain(300, moved)), "");
+  const auto nest = [&](int levels) {
+    RootPointer shape = big_;
+    for (int i = 1; i < levels; ++i) shape = root_boolean("TGeoSubtraction", shape, small_, moved);
+    return shape;
+  };
+  EXPECT_EQ(refusal_of(nest(200)), "");
+  expect_refused(nest(202), "nested more than 200 deep");
   // One that is its own operand.
   const RootPointer self = root_boolean("TGeoUnion", big_, small_);
   const RootPointer node = std::get<RootPointer>(self->members[0].second);

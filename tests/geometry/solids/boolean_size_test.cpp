@@ -8,7 +8,7 @@ namespace {
 
 BooleanSize chained(Boolean kind, std::size_t solids, bool moved = false) {
   BooleanSize size;
-  for (std::size_t i = 1; i < solids; ++i) size = size_of(kind, size, moved, {}, true);
+  for (std::size_t i = 1; i < solids; ++i) size = size_of(kind, size, moved, {});
   return size;
 }
 
@@ -21,18 +21,18 @@ TEST(BooleanSize, ChainsHaveFewLevels) {
   // One solid, less a union of 1024.
   EXPECT_EQ(chained(Boolean::cut, 1025).depth, 12U);
   EXPECT_EQ(chained(Boolean::meet, 100).depth, 100U);
-  EXPECT_EQ(chained(Boolean::join, 100, true).depth, 100U);
+  EXPECT_EQ(chained(Boolean::join, 100, true).depth, 8U);
   EXPECT_EQ(chained(Boolean::cut, 100, true).depth, 100U);
 }
 
 TEST(BooleanSize, ChainsGoOnInEitherOperandOfAUnion) {
   const BooleanSize holes = chained(Boolean::join, 64), plate = chained(Boolean::cut, 33);
-  EXPECT_EQ(size_of(Boolean::join, holes, false, holes, false).depth, 8U);
-  EXPECT_EQ(size_of(Boolean::cut, {}, false, holes, false).depth, 8U);
+  EXPECT_EQ(size_of(Boolean::join, holes, false, holes).depth, 8U);
+  EXPECT_EQ(size_of(Boolean::cut, {}, false, holes).depth, 8U);
   // 32 holes and 64 more.
-  EXPECT_EQ(size_of(Boolean::cut, plate, false, holes, false).depth, 9U);
-  EXPECT_EQ(size_of(Boolean::cut, plate, false, plate, false).depth, 14U);
-  EXPECT_EQ(size_of(Boolean::join, plate, false, plate, false).depth, 1 + plate.depth);
+  EXPECT_EQ(size_of(Boolean::cut, plate, false, holes).depth, 9U);
+  EXPECT_EQ(size_of(Boolean::cut, plate, false, plate).depth, 14U);
+  EXPECT_EQ(size_of(Boolean::join, plate, false, plate).depth, 1 + plate.depth);
 }
 
 TEST(BooleanSize, WhatIsTooLargeIsSaid) {
