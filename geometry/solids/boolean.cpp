@@ -153,8 +153,12 @@ SolidFrame frame_of(const Placed& placed) {
 }  // namespace
 
 Solid make_placed(std::string name, const Solid& solid, const SolidFrame& frame) {
-  for (const double x : frame.translation) detail::require_finite({x}, name);
-  for (const double x : frame.rotation) detail::require_finite({x}, name);
+  detail::require_shape(solid, name);
+  try {
+    make_transformation(frame.translation, frame.rotation);
+  } catch (const GeometryError& error) {
+    detail::require(false, name, error.what());
+  }
   // One level instead of two. A moved union remains a part of the union that it is in.
   if (solid.kind == SolidKind::placed) {
     const auto& inner = holder_of<Placed>(solid);
@@ -190,6 +194,7 @@ Solid make_placed(std::string name, const Solid& solid, const SolidFrame& frame)
 }
 
 Solid make_union(std::string name, const Solid& a, const Solid& b) {
+  for (const Solid* operand : {&a, &b}) detail::require_shape(*operand, name);
   std::vector<Solid> parts;
   add_parts(a, parts);
   add_parts(b, parts);
@@ -197,6 +202,7 @@ Solid make_union(std::string name, const Solid& a, const Solid& b) {
 }
 
 Solid make_intersection(std::string name, const Solid& a, const Solid& b) {
+  for (const Solid* operand : {&a, &b}) detail::require_shape(*operand, name);
   const Extent e{
       {std::max(a.extent.min.x, b.extent.min.x), std::max(a.extent.min.y, b.extent.min.y),
        std::max(a.extent.min.z, b.extent.min.z)},
@@ -209,6 +215,7 @@ Solid make_intersection(std::string name, const Solid& a, const Solid& b) {
 }
 
 Solid make_subtraction(std::string name, const Solid& a, const Solid& b) {
+  for (const Solid* operand : {&a, &b}) detail::require_shape(*operand, name);
   if (a.kind == SolidKind::subtraction_of) {
     const auto& first = holder_of<Subtraction>(a);
     const Solid cut = make_union(name + "_cut", first.b, b);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/solids/make.hpp"
 #include "geometry/solids/solid.hpp"
 
 namespace navjit {
@@ -30,6 +31,9 @@ double volume(const kernels::AnySolid<double>& s) {
 
 }  // namespace
 
-double capacity(const Solid& solid) { return volume(solid.any()); }
+double capacity(const Solid& solid) {
+  detail::require_shape(solid, solid.name);
+  return volume(solid.any());
+}
 
 }  // namespace navjit

@@ -26,6 +26,11 @@ void require(bool condition, const std::string& solid_name, const char* what) {
   if (!condition) throw GeometryError("solid '" + solid_name + "': " + what);
 }
 
+void require_shape(const Solid& operand, const std::string& solid_name) {
+  require(operand.shape != nullptr, solid_name,
+          "it is made of an empty Solid{}, which has no shape");
+}
+
 void require_finite(std::initializer_list<double> values, const std::string& solid_name) {
   for (const double value : values) {
     require(std::isfinite(value), solid_name, "a dimension is not a finite number");

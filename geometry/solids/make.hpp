@@ -11,6 +11,8 @@ namespace navjit::detail {
 
 /// Throws GeometryError unless the condition holds: "solid 'N': WHAT".
 void require(bool condition, const std::string& solid_name, const char* what);
+/// Throws unless an operand has a shape, as whatever a maker returns has.
+void require_shape(const Solid& operand, const std::string& solid_name);
 /// Throws unless all values are finite.
 void require_finite(std::initializer_list<double> values, const std::string& solid_name);
 

@@ -6,6 +6,7 @@
 namespace navjit {
 
 Solid make_scaled(std::string name, const Solid& solid, double x, double y, double z) {
+  detail::require_shape(solid, name);
   detail::require_finite({x, y, z, 1 / x, 1 / y, 1 / z}, name);
   // Squares of what kernels compute with such factors must be finite, also if scaled solids are
   // scaled again.

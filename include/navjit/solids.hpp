@@ -158,7 +158,8 @@ Solid make_union(std::string name, const Solid& a, const Solid& b);
 Solid make_intersection(std::string name, const Solid& a, const Solid& b);
 Solid make_subtraction(std::string name, const Solid& a, const Solid& b);
 
-/// Volume, mm^3, in closed form; not a number if a boolean is involved. Thread-safe.
+/// Volume, mm^3, in closed form; not a number if a boolean is involved. Thread-safe. Throws
+/// GeometryError for an empty Solid{}.
 double capacity(const Solid& solid);
 
 /// The lower-case name used in output: "box", "subtraction", ...

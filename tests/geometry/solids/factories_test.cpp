@@ -259,5 +259,33 @@ TEST(Fields, AreAllNumbersOfAShape) {
   EXPECT_EQ(visitor.numbers, 9 + 2 * 3 + 4 + 3 + 5 + 5 * 2 + 8 * 2);
 }
 
+TEST(Factories, RefuseEmptyOperands) {
+  const Solid none, ball = make_orb("ball", 1);
+  EXPECT_THROW(make_union("s", none, ball), GeometryError);
+  EXPECT_THROW(make_union("s", ball, none), GeometryError);
+  EXPECT_THROW(make_intersection("s", none, ball), GeometryError);
+  EXPECT_THROW(make_intersection("s", ball, none), GeometryError);
+  EXPECT_THROW(make_subtraction("s", none, ball), GeometryError);
+  EXPECT_THROW(make_subtraction("s", ball, none), GeometryError);
+  EXPECT_THROW(make_placed("s", none, {}), GeometryError);
+  EXPECT_THROW(make_scaled("s", none, 1, 2, 3), GeometryError);
+  EXPECT_THROW(capacity(none), GeometryError);
+}
+
+TEST(Factories, RefuseFramesThatAreNoRotation) {
+  const Solid ball = make_orb("ball", 1);
+  SolidFrame stretched;
+  stretched.rotation[0] = 5;
+  EXPECT_THROW(make_placed("s", ball, stretched), GeometryError);
+  SolidFrame far;
+  far.translation[2] = INFINITY;
+  EXPECT_THROW(make_placed("s", ball, far), GeometryError);
+  try {
+    make_placed("moved", ball, stretched);
+  } catch (const GeometryError& error) {
+    EXPECT_STREQ(error.what(), "solid 'moved': a rotation is not orthonormal");
+  }
+}
+
 }  // namespace
 }  // namespace navjit
