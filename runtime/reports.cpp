@@ -1,6 +1,8 @@
 #include "runtime/reports.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include "analysis/plan.hpp"
 #include "geometry/navigation/generic.hpp"
@@ -73,7 +75,8 @@ RuntimeReport report(const Specialisation& spec) {
     if (const auto known = spec.scenes.find(volume); known != spec.scenes.end())
       scene = known->second;
     scene.steps = counts.steps(volume);
-    if (scene.steps == 0) continue;
+    scene.relocations = static_cast<std::uint64_t>(std::llround(spec.relocations[v]));
+    if (scene.steps == 0 && scene.relocations == 0) continue;
     const auto calls = spec.compiled_solids.find(spec.shared->table.at(volume));
     if (calls != spec.compiled_solids.end()) scene.compiled_solids = calls->second;
     const double since = spec.shared->table.specialised_since(volume);
@@ -84,10 +87,12 @@ RuntimeReport report(const Specialisation& spec) {
     report.scenes.push_back(std::move(scene));
   }
   for (SceneReport& scene : report.scenes) {
+    if (scene.steps == 0) continue;
     scene.share = static_cast<double>(scene.steps) / static_cast<double>(report.steps);
   }
-  std::stable_sort(report.scenes.begin(), report.scenes.end(),
-                   [](const auto& a, const auto& b) { return a.steps > b.steps; });
+  std::stable_sort(report.scenes.begin(), report.scenes.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.steps, a.relocations) > std::tie(b.steps, b.relocations);
+  });
   return report;
 }
 
@@ -95,10 +100,12 @@ void time_generic(Specialisation& spec, double most_seconds) {
   gather(spec);
   std::vector<VolumeId> hottest;
   for (std::size_t v = 0; v < spec.steps.size(); ++v) {
-    if (spec.steps[v] > 0) hottest.push_back(static_cast<VolumeId>(v));
+    if (spec.executions(static_cast<VolumeId>(v)) > 0) hottest.push_back(static_cast<VolumeId>(v));
   }
-  std::stable_sort(hottest.begin(), hottest.end(),
-                   [&](VolumeId a, VolumeId b) { return spec.steps[a] > spec.steps[b]; });
+  std::stable_sort(hottest.begin(), hottest.end(), [&](VolumeId a, VolumeId b) {
+    return std::tie(spec.steps[a], spec.relocations[a]) >
+           std::tie(spec.steps[b], spec.relocations[b]);
+  });
   double until = steady_seconds() + most_seconds;
   for (const VolumeId volume : hottest) {
     const std::string structure = plan_scene(spec.shared->geometry, spec.facts, volume).pattern;

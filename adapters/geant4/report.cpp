@@ -54,6 +54,7 @@ void print_volumes(const RuntimeReport& report, std::ostream& out) {
   constexpr std::size_t shown = 8;
   for (std::size_t i = 0; i < std::min(shown, report.scenes.size()); ++i) {
     const SceneReport& scene = report.scenes[i];
+    if (scene.steps == 0) break;
     out << "    " << std::setprecision(1) << std::setw(5) << 100 * scene.share << "%  "
         << scene.volume << '\n';
   }

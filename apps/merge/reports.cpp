@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "common/part.hpp"
 #include "navjit/errors.hpp"
@@ -120,6 +121,7 @@ void ReportMerger::add_scenes(const json& report) {
       scene.of_most_steps = row;
     }
     scene.steps += steps;
+    scene.relocations += whole(row, "relocations");
   }
 }
 
@@ -191,8 +193,10 @@ nlohmann::ordered_json ReportMerger::merged() const {
   }
   std::vector<std::pair<const Scene*, const std::string*>> order;
   for (const auto& [name, scene] : scenes_) order.emplace_back(&scene, &name.first);
-  std::stable_sort(order.begin(), order.end(),
-                   [](const auto& a, const auto& b) { return a.first->steps > b.first->steps; });
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.first->steps, a.first->relocations) >
+           std::tie(b.first->steps, b.first->relocations);
+  });
   const double all = scenes_steps();
   auto& rows = made["scenes"] = nlohmann::ordered_json::array();
   for (const auto& [scene, name] : order) {
@@ -202,6 +206,7 @@ nlohmann::ordered_json ReportMerger::merged() const {
          {"structure", like["structure"]},
          {"steps", scene->steps},
          {"share", static_cast<double>(scene->steps) / all},
+         {"relocations", scene->relocations},
          {"generic_ns_per_step",
           scene->generic_steps > 0 ? scene->generic_ns / scene->generic_steps : 0},
          {"specialised_ns_per_step",

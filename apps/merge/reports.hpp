@@ -23,7 +23,7 @@ class ReportMerger {
 
  private:
   struct Scene {
-    std::uint64_t steps = 0, most_steps = 0;
+    std::uint64_t steps = 0, most_steps = 0, relocations = 0;
     double generic_ns = 0, generic_steps = 0;          ///< sum of ns by steps, and those steps
     double specialised_ns = 0, specialised_steps = 0;  ///< likewise
     double compile_ms = 0, specialised_at_s = 0, swapped_at_s = 0;

@@ -40,6 +40,7 @@ SceneReport scene_of(const ordered_json& row, const std::vector<SceneReport>& ow
   }
   scene.steps = row["steps"];
   scene.share = row["share"];
+  scene.relocations = row["relocations"];
   scene.generic_ns_per_step = row["generic_ns_per_step"];
   scene.specialised_ns_per_step = row["specialised_ns_per_step"];
   scene.compile_ms = row["compile_ms"];

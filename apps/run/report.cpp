@@ -227,6 +227,7 @@ std::string json_text(const RunReport& report) {
                       {"structure", s.structure},
                       {"steps", s.steps},
                       {"share", s.share},
+                      {"relocations", s.relocations},
                       {"generic_ns_per_step", s.generic_ns_per_step},
                       {"specialised_ns_per_step", s.specialised_ns_per_step},
                       {"compile_ms", s.compile_ms},

@@ -52,6 +52,10 @@ struct SceneReport {
   std::string structure{};  ///< how it is searched, in words: "70 slabs along z"; of final_report()
   std::uint64_t steps = 0;
   double share = 0;  ///< of all steps
+  /// About how often a point was located in it: at the end of steps that were made elsewhere, or
+  /// because the caller asked where a point is, with a direction. Estimated from samples; 0 without
+  /// the JIT.
+  std::uint64_t relocations = 0;
   /// Processor time on the recorded states, replayed.
   double generic_ns_per_step = 0;
   double specialised_ns_per_step = 0;
@@ -73,10 +77,11 @@ struct SceneReport {
 struct RuntimeReport {
   double seconds = 0;  ///< since the runtime was made
   std::uint64_t steps = 0;
-  std::vector<SceneReport> scenes;  ///< by steps, most first; scenes without a step are left out
-  std::size_t modules = 0;          ///< compiled, or taken from the cache
-  std::size_t cached_modules = 0;   ///< those that were taken from the cache
-  double compile_ms = 0;            ///< all modules, link and verification
+  /// By steps, then by relocations, most first; scenes with neither are left out.
+  std::vector<SceneReport> scenes;
+  std::size_t modules = 0;         ///< compiled, or taken from the cache
+  std::size_t cached_modules = 0;  ///< those that were taken from the cache
+  double compile_ms = 0;           ///< all modules, link and verification
   std::size_t code_bytes = 0;
   std::size_t waiting_to_be_freed = 0;
   std::size_t plugin_scenes = 0;  ///< installed from the plugin

@@ -25,6 +25,7 @@ py::dict dict_of(const SceneReport& s) {
   d["structure"] = text(s.structure);
   d["steps"] = s.steps;
   d["share"] = s.share;
+  d["relocations"] = s.relocations;
   d["generic_ns_per_step"] = s.generic_ns_per_step;
   d["specialised_ns_per_step"] = s.specialised_ns_per_step;
   d["compile_ms"] = s.compile_ms;

@@ -127,7 +127,7 @@ interpreter's lock is released while they are navigated. Points are mm, directio
            }),
            py::arg("detector"), py::kw_only(), py::arg("jit") = "on", py::arg("cache") = py::none(),
            py::arg("observe") = "all", py::arg("plugin") = "", py::arg("threads") = 1,
-           py::arg("budget") = py::none(), py::arg("nice") = 5, py::arg("safety") = true,
+           py::arg("budget") = py::none(), py::arg("nice") = 0, py::arg("safety") = true,
            py::arg("constants") = true)
       .def(
           "navigator", [](R& r) { return PythonNavigator(r.engine); },

@@ -152,7 +152,7 @@ class Runtime:
         plugin: str = "",
         threads: int = 1,
         budget: Optional[float] = None,
-        nice: int = 5,
+        nice: int = 0,
         safety: bool = True,
         constants: bool = True,
     ) -> None: ...
