@@ -64,7 +64,7 @@ std::optional<Failure> distrust_way(const std::string& path, bool above, struct 
 /// Makes the missing directories of a path, for the user alone, where the first of them may be
 /// made: in a directory that is trusted.
 std::optional<Failure> make_directories(const std::string& path) {
-  std::string there = ".";
+  std::string there = path.starts_with('/') ? "/" : ".";
   for (std::size_t at = 1; at <= path.size(); ++at) {
     if (at < path.size() && path[at] != '/') continue;
     const std::string part = path.substr(0, at);

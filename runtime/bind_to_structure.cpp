@@ -116,7 +116,7 @@ bool bind_to_structure(Specialisation& spec, const DueStructure& structure) {
   if (!made) {
     if (made.failure().stopped || nothing_more(spec, made.failure())) return false;
     spec.shared->log->warn("a structure is not compiled: {}", one_line(made.failure().message));
-    return false;
+    return true;
   }
   const jit::CompileReport report = made->object.report;
   if (install_structure(spec, structure.scenes, std::move(made->code), false, start)) {

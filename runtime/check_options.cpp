@@ -43,6 +43,7 @@ RuntimeOptions checked(RuntimeOptions options) {
   }
   require(s.optimisation >= 0 && s.optimisation <= 3, "specialiser.optimisation", s.optimisation,
           "0 to 3 are possible");
+  require(s.nice >= 0 && s.nice <= 19, "specialiser.nice", s.nice, "0 to 19 are possible");
   std::string& directory = options.cache.directory;
   if (!directory.empty()) {
     std::error_code error;

@@ -1,5 +1,6 @@
 #include "runtime/compile.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <future>
@@ -43,6 +44,10 @@ void work(std::unique_ptr<Job> job) {
   job.reset();
 }
 
+bool is_ready(const std::future<Made>& made) {
+  return made.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
 /// The work that goes on while the compiler runs. None of it depends on what is being compiled.
 void look_meanwhile(Specialisation& spec) {
   gather(spec);
@@ -70,17 +75,15 @@ Made compile(Specialisation& spec, const std::string& source) {
   }
   double pause = 1;  // in units of poll_ms
   while (true) {
-    {
+    const double look_at = steady_seconds() + 1e-3 * pause * spec.poll_ms();
+    // The compiling thread may outlive the run, so that it cannot wake this: it is looked for.
+    for (double left = look_at - steady_seconds(); left > 0 && !spec.stopping() && !is_ready(made);
+         left = look_at - steady_seconds()) {
       std::unique_lock lock(spec.mutex);
-      // Whoever stops the run wakes this.
-      const std::chrono::duration<double, std::milli> ms(pause * spec.poll_ms());
-      spec.wake.wait_for(lock, ms, [&] {
-        return spec.stopping() ||
-               made.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-      });
+      spec.wake.wait_for(lock, std::chrono::duration<double>(std::min(left, 5e-3)));
     }
     if (spec.stopping()) return stopped();
-    if (made.wait_for(std::chrono::seconds(0)) == std::future_status::ready) break;
+    if (is_ready(made)) break;
     if (!spec.looking) continue;
     const double began_s = thread_seconds();
     look_meanwhile(spec);

@@ -257,8 +257,8 @@ bool compile_solids(Specialisation& spec, double least) {
 }
 
 void compile_solids_of_all(Specialisation& spec, const std::set<VolumeId>& but, double most_ms) {
-  const double started = thread_seconds();
-  while (1e3 * (thread_seconds() - started) < most_ms && may_compile(spec)) {
+  const double started = spec.own_seconds();
+  while (1e3 * (spec.own_seconds() - started) < most_ms && may_compile(spec)) {
     std::vector<Wanted> wanted;
     for (ComposedSolid& solid : *spec.composed_solids) {
       double often = 0;

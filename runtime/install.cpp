@@ -307,6 +307,9 @@ bool install_structure(Specialisation& spec, const std::vector<codegen::Module>&
   installed->records.reserve(scenes.size());  // pointers to records are published
   for (const codegen::Module& module : scenes) installed->tables.push_back(module.owner);
   spec.structures.insert(installed);
+  // A trial may show its code in the table while the table owns another, and navigators may be in
+  // it after the runtime is gone.
+  spec.shared->table.keep(installed);
   bool all_good = true;
   for (const codegen::Module& module : scenes) {
     if (spec.stopping()) return false;

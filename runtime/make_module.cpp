@@ -13,7 +13,7 @@ namespace navjit {
 namespace {
 
 /// The label of a module in the cache, for people: how many scenes, and the first of them.
-std::string label_of(const World& world, const std::vector<VolumeId>& batch) {
+std::string label_of(const World& world, const Batch& batch) {
   std::string label = std::to_string(batch.size()) + (batch.size() == 1 ? " scene: " : " scenes: ");
   for (std::size_t i = 0; i < batch.size() && label.size() < 160; ++i) {
     label += (i == 0 ? "" : ", ") + world.volumes[batch[i]].name;
@@ -36,7 +36,7 @@ std::size_t along_axes(const Geometry& geometry, const std::vector<Sample>& samp
 // The batches below hold the first of each group of equal volumes.
 
 /// Whether many steps of these scenes are along faces: then their navigators have to take them.
-bool takes_rays_along_faces(Specialisation& spec, const std::vector<VolumeId>& batch) {
+bool takes_rays_along_faces(Specialisation& spec, const Batch& batch) {
   std::size_t along = 0, all = 0;
   for (const VolumeId volume : batch) {
     if (spec.left_out_too_much.contains(volume)) return true;
@@ -50,7 +50,7 @@ bool takes_rays_along_faces(Specialisation& spec, const std::vector<VolumeId>& b
 
 /// Whether most recorded steps in leaves of these scenes end on a boundary: straight rays go from
 /// one leaf to the next, and particles that scatter stay.
-codegen::Leaves leaves_of(Specialisation& spec, const std::vector<VolumeId>& batch) {
+codegen::Leaves leaves_of(Specialisation& spec, const Batch& batch) {
   std::size_t crossing = 0, all = 0;
   for (const VolumeId volume : batch) {
     if (!spec.shared->geometry.scene(volume).daughters.empty()) continue;
@@ -66,7 +66,7 @@ codegen::Leaves leaves_of(Specialisation& spec, const std::vector<VolumeId>& bat
 }
 
 /// The time that the cost model expects for a module, ms; 0 if one of its scenes was not estimated.
-double expected_ms(Specialisation& spec, const std::vector<VolumeId>& batch) {
+double expected_ms(Specialisation& spec, const Batch& batch) {
   double sum = module_base_ms;
   for (const VolumeId volume : batch) {
     const auto known = spec.candidates.find(volume);
@@ -76,22 +76,26 @@ double expected_ms(Specialisation& spec, const std::vector<VolumeId>& batch) {
   return sum;
 }
 
-void no_module(Specialisation& spec, const std::vector<VolumeId>& batch, const Failure& failure) {
+std::vector<Batch> without_module(Specialisation& spec, const Batch& batch,
+                                  const Failure& failure) {
   const std::string& why = failure.message;
   if (nothing_more(spec, failure)) {
     for (const VolumeId volume : batch) note(spec, volume, SceneStatus::generic, why);
-    return;
+    return {};
   }
   if (batch.size() > 1) {
     // One of the scenes may have spoilt the module for all.
+    std::vector<Batch> made;
     for (const VolumeId volume : batch) {
-      if (!spec.hopeless && !spec.stopping()) make_module(spec, {volume});
+      if (spec.hopeless || spec.stopping()) break;
+      for (Batch& alone : make_modules(spec, {volume})) made.push_back(std::move(alone));
     }
-    return;
+    return made;
   }
   spec.shared->log->warn("scene {} stays generic: {}",
                          spec.shared->geometry.world().volumes[batch[0]].name, one_line(why));
   note(spec, batch[0], SceneStatus::failed, why);
+  return {};
 }
 
 }  // namespace
@@ -105,7 +109,7 @@ bool nothing_more(Specialisation& spec, const Failure& failure) {
   return true;
 }
 
-codegen::Module generate(Specialisation& spec, const std::vector<VolumeId>& batch, bool along_faces,
+codegen::Module generate(Specialisation& spec, const Batch& batch, bool along_faces,
                          codegen::Leaves leaves) {
   spec.facts.along_faces.clear();
   if (along_faces) {
@@ -115,20 +119,25 @@ codegen::Module generate(Specialisation& spec, const std::vector<VolumeId>& batc
   return codegen::generate(spec.shared->geometry, spec.facts, batch, leaves);
 }
 
-bool make_module(Specialisation& spec, const std::vector<VolumeId>& batch) {
+std::vector<Batch> make_modules(Specialisation& spec, const Batch& batch) {
   const double start = steady_seconds(), own_start = spec.own_seconds();
   codegen::Module module =
       generate(spec, batch, takes_rays_along_faces(spec, batch), leaves_of(spec, batch));
   if (spec.shared->faults.edit_source) spec.shared->faults.edit_source(module.source);
   if (auto found = spec.maker->find(module.source)) {
-    if (install(spec, module, std::move(found->code), true, start)) return true;
-    if (spec.stopping()) return false;
+    if (install(spec, module, std::move(found->code), true, start)) return {batch};
+    if (spec.stopping()) return {};
     spec.maker->reject(module.source);
   }
   auto made = compile(spec, module.source);
   if (!made) {
-    if (!made.failure().stopped) no_module(spec, batch, made.failure());
-    return false;
+    if (made.failure().stopped) return {};
+    {
+      // Time that was spent in vain counts, too, where compiling has a share of the run.
+      const std::lock_guard lock(spec.mutex);
+      spec.totals.compile_ms += (steady_seconds() - start) * 1e3;
+    }
+    return without_module(spec, batch, made.failure());
   }
   const jit::CompileReport& report = made->object.report;
   // Processor time is compared, because time spent waiting on a busy machine is no reason to
@@ -146,7 +155,7 @@ bool make_module(Specialisation& spec, const std::vector<VolumeId>& batch) {
   if (install(spec, module, std::move(made->code), false, start)) {
     spec.maker->keep(module.source, label_of(spec.shared->geometry.world(), batch), made->object);
   }
-  return true;
+  return {batch};
 }
 
 }  // namespace navjit

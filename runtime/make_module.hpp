@@ -8,17 +8,21 @@
 
 namespace navjit {
 
+/// The scenes of one module; of equal volumes the first.
+using Batch = std::vector<VolumeId>;
+
 /// Generates the module of these scenes. `along_faces`: with code for rays along faces and from
 /// within daughters. `leaves`: whether leaves that can share code do.
-codegen::Module generate(Specialisation& spec, const std::vector<VolumeId>& batch, bool along_faces,
+codegen::Module generate(Specialisation& spec, const Batch& batch, bool along_faces,
                          codegen::Leaves leaves);
 
 /// To be called after a failure to compile. Returns whether nothing more can be compiled in this
 /// run, and then says so in the log.
 bool nothing_more(Specialisation& spec, const Failure& failure);
 
-/// Takes a module from the cache, or compiles it, and installs it. Returns false if it was not
-/// made: because the run ended, or because it did not compile; then its scenes were tried alone.
-bool make_module(Specialisation& spec, const std::vector<VolumeId>& batch);
+/// Takes a module from the cache, or compiles it, and installs it. If it does not compile, each of
+/// its scenes is tried alone. Returns the modules that were made, by their scenes: none if the run
+/// ended before.
+std::vector<Batch> make_modules(Specialisation& spec, const Batch& batch);
 
 }  // namespace navjit

@@ -98,7 +98,7 @@ void remember(Specialisation& spec, const std::vector<VolumeId>& batch) {
 void make_and_remember(Specialisation& spec, const std::vector<VolumeId>& batch) {
   const std::vector<VolumeId> worth = worth_trying(spec, batch);
   if (worth.empty()) return;
-  if (make_module(spec, worth)) remember(spec, worth);
+  for (const Batch& made : make_modules(spec, worth)) remember(spec, made);
 }
 
 }  // namespace navjit

@@ -139,7 +139,7 @@ struct Specialisation {
   std::stop_source stop;
 
   mutable std::mutex mutex;  ///< guards what follows
-  std::condition_variable wake;
+  std::condition_variable_any wake;
   std::map<VolumeId, SceneReport> scenes;
   /// By record that is bound to data: how many solids of its scene have code that it calls.
   std::map<const kernels::DispatchEntry*, std::size_t> compiled_solids;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
+#include <utility>
 
 #include "analysis/plan.hpp"
 #include "jit/activity.hpp"
@@ -47,14 +49,19 @@ bool Specialiser::stop() {
   if (!thread_.joinable()) return true;
   // It ends at once: a compilation that is under way is left to itself.
   spec_.wake.wait(lock, [&] { return ended_; });
-  for (auto& [volume, scene] : spec_.scenes) {
-    if (scene.status != SceneStatus::compiling) continue;
-    scene.status = SceneStatus::generic;
-    scene.note = "the run ended before it was compiled";
-  }
   lock.unlock();
   thread_.join();
-  if (jit::Activity::any()) jit::outlast_activities();
+  // Runtimes are destroyed also where memory has run out. Then a report may lack a note, and exit()
+  // waits only where it was told to before.
+  try {
+    for (auto& [volume, scene] : spec_.scenes) {
+      if (scene.status != SceneStatus::compiling) continue;
+      scene.status = SceneStatus::generic;
+      scene.note = "the run ended before it was compiled";
+    }
+    if (jit::Activity::any()) jit::outlast_activities();
+  } catch (const std::bad_alloc&) {
+  }
   return true;
 }
 
@@ -83,7 +90,9 @@ void Specialiser::start() {
 
 void Specialiser::run() {
   // Of this thread, and of those that it makes for the compiler.
-  setpriority(PRIO_PROCESS, 0, std::clamp(spec_.shared->options.specialiser.nice, 0, 19));
+  // A program that was started with a lower priority keeps it.
+  setpriority(PRIO_PROCESS, 0,
+              std::max(getpriority(PRIO_PROCESS, 0), spec_.shared->options.specialiser.nice));
   try {
     look_until_stopped();
   } catch (const std::exception& error) {
@@ -133,8 +142,12 @@ void Specialiser::look_until_stopped() {
                                                   .is_quiet = !trying,
                                                   .is_idle = !spec_.active,
                                                   .poll_s = 1e-3 * spec_.poll_ms()});
-    spec_.wake.wait_for(lock, std::chrono::duration<double, std::milli>(
-                                  (waiting_for_idle_ == 0 ? pause : 1) * spec_.poll_ms()));
+    // Whoever notifies ends the pause, and so does a request to stop, as at the end of the process.
+    constexpr double most_ms = 5;  // while somebody waits for the looks
+    const std::chrono::duration<double, std::milli> ms(
+        waiting_for_idle_ == 0 ? pause * spec_.poll_ms() : std::min(spec_.poll_ms(), most_ms));
+    spec_.wake.wait_for(lock, spec_.stop.get_token(), ms,
+                        [woken = false]() mutable { return std::exchange(woken, true); });
   }
 }
 
@@ -154,9 +167,9 @@ void Specialiser::wait_until_idle() {
 void Specialiser::specialise_all() {
   bind_all_to_data(spec_);
   if (!spec_.maker) return;
-  const double started = thread_seconds();
+  const double started = spec_.own_seconds();
   const double wait_ms = spec_.shared->options.specialiser.wait_ms;
-  const auto spent_ms = [&] { return 1e3 * (thread_seconds() - started); };
+  const auto spent_ms = [&] { return 1e3 * (spec_.own_seconds() - started); };
   std::set<VolumeId> compiled;  // or tried
   const auto compile_solids_of_others = [&] {
     compile_solids_of_all(spec_, compiled, wait_ms - spent_ms());
@@ -165,8 +178,9 @@ void Specialiser::specialise_all() {
   if (!spec_.shared->options.specialiser.constants) {
     compile_solids_of_others();
     // Structures are compiled only here: in the other case constants would replace them anyway.
-    for (std::optional<DueStructure> structure;
-         (structure = any_structure(spec_)) && bind_to_structure(spec_, *structure);) {
+    while (spent_ms() < wait_ms) {
+      const std::optional<DueStructure> structure = any_structure(spec_);
+      if (!structure || !bind_to_structure(spec_, *structure)) break;
     }
     return;
   }

@@ -1,10 +1,14 @@
 // Scenes bound to structures, compared with the generic navigator bit for bit.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <stdexcept>
+
 #include "analysis/plan.hpp"
 #include "codegen/structure.hpp"
 #include "geometry/gdml/read_world.hpp"
 #include "navjit/runtime.hpp"
+#include "runtime/faulty_runtime.hpp"
 #include "tests/support/traces.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -68,6 +72,32 @@ TEST(BoundToStructure, ShippedDetectorsAlike) {
     share_by_structures(
         std::make_shared<const World>(read_world(std::string(NAVJIT_DETECTORS_DIR) + file)), 200);
   }
+}
+
+/// Modules of structures that a run which waits for them has, of which the first `broken` do not
+/// compile.
+std::size_t structures_with(int broken, double wait_ms) {
+  const auto world =
+      std::make_shared<const World>(read_world(std::string(NAVJIT_DETECTORS_DIR) + "/barrel.gdml"));
+  FaultyOptions options{without_constants(JitMode::wait)};
+  options.specialiser.solids = false;
+  options.specialiser.wait_ms = wait_ms;
+  const auto compilations = std::make_shared<std::atomic<int>>(0);
+  options.faults = std::make_shared<const Faults>(Faults{.compiling = [=] {
+    if (compilations->fetch_add(1) < broken) throw std::runtime_error("made to fail");
+  }});
+  return FaultyRuntime(world, options).report().modules;
+}
+
+TEST(BoundToStructure, OneThatDoesNotCompileIsNoReasonToStop) {
+  const std::size_t all = structures_with(0, 6000);
+  ASSERT_GE(all, 2U);
+  EXPECT_EQ(structures_with(1, 6000), all - 1);
+}
+
+TEST(BoundToStructure, AreCompiledNoLongerThanARunWaits) {
+  EXPECT_EQ(structures_with(0, 0), 0U);
+  EXPECT_LT(structures_with(0, 100), structures_with(0, 1e6)) << "each takes some 100 ms";
 }
 
 TEST(BoundToStructure, ScenesOfOneStructureHaveOneSource) {

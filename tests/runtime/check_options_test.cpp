@@ -26,6 +26,8 @@ TEST(CheckOptions, NumbersHaveToMakeSense) {
       {"poll_ms is nan", [&](RuntimeOptions& o) { o.specialiser.poll_ms = nan; }},
       {"compile_share is -0.5", [](RuntimeOptions& o) { o.specialiser.compile_share = -0.5; }},
       {"optimisation is 9", [](RuntimeOptions& o) { o.specialiser.optimisation = 9; }},
+      {"nice is 20", [](RuntimeOptions& o) { o.specialiser.nice = 20; }},
+      {"nice is -1", [](RuntimeOptions& o) { o.specialiser.nice = -1; }},
       {"optimisation is -1", [](RuntimeOptions& o) { o.specialiser.optimisation = -1; }}};
   for (const auto& [words, change] : wrong) {
     RuntimeOptions options;

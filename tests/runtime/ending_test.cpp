@@ -144,6 +144,19 @@ TEST(EndingDeathTest, AProcessMayEndWhileARuntimeCompiles) {
   }
 }
 
+TEST(EndingDeathTest, AProcessMayEndWhileARuntimeSleeps) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(
+      {
+        RuntimeOptions options;
+        options.specialiser.poll_ms = 3.6e6;
+        static Runtime* const runtime = new Runtime(tests::mixed_world(), options);
+        runtime->wait_until_idle();  // and then it sleeps for an hour
+        std::exit(7);
+      },
+      testing::ExitedWithCode(7), "");
+}
+
 /// A static object, as LLVM makes them while it compiles.
 struct MadeWhileItCompiles {
   ~MadeWhileItCompiles() {

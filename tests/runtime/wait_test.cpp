@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "runtime/faulty_runtime.hpp"
 #include "tests/support/traces.hpp"
 
 namespace navjit {
@@ -14,14 +15,16 @@ struct Made {
 };
 
 /// What a run has that waits for its code. All its answers have to be right.
-Made wait_for(const SpecialiserOptions& limits) {
+Made wait_for(const SpecialiserOptions& limits, std::shared_ptr<const Faults> faults = {}) {
   const auto world = std::make_shared<const World>(tests::mixed_world());
-  RuntimeOptions options = tests::eager_options(JitMode::wait);
+  FaultyOptions options{tests::eager_options(JitMode::wait)};
+  options.faults = std::move(faults);
   options.specialiser.solids = false;
   options.specialiser.structures = false;
   options.specialiser.module_ms = limits.module_ms;
   options.specialiser.wait_ms = limits.wait_ms;
-  Runtime runtime(world, options);
+  options.specialiser.poll_ms = limits.poll_ms;
+  FaultyRuntime runtime(world, options);
   const std::size_t modules = runtime.report().modules;
   EXPECT_EQ(tests::traces_that_differ(runtime, tests::rays_through(*world, 4, 500)), 0U);
   const RuntimeReport report = runtime.report();
@@ -44,6 +47,30 @@ TEST(Wait, NoModuleIsExpectedToTakeLong) {
   const Made apart = wait_for(limits);
   EXPECT_GE(apart.modules, 3U);
   EXPECT_EQ(apart.specialised, whole.specialised);
+}
+
+TEST(Wait, ACompilationIsNotWaitedForUntilTheNextLookAtTheProfile) {
+  SpecialiserOptions limits;
+  limits.poll_ms = 3.6e6;
+  EXPECT_GE(wait_for(limits).modules, 1U);
+}
+
+/// Text that takes the compiler a good part of a second, of which the cost model knows nothing.
+std::string text_that_takes_long() {
+  std::string text =
+      "\nconstexpr long spun(long n) {\n  for (long i = 0; i < 200000; ++i) n += i & 3;\n"
+      "  return n;\n}\n";
+  for (int i = 0; i < 8; ++i) text += "static_assert(spun(" + std::to_string(i) + ") > 0);\n";
+  return text;
+}
+
+TEST(Wait, EndsWhereItTakesLonger) {
+  SpecialiserOptions limits;
+  limits.module_ms = 1;  // one module for each scene
+  limits.wait_ms = 300;
+  const auto slow = std::make_shared<const Faults>(
+      Faults{.edit_source = [](std::string& source) { source += text_that_takes_long(); }});
+  EXPECT_EQ(wait_for(limits, slow).modules, 1U);
 }
 
 TEST(Wait, EndsWhereItIsExpectedToTakeLonger) {
