@@ -86,7 +86,8 @@ int guarded(int argc, char** argv) {
     return status;
   } catch (const common::Interrupted&) {
   } catch (const std::bad_alloc&) {
-    print_error("out of memory; fewer --threads need less, and so does a larger limit (ulimit -v)");
+    print_error(
+        "out of memory; fewer --threads or --rays need less; or raise the limit (ulimit -v)");
   } catch (const std::exception& error) {
     print_error(error.what());
   }

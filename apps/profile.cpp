@@ -44,7 +44,12 @@ void add_profile(CLI::App& app, Action& action) {
   CLI::App& merging = *command.add_subcommand("merge", "add profiles up");
   merging.add_option("profiles", options->profiles, "files")->required();
   add_output(merging, "-o,--out", options->out, "file to write")->required();
-  merging.callback([options, &action] { action = [options] { return merge_profiles(*options); }; });
+  merging.callback([options, &action] {
+    for (const std::string& read : options->profiles) {
+      refuse_same_files({{"-o", options->out}}, {{"a profile to add", read}});
+    }
+    action = [options] { return merge_profiles(*options); };
+  });
 }
 
 }  // namespace navjit::apps

@@ -82,9 +82,8 @@ void add_simplify(CLI::App& app, Action& action) {
   add_output(command, "-o,--out", options->out, "GDML file")->required();
   add_output(command, "--report", options->report, "write a JSON report");
   command.callback([options, &action] {
-    // The detector itself may be replaced: it was read before.
-    refuse_same_files({{"-o", options->out}, {"--report", options->report}});
-    refuse_same_files({{"--report", options->report}}, {{"the detector", options->detector.file}});
+    refuse_same_files({{"-o", options->out}, {"--report", options->report}},
+                      {{"the detector", options->detector.file}});
     action = [options] { return simplify(*options); };
   });
 }

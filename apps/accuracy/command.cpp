@@ -1,4 +1,6 @@
 // `navjit accuracy`: what each way of navigating costs, and how wrong it is.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -20,6 +22,7 @@
 #include "apps/run/machine.hpp"
 #include "common/gnuplot.hpp"
 #include "common/interruption.hpp"
+#include "common/text.hpp"
 #include "navjit/errors.hpp"
 #include "navjit/observation.hpp"
 
@@ -57,6 +60,10 @@ std::optional<accuracy::VecGeom::Options> vecgeom_of(const Options& options) {
   if (!program) {
     std::fprintf(stderr, "navjit: without VecGeom: there is no vecgeom_trace beside navjit\n");
     return std::nullopt;
+  }
+  if (access(program->c_str(), X_OK) != 0) {
+    throw Error("--vecgeom " + common::printable(*program) +
+                ": there is no such program; name vecgeom_trace, or give off");
   }
   const std::string& detector =
       options.vecgeom_detector.empty() ? options.detector.file : options.vecgeom_detector;
@@ -163,8 +170,7 @@ void add_accuracy(CLI::App& app, Action& action) {
       ->transform(count(0));
   add_output(command, "--report", options->report, "write a JSON report");
   add_output(command, "--html", options->html, "write a page for people");
-  add_output(command, "--picture", options->picture, "speed against error; by gnuplot",
-             "FILE.svg|.png");
+  add_plot(command, "--picture", options->picture, "speed against error; by gnuplot");
   command
       .add_option("--vecgeom", options->vecgeom,
                   "the program vecgeom_trace, or off (default: the one\nbeside navjit)")

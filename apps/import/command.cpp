@@ -128,6 +128,7 @@ void add_import(CLI::App& app, Action& action) {
       .add_option("--setup", options->setup, "which TGeoManager of a ROOT file (default: first)")
       ->option_text("NAME");
   command.callback([options, &command, &action] {
+    refuse_same_files({{"-o", options->out}}, {{"the file to import", options->file}});
     action = [options, &command] { return import_file(*options, command); };
   });
 }

@@ -55,7 +55,12 @@ void add_report(CLI::App& app, Action& action) {
   CLI::App& merging = *command.add_subcommand("merge", "make one report of those of parts");
   merging.add_option("reports", options->reports, "files of navjit run --report")->required();
   add_output(merging, "-o,--out", options->out, "file to write")->required();
-  merging.callback([options, &action] { action = [options] { return merge_files(*options); }; });
+  merging.callback([options, &action] {
+    for (const std::string& read : options->reports) {
+      refuse_same_files({{"-o", options->out}}, {{"a report to merge", read}});
+    }
+    action = [options] { return merge_files(*options); };
+  });
 }
 
 }  // namespace navjit::apps

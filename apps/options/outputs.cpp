@@ -28,6 +28,16 @@ CLI::Option* add_output(CLI::App& command, const std::string& option, std::strin
   return command.add_option(option, path, what)->check(not_empty())->option_text(value);
 }
 
+CLI::Option* add_plot(CLI::App& command, const std::string& option, std::string& path,
+                      const std::string& what) {
+  return add_output(command, option, path, what, "FILE.svg|.png")
+      ->check([](const std::string& file) {
+        const std::string suffix = fs::path(file).extension();
+        const bool known = suffix == ".svg" || suffix == ".png";
+        return known ? std::string() : file + ": pictures are .svg or .png files";
+      });
+}
+
 void refuse_same_files(std::initializer_list<NamedFile> written,
                        std::initializer_list<NamedFile> read) {
   for (const NamedFile* one = written.begin(); one != written.end(); ++one) {

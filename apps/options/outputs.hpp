@@ -20,6 +20,10 @@ namespace navjit::apps {
 CLI::Option* add_output(CLI::App& command, const std::string& option, std::string& path,
                         const std::string& what, const std::string& value = "FILE");
 
+/// The same for a picture that gnuplot draws; another suffix than .svg or .png is wrong usage.
+CLI::Option* add_plot(CLI::App& command, const std::string& option, std::string& path,
+                      const std::string& what);
+
 /// An option's name, and the file that it was given; empty: none.
 struct NamedFile {
   const char* option;

@@ -25,6 +25,12 @@ void add_source(CLI::App& command, common::RaySource& source) {
                              "--eta",
                              [&source](const std::string& text) {
                                const auto v = numbers("--eta", text, 2);
+                               if (!(v[0] <= v[1]) || v[0] < -largest_eta || v[1] > largest_eta) {
+                                 throw CLI::ValidationError(
+                                     "--eta", "'" + text +
+                                                  "' is not a range from low to high, within 15 "
+                                                  "of 0");
+                               }
                                source.eta = {v[0], v[1]};
                              },
                              "pseudorapidity about +z (default: isotropic)")

@@ -13,6 +13,9 @@ class App;
 
 namespace navjit::apps {
 
+/// Pseudorapidities beyond it are directions along the axis to the last bit.
+constexpr double largest_eta = 15;
+
 struct RayOptions {
   std::string rays{};  ///< a CSV file, or a count
   common::RaySource source{};

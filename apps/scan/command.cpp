@@ -8,6 +8,7 @@
 #include "apps/options/numbers.hpp"
 #include "apps/options/outputs.hpp"
 #include "apps/options/runtime.hpp"
+#include "apps/options/source.hpp"
 #include "apps/scan/report.hpp"
 #include "common/gnuplot.hpp"
 #include "common/progress_line.hpp"
@@ -29,9 +30,6 @@ struct Options {
 const common::Choices<Quantity> quantities{{"x0", Quantity::radiation_lengths},
                                            {"mass", Quantity::mass},
                                            {"lambda", Quantity::interaction_lengths}};
-
-/// Beyond it directions are the axis to the last bit.
-constexpr double largest_eta = 15;
 
 int look(const Options& options) {
   if (!options.picture.empty()) common::check_picture(options.picture);
@@ -115,7 +113,7 @@ void add_scan(CLI::App& app, Action& action) {
              "what table and picture show: x0, mass (g/cm2) or lambda (interaction lengths)")
       ->option_text("WHAT");
   add_output(command, "--csv", options->csv, "write every bin");
-  add_output(command, "--picture", options->picture, "SVG or PNG file, by gnuplot");
+  add_plot(command, "--picture", options->picture, "of the sums; by gnuplot");
   add_threads(command, request.threads);
   add_cache_option(command, options->cache, true);
   command.callback([options, &action] {

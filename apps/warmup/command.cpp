@@ -137,8 +137,7 @@ void add_warmup(CLI::App& app, Action& action) {
       ->option_text("LIST");
   add_output(command, "--report", options->report, "write a JSON report");
   add_output(command, "--csv", options->csv, "write every point");
-  add_output(command, "--picture", options->picture, "speed and share against time; by gnuplot",
-             "FILE.svg|.png");
+  add_plot(command, "--picture", options->picture, "speed and share against time; by gnuplot");
   add_output(command, "--html", options->html, "write a page for people");
   command.callback([options, shared, &action] {
     refuse_same_files({{"--report", options->report},

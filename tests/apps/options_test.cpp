@@ -126,6 +126,20 @@ TEST(Options, AFileWithoutANameIsNone) {
   refuses("run " + detector + " --cache ''", "the value is empty");
 }
 
+TEST(Options, PicturesAreSvgOrPng) {
+  for (const std::string command : {"scan ", "accuracy ", "warmup "}) {
+    refuses(command + detector + " --picture p.jpg", "p.jpg: pictures are .svg or .png files");
+  }
+}
+
+TEST(Options, RangesOfPseudorapidityAscend) {
+  for (const std::string range : {"5,2", "800,900", "nan,1", "-16,0"}) {
+    for (const std::string command : {"run ", "trace ", "scan "}) {
+      refuses(command + detector + " --eta " + range, "--eta: ");
+    }
+  }
+}
+
 TEST(Options, OneFileIsNotTwo) {
   const TemporaryFolder folder;
   const std::string file = folder.path() + "/x", again = folder.path() + "/./x";
@@ -135,6 +149,11 @@ TEST(Options, OneFileIsNotTwo) {
   std::filesystem::copy_file(detector, own);
   refuses("run " + own + " --rays 1 --report " + again + "/../own.gdml", "the detector, too");
   refuses("trace " + own + " --rays 1 --out " + own, "the detector, too");
+  EXPECT_EQ(std::filesystem::file_size(own), std::filesystem::file_size(detector));
+  refuses("simplify " + own + " --observe materials -o " + own, "the detector, too");
+  refuses("import " + own + " -o " + own, "the file to import, too");
+  refuses("report merge a.json " + file + " -o " + again, "a report to merge, too");
+  refuses("profile merge " + file + " b -o " + again, "a profile to add, too");
   EXPECT_EQ(std::filesystem::file_size(own), std::filesystem::file_size(detector));
   // A number of rays is no file, whatever files are called.
   const Output ten = run_command("cd " + folder.path() + " && " NAVJIT_COMMAND,

@@ -1,4 +1,5 @@
-// INT, TERM and HUP: results so far are written, nothing is left behind, exit status is 128 + n.
+// INT, TERM, HUP, and the warnings of batch systems: results so far are written, nothing is left
+// behind, exit status is 128 + n.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -205,11 +206,15 @@ TEST_P(Signals, AccuracyEndsAtOnceWhileItCompiles) {
   EXPECT_EQ(files_in(folder_.path()), std::vector<std::string>{});
 }
 
-INSTANTIATE_TEST_SUITE_P(Apps, Signals, testing::Values(SIGINT, SIGTERM, SIGHUP),
+INSTANTIATE_TEST_SUITE_P(Apps, Signals,
+                         testing::Values(SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1, SIGUSR2),
                          [](const auto& parameter) {
                            return parameter.param == SIGINT    ? "INT"
                                   : parameter.param == SIGTERM ? "TERM"
-                                                               : "HUP";
+                                  : parameter.param == SIGHUP  ? "HUP"
+                                  : parameter.param == SIGXCPU ? "XCPU"
+                                  : parameter.param == SIGUSR1 ? "USR1"
+                                                               : "USR2";
                          });
 
 TEST(Signals, TheSecondEndsAtOnceAndLeavesNoTemporaryFile) {

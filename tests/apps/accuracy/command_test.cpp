@@ -104,7 +104,8 @@ TEST_F(AccuracyCommand, SaysWhatIsWrongBeforeItMeasures) {
   };
   fails("", 2, "detector");
   fails("nowhere.gdml --vecgeom off", 1, "nowhere.gdml");
-  fails(detector + " --vecgeom off --picture " + file("picture.txt"), 1, ".svg or .png");
+  fails(detector + " --vecgeom off --picture " + file("picture.txt"), 2, ".svg or .png");
+  fails(detector + " --vecgeom nowhere", 1, "--vecgeom nowhere: there is no such program");
   fails(detector + " --vecgeom off --rays 0", 2, "less than 1");
   fails(detector + " --vecgeom off --rays nowhere.csv", 1, "nowhere.csv");
   fails(detector + " --origin 1,2", 2, "--origin");
