@@ -1,5 +1,6 @@
 #include "observe/separation.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/navigation/geometry.hpp"
@@ -124,7 +125,23 @@ Verdict Separation::within(const PlacedSolid& inner, const Solid& outer) {
   for (const Vec3& p : points.interior) {
     if (outside(to_outer(inner.transformation, p))) return Verdict::no;
   }
-  return Verdict::sampled;
+  for (const Vec3& p : corner_points(inner.solid, tolerance_)) {
+    if (outside(to_outer(inner.transformation, p))) return Verdict::no;
+  }
+  return holds_hole_of(inner, outer) ? Verdict::no : Verdict::sampled;
+}
+
+/// Does it fill a part of a bore or a notch of the other, in whose frame it is placed? Then that
+/// has points of its surface, or none at all, where this one is.
+bool Separation::holds_hole_of(const PlacedSolid& inner, const Solid& outer) {
+  const auto holds = [&](const Vec3& p) {
+    return kernels::inside(inner.solid.any(), to_local(inner.transformation, p), tolerance_) ==
+           Side::inside;
+  };
+  const std::vector<Vec3>& surface = points_of(outer).surface;
+  const std::vector<Vec3> bore = bore_points(outer, tolerance_);
+  return std::any_of(surface.begin(), surface.end(), holds) ||
+         std::any_of(bore.begin(), bore.end(), holds);
 }
 
 /// Does a point of `a` lie in `b`?

@@ -28,6 +28,7 @@ class Separation {
 
  private:
   const SolidPoints& points_of(const Solid& solid);
+  bool holds_hole_of(const PlacedSolid& inner, const Solid& outer);
   bool reaches_into(const PlacedSolid& a, const PlacedSolid& b);
 
   double tolerance_;

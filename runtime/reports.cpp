@@ -63,12 +63,25 @@ std::size_t specialised(const Specialisation& spec) {
                     [](const auto& s) { return s.second.binding != Binding::generic; }));
 }
 
+namespace {
+
+/// Which volumes are relocated in is known by samples alone. Where steps say what is hot, reports
+/// leave volumes without a step out, so that the list does not depend on the samples.
+bool locates_more_than_it_steps(const detail::Counts& counts, std::size_t volumes) {
+  std::uint64_t steps = 0;
+  for (std::size_t v = 0; v < volumes; ++v) steps += counts.steps(static_cast<VolumeId>(v));
+  return counts.locations() > steps;
+}
+
+}  // namespace
+
 RuntimeReport report(const Specialisation& spec) {
   const detail::Counts counts = spec.shared->counts();
   const std::lock_guard lock(spec.mutex);
   RuntimeReport report = spec.totals;
   report.seconds = spec.seconds();
   const World& world = spec.shared->geometry.world();
+  const bool locates = locates_more_than_it_steps(counts, world.volumes.size());
   for (std::size_t v = 0; v < world.volumes.size(); ++v) {
     const auto volume = static_cast<VolumeId>(v);
     SceneReport scene;
@@ -76,7 +89,7 @@ RuntimeReport report(const Specialisation& spec) {
       scene = known->second;
     scene.steps = counts.steps(volume);
     scene.relocations = static_cast<std::uint64_t>(std::llround(spec.relocations[v]));
-    if (scene.steps == 0 && scene.relocations == 0) continue;
+    if (scene.steps == 0 && !(locates && scene.relocations > 0)) continue;
     const auto calls = spec.compiled_solids.find(spec.shared->table.at(volume));
     if (calls != spec.compiled_solids.end()) scene.compiled_solids = calls->second;
     const double since = spec.shared->table.specialised_since(volume);
@@ -98,9 +111,12 @@ RuntimeReport report(const Specialisation& spec) {
 
 void time_generic(Specialisation& spec, double most_seconds) {
   gather(spec);
+  const bool locates = locates_more_than_it_steps(spec.shared->counts(), spec.steps.size());
   std::vector<VolumeId> hottest;
   for (std::size_t v = 0; v < spec.steps.size(); ++v) {
-    if (spec.executions(static_cast<VolumeId>(v)) > 0) hottest.push_back(static_cast<VolumeId>(v));
+    if (spec.steps[v] > 0 || (locates && spec.relocations[v] > 0)) {
+      hottest.push_back(static_cast<VolumeId>(v));
+    }
   }
   std::stable_sort(hottest.begin(), hottest.end(), [&](VolumeId a, VolumeId b) {
     return std::tie(spec.steps[a], spec.relocations[a]) >

@@ -64,6 +64,16 @@ void Navigator::attach() {
   levels_.push_back({0, engine_->geometry.detector().world_volume()});
 }
 
+void Navigator::ResetState() {
+  G4Navigator::ResetState();
+  const auto depth = static_cast<std::size_t>(fHistory.GetDepth());
+  if (!engine_ || levels_.size() == depth + 1) return;
+  // Whoever reset the history left the track in the world.
+  levels_.resize(1);
+  state_ = {levels_[0].touchable, levels_[0].volume};
+  forget_steps();
+}
+
 void Navigator::forget_steps() {
   steps_[0].found = steps_[1].found = false;
   crossed_ = nullptr;

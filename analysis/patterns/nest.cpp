@@ -18,10 +18,8 @@ constexpr std::size_t fewest = 3;
 
 constexpr double half_turn = std::numbers::pi;
 
-AxialExtent extent_about(const World& world, const Daughter& d, int axis) {
-  const Solid& solid = world.volumes[d.volume].solid;
-  return axis == 3 ? central_extent(solid, d.transformation)
-                   : axial_extent(solid, d.transformation, axis);
+AxialExtent extent_about(const Solid& solid, const Transformation& frame, int axis) {
+  return axis == 3 ? central_extent(solid, frame) : axial_extent(solid, frame, axis);
 }
 
 /// Whether both radii ascend, and most radii are in one layer alone.
@@ -63,9 +61,11 @@ std::optional<Nest> find_nest(const World& world, const Solid& mother,
     std::vector<AxialExtent> extents;
     Nest nest;
     nest.axis = axis;
-    double largest = 0;
+    const AxialExtent around = extent_about(mother, Transformation{}, axis);
+    double largest = around.far;
     for (std::uint32_t k = 0; k < daughters.size(); ++k) {
-      extents.push_back(extent_about(world, daughters[k], axis));
+      extents.push_back(extent_about(world.volumes[daughters[k].volume].solid,
+                                     daughters[k].transformation, axis));
       const AxialExtent& e = extents.back();
       largest = std::max(largest, e.far);
       // Layers go around the axis by more than half a turn; other daughters are no layers.
@@ -76,14 +76,15 @@ std::optional<Nest> find_nest(const World& world, const Solid& mother,
     });
     if (nest.members.size() < fewest || !ascend(extents, nest.members)) continue;
     if (best && best->members.size() >= nest.members.size()) continue;
-    // Squares of radii near the axis are lost among those of positions far from it.
+    // Squares of radii near the axis are lost among those of positions far from it, up to the
+    // mother's own surface.
     const double slack = 0x1p-44 * largest * largest;
     for (const std::uint32_t k : nest.members) {
       const double near = std::max(extents[k].near - margin, 0.0), far = extents[k].far + margin;
       nest.near2.push_back(near * near - slack);
       nest.far2.push_back(far * far + slack);
     }
-    if (axis < 3) clip_ends(extents, axial_extent(mother, Transformation{}, axis), margin, nest);
+    if (axis < 3) clip_ends(extents, around, margin, nest);
     best = std::move(nest);
   }
   return best;

@@ -95,11 +95,32 @@ void check_scene(const Geometry& geometry, VolumeId volume, const OverlapOptions
       });
     };
     for (const Vec3& p : points.surface) check_point(p, 0);
+    for (const Vec3& p : corner_points(solid, options.tolerance)) check_point(p, 0);
     for (const Vec3& p : points.interior) {
       if (inside(daughter.solid, p, options.tolerance) != Side::inside) continue;
       check_point(p, safety_to_out(daughter.solid, p));
     }
   }
+  // A daughter that fills a part of the mother's bore has points there, and on the mother's
+  // surface.
+  const Solid& mother = world.volumes[volume].solid;
+  const auto check_hole = [&](const Vec3& p) {
+    tree.containing(p, [&](std::uint32_t k) {
+      const Vec3 q = to_local(scene.daughters[k].transformation, p);
+      if (inside(scene.daughters[k].solid, q, options.tolerance) != Side::inside) return true;
+      const double depth = safety_to_out(scene.daughters[k].solid, q);
+      const bool beyond = inside(scene.solid, p, options.tolerance) == Side::outside;
+      findings.add(
+          k, Overlap::mother, p,
+          std::max(options.tolerance, depth + (beyond ? safety_to_in(scene.solid, p) : 0)));
+      return true;
+    });
+  };
+  for (const Vec3& p :
+       sample_points(mother, options.resolution, world.tolerance, options.seed).surface) {
+    check_hole(p);
+  }
+  for (const Vec3& p : bore_points(mother, options.tolerance)) check_hole(p);
   for (const auto& [i, k] : pairs_to_check(boxes, options.tolerance)) {
     if (findings.has(i, k)) continue;
     const Daughter &a = scene.daughters[i], &b = scene.daughters[k];

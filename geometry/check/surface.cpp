@@ -76,6 +76,32 @@ SolidPoints sample_points(const Solid& solid, std::size_t count, double toleranc
   return points;
 }
 
+std::vector<Vec3> corner_points(const Solid& solid, double tolerance) {
+  const Vec3 half = 0.5 * (solid.extent.max - solid.extent.min);
+  const Vec3 centre = solid.extent.min + half;
+  std::vector<Vec3> points;
+  for (int i = 0; i < 27; ++i) {
+    const Vec3 p =
+        centre + Vec3{(i % 3 - 1) * half.x, (i / 3 % 3 - 1) * half.y, (i / 9 - 1) * half.z};
+    if (kernels::inside(solid.any(), p, tolerance) != Side::outside) points.push_back(p);
+  }
+  return points;
+}
+
+std::vector<Vec3> bore_points(const Solid& solid, double tolerance) {
+  constexpr int points_of_axis = 100;
+  const Extent& e = solid.extent;
+  std::vector<Vec3> points;
+  for (int i = 0; i < 3 * points_of_axis; ++i) {
+    const double part = (i / 3 + 0.5) / points_of_axis;
+    const Vec3 on_diagonal = e.min + part * (e.max - e.min);
+    const Vec3 p{i % 3 == 0 ? on_diagonal.x : 0, i % 3 == 1 ? on_diagonal.y : 0,
+                 i % 3 == 2 ? on_diagonal.z : 0};
+    if (kernels::inside(solid.any(), p, tolerance) == Side::outside) points.push_back(p);
+  }
+  return points;
+}
+
 std::vector<Vec3> surface_points(const Solid& solid, std::size_t count, double tolerance,
                                  std::uint64_t seed) {
   return sample_points(solid, count, tolerance, seed).surface;

@@ -21,6 +21,12 @@ struct SolidPoints {
 /// interior. Deterministic for a seed; fewer points, or none, if the solid is hard to hit.
 SolidPoints sample_points(const Solid& solid, std::size_t count, double tolerance,
                           std::uint64_t seed);
+/// Points that lines seldom find: the corners of the solid's box, the middles of its edges and
+/// faces, as far as they are in the solid. A corner is often all that sticks out.
+std::vector<Vec3> corner_points(const Solid& solid, double tolerance);
+/// Points on the axes of the solid's frame, within its box, that are not in the solid: those of a
+/// bore, however narrow it is.
+std::vector<Vec3> bore_points(const Solid& solid, double tolerance);
 /// The points on the surface alone.
 std::vector<Vec3> surface_points(const Solid& solid, std::size_t count, double tolerance,
                                  std::uint64_t seed);

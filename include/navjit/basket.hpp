@@ -27,7 +27,7 @@ struct Tracks {
 struct Steps {
   std::span<double> length;          ///< mm; 0 for tracks outside the world
   std::span<std::uint8_t> boundary;  ///< 1 where a boundary ended the step, else 0
-  std::span<State> next;             ///< the state after the step
+  std::span<State> next;             ///< the state after the step, fully located
 };
 
 /// Steps many tracks at once; each step has the same bits as one of Navigator::step. Tracks in the

@@ -77,7 +77,8 @@ struct SceneReport {
 struct RuntimeReport {
   double seconds = 0;  ///< since the runtime was made
   std::uint64_t steps = 0;
-  /// By steps, then by relocations, most first; scenes with neither are left out.
+  /// By steps, then by relocations, most first. Scenes without a step are left out, unless the
+  /// program locates more points than it makes steps; then those without relocations are.
   std::vector<SceneReport> scenes;
   std::size_t modules = 0;         ///< compiled, or taken from the cache
   std::size_t cached_modules = 0;  ///< those that were taken from the cache

@@ -123,6 +123,18 @@ TEST(Dissolve, WhatSticksOutOfItsMotherStays) {
   expect_left(seen, "out of the mother");
 }
 
+TEST(Dissolve, WhatCoversANarrowBoreOfItsMotherStays) {
+  for (const double bore : {0.5, 1e-3}) {
+    TwoMaterials world;
+    const VolumeId hall = world.box("hall", 100, world.lead);
+    const VolumeId pipe =
+        world.builder.volume("pipe", make_tube("pipe", bore, 60, 60, 0, 2 * M_PI), world.air);
+    world.builder.place(world.box("lid", 30, world.air), pipe);
+    world.builder.place(pipe, hall);
+    expect_left(ObservedDetector(world.builder.build(hall), materials_only), "out of the mother");
+  }
+}
+
 TEST(Dissolve, WhatItsDaughtersStickOutOfStays) {
   Shell world({18, 0, 0});
   world.builder.place(world.shell, world.hall);

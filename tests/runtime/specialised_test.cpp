@@ -119,6 +119,46 @@ TEST(Specialised, TracesNestsAndRingsAlike) {
   }
 }
 
+/// Shells about an axis or a centre, some tenths of a millimetre in radius, in a hall of
+/// kilometres.
+World small_shells(bool about_centre) {
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 1e7, 1e7, 1e7));
+  for (int i = 0; i < 6; ++i) {
+    const std::string name = "shell" + std::to_string(i);
+    const double inner = 0.1 + 0.2 * i, outer = inner + 0.1;
+    const VolumeId shell =
+        tests::add_volume(world, name,
+                          about_centre ? make_sphere(name, inner, outer, 0, 2 * M_PI, 0, M_PI)
+                                       : make_tube(name, inner, outer, 1e6, 0, 2 * M_PI));
+    tests::place(world, world.top, shell, {0, 0, 0});
+  }
+  finish(world);
+  return world;
+}
+
+TEST(Specialised, TracesSmallNestsFromFarAwayAlike) {
+  setenv(overrides_variable, "*=nest", 1);
+  for (const bool about_centre : {false, true}) {
+    SCOPED_TRACE(about_centre ? "spheres" : "tubes");
+    const auto world = std::make_shared<const World>(small_shells(about_centre));
+    std::mt19937_64 random(23);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 3000; ++i) {
+      const Vec3 from = uniform(random, 1e3, 1e7) * random_direction(random);
+      const auto near = [&] { return uniform(random, -2, 2); };
+      const double x = near(), y = near(), z = near();
+      Vec3 v = Vec3{x, y, z} - from;
+      v = (1 / norm(v)) * v;
+      rays.push_back({from, v});
+    }
+    Runtime specialised(world, options(JitMode::wait));
+    EXPECT_EQ(tests::traces_that_differ(specialised, rays), 0U);
+    EXPECT_GT(tests::share_specialised(specialised), 0.5);
+  }
+  unsetenv(overrides_variable);
+}
+
 /// Blades that are inclined to the radius, in two rings with opposite inclinations.
 World blades() {
   World world;

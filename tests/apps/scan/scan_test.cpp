@@ -160,7 +160,7 @@ TEST(ScanCommand, RefusesWhatItCannotScan) {
   refused("--of path", 2, "--of: 'path' is not x0, mass or lambda");
   refused("--origin 1e9,0,0", 1, "outside the world");
   refused("--stop NoSuchThing", 1, "no volume is called 'NoSuchThing'");
-  refused("--picture s.jpg", 1, "pictures are .svg or .png files");
+  refused("--picture s.jpg", 2, "pictures are .svg or .png files");
   refused("--csv /nowhere/s.csv", 1, "/nowhere/s.csv");
 }
 

@@ -156,7 +156,7 @@ TEST(WarmupCommand, SaysWhatIsWrongBeforeItMeasures) {
   fails(detector + " --eta 1", 2, "--eta");
   fails(detector + " --origin 1,2,inf", 2, "--origin");
   fails(detector + " --threads 0", 2, "--threads");
-  fails(detector + " --picture " + folder.file("picture.txt"), 1, ".svg or .png");
+  fails(detector + " --picture " + folder.file("picture.txt"), 2, ".svg or .png");
 }
 
 TEST(WarmupCommand, NeedsACompiler) {

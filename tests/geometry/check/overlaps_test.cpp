@@ -182,6 +182,27 @@ TEST(Overlaps, WhatFillsAHoleOfItsMotherSticksOut) {
   EXPECT_GT(found[0].depth, 0.9);
 }
 
+TEST(Overlaps, WhatCoversANarrowBoreOfItsMotherSticksOut) {
+  for (const double bore : {0.5, 1e-3}) {
+    World world;
+    world.top = add_volume(world, "world", make_tube("pipe", bore, 500, 500, 0, 7));
+    place(world, world.top, add_volume(world, "lid", make_box("lid", 100, 100, 100)), {0, 0, 0});
+    const auto found = overlaps(std::move(world));
+    ASSERT_EQ(found.size(), 1U) << bore;
+    EXPECT_EQ(found[0].second, Overlap::mother);
+    EXPECT_GT(found[0].depth, 50);
+  }
+}
+
+TEST(Overlaps, CornersThatStickOutAreFound) {
+  World world;
+  world.top = add_volume(world, "world", make_tube("pipe", 0, 100, 500, 0, 7));
+  // Its corners are 100.0005 mm from the axis.
+  place(world, world.top, add_volume(world, "bar", make_box("bar", 70.711, 70.711, 100)),
+        {0, 0, 0});
+  EXPECT_EQ(overlaps(std::move(world)).size(), 1U);
+}
+
 TEST(Overlaps, EndsOfWiresThatStickOutAreFound) {
   for (const double by : {1e-5, 1e-2}) {
     World world;

@@ -48,6 +48,9 @@ class Navigator : public G4Navigator {
   const Session& session() const { return *session_; }
 
  protected:
+  /// Also called by ResetStackAndState(), which is public and resets Geant4's history beforehand.
+  void ResetState() override;
+
   /// A boundary that a step found.
   struct Crossing {
     bool found = false;
