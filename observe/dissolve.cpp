@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "geometry/bvh/box_tree_traversal.hpp"
 #include "geometry/model/order.hpp"
 #include "geometry/navigation/geometry.hpp"
 #include "navjit/errors.hpp"
@@ -79,6 +80,7 @@ class Rewriting {
     for (const Placement& p : was.daughters) {
       boxes.push_back(placed_extent(original_.volumes[p.volume].solid, p.transformation));
     }
+    const bvh::BoxTree tree(boxes, tolerance_, bvh::default_method(boxes.size()));
     std::vector<Placement> daughters;
     std::vector<TouchableId> offsets;
     std::map<std::pair<VolumeId, const char*>, std::size_t> entries;
@@ -93,7 +95,7 @@ class Rewriting {
       Outcome outcome{"", Verdict::no};
       const bool unseen = is_unseen(placement);
       if (unseen) {
-        outcome = judge(mother, k, boxes);
+        outcome = judge(mother, k, boxes, tree);
         if (outcome.why == dissolved && !replace(placement, daughters, offsets))
           outcome.why = frame;
         note(mother, placement.volume, outcome, entries);
@@ -112,7 +114,8 @@ class Rewriting {
   }
 
   /// Whether daughter number k may be dissolved, and is worth it.
-  Outcome judge(VolumeId mother, std::size_t k, const std::vector<Extent>& boxes) {
+  Outcome judge(VolumeId mother, std::size_t k, const std::vector<Extent>& boxes,
+                const bvh::BoxTree& tree) {
     const auto& sisters = original_.volumes[mother].daughters;
     const Placement& placement = sisters[k];
     const VolumeId id = placement.volume;
@@ -128,20 +131,21 @@ class Rewriting {
     outcome.verdict =
         weaker(outcome.verdict, separation_.within(placed, original_.volumes[mother].solid));
     if (outcome.verdict == Verdict::no) return {sticks_out};
-    for (std::size_t i = 0; i < sisters.size(); ++i) {
-      if (i == k || !share(boxes[i], boxes[k])) continue;
+    tree.overlapping(boxes[k], [&](std::uint32_t i) {
+      if (i == k || !share(boxes[i], boxes[k])) return true;
       const VolumeId other = sisters[i].volume;
       // Both are of the mother's own material, with nothing in them: it does not matter which of
       // them a point is in.
       if (below == 0 && invisible(marks_, id, mother) && invisible(marks_, other, mother) &&
           result_.world.volumes[other].daughters.empty()) {
-        continue;
+        return true;
       }
       outcome.verdict = weaker(
           outcome.verdict,
           separation_.apart(placed, {original_.volumes[other].solid, sisters[i].transformation}));
-      if (outcome.verdict == Verdict::no) return {overlaps};
-    }
+      return outcome.verdict != Verdict::no;
+    });
+    if (outcome.verdict == Verdict::no) return {overlaps};
     return outcome;
   }
 

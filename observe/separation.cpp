@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "geometry/navigation/geometry.hpp"
+#include "navjit/errors.hpp"
 
 namespace navjit {
 namespace {
 
 constexpr std::size_t surface_points_of_each = 400;
-constexpr std::size_t lines_of_each_pair = 64;
+constexpr std::size_t lines_of_each_pair = 64, lines_through_each = 512;
 constexpr std::uint64_t seed = 18;
 
 bool holds(const Extent& outer, const Extent& inner, double tolerance) {
@@ -128,7 +129,10 @@ Verdict Separation::within(const PlacedSolid& inner, const Solid& outer) {
   for (const Vec3& p : corner_points(inner.solid, tolerance_)) {
     if (outside(to_outer(inner.transformation, p))) return Verdict::no;
   }
-  return holds_hole_of(inner, outer) ? Verdict::no : Verdict::sampled;
+  if (holds_hole_of(inner, outer)) return Verdict::no;
+  const auto beyond =
+      find_point_beyond(inner, outer, lines_through_each, tolerance_, rounding_, seed);
+  return beyond ? Verdict::no : Verdict::sampled;
 }
 
 /// Does it fill a part of a bore or a notch of the other, in whose frame it is placed? Then that
@@ -159,9 +163,13 @@ bool Separation::reaches_into(const PlacedSolid& a, const PlacedSolid& b) {
 Verdict Separation::apart(const PlacedSolid& a, const PlacedSolid& b) {
   if (!boxes_meet(a, b, tolerance_)) return Verdict::proved;
   if (tube_of(a.solid) != nullptr || tube_of(b.solid) != nullptr) {
-    if (in_the_bore(a.solid, between(b, a), b.solid, tolerance_) ||
-        in_the_bore(b.solid, between(a, b), a.solid, tolerance_)) {
-      return Verdict::proved;
+    try {
+      if (in_the_bore(a.solid, between(b, a), b.solid, tolerance_) ||
+          in_the_bore(b.solid, between(a, b), a.solid, tolerance_)) {
+        return Verdict::proved;
+      }
+    } catch (const GeometryError&) {
+      // Two rotations that are each as orthonormal as they must be may not be so together.
     }
   }
   if (reaches_into(a, b) || reaches_into(b, a)) return Verdict::no;

@@ -92,4 +92,43 @@ std::optional<SharedPoint> find_shared_point(const PlacedSolid& a, const PlacedS
   return deepest;
 }
 
+std::optional<SharedPoint> find_point_beyond(const PlacedSolid& solid, const Solid& outer,
+                                             std::size_t lines, double tolerance, double rounding,
+                                             std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const Extent& e = solid.solid.extent;
+  const double reach = 2 * (norm(e.max - e.min) + norm(outer.extent.max - outer.extent.min) +
+                            norm(to_outer(solid.transformation, 0.5 * (e.min + e.max)) -
+                                 0.5 * (outer.extent.min + outer.extent.max))) +
+                       rounding;
+  const auto point = [&] {
+    const double x = uniform(random, e.min.x, e.max.x), y = uniform(random, e.min.y, e.max.y);
+    return to_outer(solid.transformation, {x, y, uniform(random, e.min.z, e.max.z)});
+  };
+  for (std::size_t i = 0; i < lines; ++i) {
+    const Vec3 p = point();
+    Vec3 v = point() - p;
+    if (!(norm(v) > 0)) continue;
+    v = (1 / norm(v)) * v;
+    v = (1 / norm(v)) * v;
+    const Vec3 start = p + (-reach) * v;
+    const std::vector<Chord> within = chords_along(outer.any(), start, v, 2 * reach, rounding);
+    for (const Chord& c : chords_of(solid, start, v, 2 * reach, rounding)) {
+      // The gaps between the chords of `outer`, from this chord's begin to its end.
+      double from = c.enter;
+      for (std::size_t k = 0; k <= within.size(); ++k) {
+        const double to = k < within.size() ? std::min(within[k].enter, c.leave) : c.leave;
+        const Vec3 middle = start + 0.5 * (from + to) * v;
+        if (to - from > tolerance && depth_in(solid, middle, tolerance) > 0 &&
+            inside(outer.any(), middle, tolerance) == Side::outside) {
+          return SharedPoint{middle, std::max(tolerance, depth_in(solid, middle, tolerance) +
+                                                             safety_to_in(outer.any(), middle))};
+        }
+        if (k < within.size()) from = std::max(from, within[k].leave);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace navjit

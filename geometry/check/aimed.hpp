@@ -24,6 +24,14 @@ struct SharedPoint {
 /// boxes, each in its own frame, are apart.
 bool boxes_meet(const PlacedSolid& a, const PlacedSolid& b, double tolerance);
 
+/// A point of the solid that is outside of `outer`, in whose frame it is placed, found on `lines`
+/// random lines through the solid's box: parts of its chords that are no part of a chord of
+/// `outer`. It finds holes that the solid covers where no point of its surface is. `depth` is how
+/// far the point is from both surfaces together.
+std::optional<SharedPoint> find_point_beyond(const PlacedSolid& solid, const Solid& outer,
+                                             std::size_t lines, double tolerance, double rounding,
+                                             std::uint64_t seed);
+
 /// The deepest shared point that is found on `lines` lines through the part of each solid's box
 /// that lies in the other's. It finds what points on surfaces miss: solids that coincide, plates
 /// and wires that cross. Nothing for solids that only touch, or that share less than the tolerance.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "geometry/bvh/box_tree_traversal.hpp"
 #include "geometry/check/aimed.hpp"
@@ -33,25 +32,22 @@ class Findings {
 
 /// Indices of daughters whose boxes along the mother's axes share more than the tolerance.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_to_check(
-    const std::vector<Extent>& boxes, double tolerance) {
-  std::vector<std::uint32_t> order(boxes.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return boxes[a].min.x < boxes[b].min.x; });
+    const std::vector<Extent>& boxes, const bvh::BoxTree& tree, double tolerance) {
   const auto share = [tolerance](double low_a, double high_a, double low_b, double high_b) {
     return std::min(high_a, high_b) - std::max(low_a, low_b) > tolerance;
   };
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Extent& a = boxes[order[i]];
-    for (std::size_t k = i + 1; k < order.size(); ++k) {
-      const Extent& b = boxes[order[k]];
-      if (b.min.x > a.max.x) break;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    const Extent& a = boxes[i];
+    tree.overlapping(a, [&](std::uint32_t k) {
+      if (k <= i) return true;
+      const Extent& b = boxes[k];
       if (share(a.min.x, a.max.x, b.min.x, b.max.x) && share(a.min.y, a.max.y, b.min.y, b.max.y) &&
           share(a.min.z, a.max.z, b.min.z, b.max.z)) {
-        pairs.emplace_back(std::min(order[i], order[k]), std::max(order[i], order[k]));
+        pairs.emplace_back(i, k);
       }
-    }
+      return true;
+    });
   }
   return pairs;
 }
@@ -121,15 +117,26 @@ void check_scene(const Geometry& geometry, VolumeId volume, const OverlapOptions
     check_hole(p);
   }
   for (const Vec3& p : bore_points(mother, options.tolerance)) check_hole(p);
-  for (const auto& [i, k] : pairs_to_check(boxes, options.tolerance)) {
+  const SolidKind kind = mother.kind;
+  const bool has_no_hole = kind == SolidKind::box || kind == SolidKind::trd ||
+                           kind == SolidKind::hull || kind == SolidKind::orb;
+  const std::size_t lines = has_no_hole ? 0 : std::min<std::size_t>(options.resolution, 512);
+  for (std::uint32_t k = 0; k < scene.daughters.size(); ++k) {
+    if (findings.has(k, Overlap::mother)) continue;
+    const Daughter& d = scene.daughters[k];
+    const auto beyond = find_point_beyond({world.volumes[d.volume].solid, d.transformation}, mother,
+                                          lines, options.tolerance, world.tolerance, options.seed);
+    if (beyond) findings.add(k, Overlap::mother, beyond->point, beyond->depth);
+  }
+  for (const auto& [i, k] : pairs_to_check(boxes, tree, options.tolerance)) {
     if (findings.has(i, k)) continue;
     const Daughter &a = scene.daughters[i], &b = scene.daughters[k];
     const PlacedSolid first{world.volumes[a.volume].solid, a.transformation};
     const PlacedSolid second{world.volumes[b.volume].solid, b.transformation};
     if (!boxes_meet(first, second, options.tolerance)) continue;
-    const std::size_t lines = std::min<std::size_t>(options.resolution, 64);
-    const auto shared =
-        find_shared_point(first, second, lines, options.tolerance, world.tolerance, options.seed);
+    const std::size_t lines_of_pair = std::min<std::size_t>(options.resolution, 64);
+    const auto shared = find_shared_point(first, second, lines_of_pair, options.tolerance,
+                                          world.tolerance, options.seed);
     if (shared) findings.add(i, k, shared->point, shared->depth);
   }
   findings.append_to(report.overlaps);

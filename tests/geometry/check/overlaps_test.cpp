@@ -194,6 +194,20 @@ TEST(Overlaps, WhatCoversANarrowBoreOfItsMotherSticksOut) {
   }
 }
 
+TEST(Overlaps, WhatCoversAHoleThatIsNowhereNearTheAxesIsFound) {
+  SolidFrame aside;
+  aside.translation[0] = 30;
+  aside.translation[1] = 20;
+  const Solid drill = make_placed("aside", make_tube("drill", 0, 1, 600, 0, 7), aside);
+  World world;
+  world.top = add_volume(world, "world",
+                         make_subtraction("bored", make_box("block", 500, 500, 500), drill));
+  place(world, world.top, add_volume(world, "lid", make_box("lid", 100, 100, 100)), {0, 0, 0});
+  const auto found = overlaps(std::move(world));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].second, Overlap::mother);
+}
+
 TEST(Overlaps, CornersThatStickOutAreFound) {
   World world;
   world.top = add_volume(world, "world", make_tube("pipe", 0, 100, 500, 0, 7));
