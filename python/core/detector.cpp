@@ -263,6 +263,10 @@ PythonDetector read_unlocked(Read&& read) {
 
 }  // namespace
 
+py::object python_detector(const Detector& detector) {
+  return py::cast(PythonDetector{detector});
+}
+
 const Detector& detector_of(const py::object& given) {
   if (!py::isinstance<PythonDetector>(given)) {
     throw py::type_error("a navjit.Detector is needed, as read_gdml() gives it");

@@ -132,6 +132,20 @@ interpreter's lock is released while they are navigated. Points are mm, directio
       .def(
           "navigator", [](R& r) { return PythonNavigator(r.engine); },
           "A Navigator, for one point at a time.")
+      .def_property_readonly(
+          "detector", [](R& r) { return python_detector(r.engine->seen().detector()); },
+          "What is navigated, and what states belong to: the Detector that was given, or what "
+          "observe leaves of it.")
+      .def(
+          "original",
+          [](R& r, const py::object& states, const py::object& points,
+             const py::object& directions) {
+            return original(*r.engine, states, points, directions);
+          },
+          py::arg("states"), py::arg("points") = py::none(), py::arg("directions") = py::none(),
+          "The states of the Detector that was given for states of this Runtime, which are those "
+          "of runtime.detector. With points and directions: of the deepest touchables there, what "
+          "nothing observes included.")
       .def(
           "locate",
           [](R& r, const py::object& points, const py::object& directions) {

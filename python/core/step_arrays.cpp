@@ -104,6 +104,35 @@ py::object step(Engine& engine, const py::object& given_states, const py::object
   return out.is_none() ? result("Steps")(length, boundary, next) : out;
 }
 
+py::object original(Engine& engine, const py::object& given_states, const py::object& given_points,
+                    const py::object& given_directions) {
+  const bool located = !given_points.is_none();
+  if (located == given_directions.is_none()) {
+    throw UsageError("points and directions are needed, or neither");
+  }
+  const States at = states(given_states);
+  Vectors points, directions;
+  if (located) points = vectors(given_points, "points");
+  if (located) directions = vectors(given_directions, "directions");
+  const std::size_t count =
+      located ? common_length({at.count, points.count, directions.count}) : at.count;
+  py::array made = new_states(count);
+  State* const out = data_of(made);
+  const ObservedDetector& seen = engine.seen();
+  in_parallel(engine, count, chunk_of_points,
+              [&](Navigator&, std::size_t begin, std::size_t end, std::size_t& i) {
+                for (i = begin; i < end; ++i) {
+                  const State state = at.data[i];
+                  if (state.inside()) engine.require_known(state);
+                  out[i] = located && state.inside()
+                               ? seen.original(state, points[i], directions[i])
+                               : seen.original(state);
+                }
+              });
+  engine.log().hand_over();
+  return made;
+}
+
 py::object safety(Engine& engine, const py::object& given_states, const py::object& given_points,
                   const py::object& given_enough) {
   const States at = states(given_states);

@@ -14,6 +14,10 @@ py::object locate(Engine& engine, const py::object& points, const py::object& di
 /// navjit.results.Steps; `out`: one to write to, or None.
 py::object step(Engine& engine, const py::object& states, const py::object& points,
                 const py::object& directions, const py::object& limit, const py::object& out);
+/// The states of the original detector for those of the one that is navigated
+/// (ObservedDetector::original). Without points and directions (None) a track may be deeper.
+py::object original(Engine& engine, const py::object& states, const py::object& points,
+                    const py::object& directions);
 /// mm.
 py::object safety(Engine& engine, const py::object& states, const py::object& points,
                   const py::object& enough);

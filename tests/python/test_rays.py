@@ -109,6 +109,24 @@ def test_what_is_observed(detector, runtime):
     assert one.length == made.length[3]
 
 
+def test_states_of_what_is_observed():
+    detector = navjit.read_gdml("detectors/absorber.gdml")
+    low, high = detector.world.extent
+    points = low + (high - low) * np.random.default_rng(5).random((2000, 3))
+    directions = np.broadcast_to([0.0, 0.0, 1.0], (2000, 3))
+    runtime = navjit.Runtime(detector, jit="off")
+    observed = navjit.Runtime(detector, jit="off", observe="materials")
+    states, right = observed.locate(points, directions), runtime.locate(points, directions)
+    assert observed.detector.touchables < detector.touchables
+    paths, deepest = detector.paths(observed.original(states)), detector.paths(right)
+    assert all(whole.startswith(path) for path, whole in zip(paths, deepest))
+    assert list(observed.detector.paths(states)) != list(deepest)
+    np.testing.assert_array_equal(observed.original(states, points, directions), right)
+    assert runtime.detector.touchables == detector.touchables
+    with pytest.raises(navjit.UsageError, match="neither"):
+        observed.original(states, points)
+
+
 def test_bad_rays_are_named(runtime):
     points, directions = random_rays(1000)
     directions[900] = 0
