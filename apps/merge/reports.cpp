@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "common/part.hpp"
+#include "common/text.hpp"
 #include "navjit/errors.hpp"
 
 namespace navjit::apps {
@@ -87,6 +88,12 @@ void ReportMerger::add_part(const json& report) {
     throw Error(of == 0 ? "it is of a whole run, and the first is of a part"
                         : "it is of " + std::to_string(of) +
                               " parts, and the first is not; merge parts of one run");
+  }
+  const std::string rays = report.contains("part_of") ? text(report, "part_of") : "";
+  if (reports_.empty()) rays_of_ = rays;
+  if (rays != rays_of_) {
+    throw Error("it is a part of '" + common::printable(rays) + "', and the first is one of '" +
+                common::printable(rays_of_) + "'; merge parts of one run");
   }
   if (of > 0 && !parts_.insert(part.number).second) {
     throw Error("part " + std::to_string(part.number) + " is there twice");

@@ -41,6 +41,7 @@ class ReportMerger {
   std::uint64_t compared_rays_ = 0;
   double with_ = 0, without_ = 0;  ///< steps per second of it
   std::set<std::uint64_t> parts_;
+  std::string rays_of_;   ///< of which rays the first report is a part
   std::uint64_t of_ = 0;  ///< parts that there are in all; 0: runs that are no parts
 };
 

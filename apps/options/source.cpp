@@ -1,6 +1,8 @@
 #include "apps/options/source.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
 
 #include "apps/options/numbers.hpp"
 #include "navjit/errors.hpp"
@@ -43,6 +45,25 @@ void add_source(CLI::App& command, common::RaySource& source) {
       ->option_text("VOLUME|auto")
       ->excludes(origin)
       ->excludes(eta);
+}
+
+std::string text_of(const RayOptions& options) {
+  const auto number = [](double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.17g", value);
+    return std::string(text);
+  };
+  if (!options.file().empty()) return options.file();
+  const common::RaySource& source = options.source;
+  std::string text = number(std::strtod(options.rays.c_str(), nullptr)) + " rays of seed " +
+                     std::to_string(source.seed);
+  if (source.origin) {
+    text += " from " + number(source.origin->x) + ',' + number(source.origin->y) + ',' +
+            number(source.origin->z);
+  }
+  if (source.eta) text += " eta " + number(source.eta->first) + ',' + number(source.eta->second);
+  if (!source.aim.empty()) text += " at " + source.aim;
+  return text;
 }
 
 void add_part(CLI::App& command, std::optional<common::Part>& part) {

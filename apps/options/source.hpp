@@ -24,6 +24,9 @@ struct RayOptions {
   std::string file() const { return common::looks_like_number(rays) ? std::string() : rays; }
 };
 
+/// Which rays these are, in one line: equal where all options are.
+std::string text_of(const RayOptions& options);
+
 /// --rays, and the options of add_source. Rays of a file have their own starts and directions: with
 /// one of those options beside them the command line is refused.
 void add_rays(CLI::App& command, RayOptions& options);

@@ -82,6 +82,7 @@ RunReport made_by(Run& all, const Options& options, const std::atomic<bool>& in_
   report.detector = options.detector.file;
   report.seen = &all.seen;
   report.part = options.part.value_or(common::Part{});
+  report.rays_of = text_of(options.rays);
   report.basket = options.basket;
   report.jit = options.runtime.jit;
   report.budget = options.runtime.budget;

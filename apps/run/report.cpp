@@ -218,7 +218,10 @@ std::string json_text(const RunReport& report) {
       {"code_bytes", report.runtime.code_bytes},
   };
   if (report.processes > 1) json["processes"] = report.processes;
-  if (!report.part.whole()) json["part"] = common::part_text(report.part);
+  if (!report.part.whole()) {
+    json["part"] = common::part_text(report.part);
+    json["part_of"] = report.rays_of;
+  }
   if (report.budget) json["budget_mm"] = *report.budget;
   if (report.seen != nullptr) json["observe"] = to_json(*report.seen);
   auto& scenes = json["scenes"] = nlohmann::ordered_json::array();

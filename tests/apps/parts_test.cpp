@@ -115,6 +115,13 @@ TEST_F(Parts, WhatDoesNotGoTogetherIsRefused) {
   run("whole.json", "--jit off --rays 100");
   run("on.json", "--jit on --cache off --rays 100 --part 2/3");
   EXPECT_TRUE(contains(refusal("a.json a.json"), "part 1 is there twice"));
+  for (const std::string rays :
+       {"--rays 90", "--rays 100 --seed 2", "--rays 100 --origin 0,0,0", "--rays 100 --aim auto"}) {
+    run("of_others.json", "--jit off --part 2/3 " + rays);
+    EXPECT_TRUE(contains(refusal("a.json of_others.json"), "merge parts of one run")) << rays;
+  }
+  run("alike.json", "--jit off --rays 1e2 --seed 1 --part 2/3");
+  EXPECT_EQ(merge("a.json alike.json").status, 0) << "the same rays in other words";
   EXPECT_TRUE(contains(refusal("a.json other.json"), "of 4 parts"));
   EXPECT_TRUE(contains(refusal("a.json whole.json"), "of a whole run"));
   EXPECT_TRUE(contains(refusal("a.json on.json"), "--jit"));
