@@ -23,6 +23,15 @@ void require(bool fine, const char* option, double value, const char* what) {
                    what);
 }
 
+void require_structure(const bvh::Structure& boxes, const char* option) {
+  require(boxes.method <= bvh::Method::wide_tree, option, static_cast<double>(boxes.method),
+          "it is no bvh::Method");
+  require(boxes.clustering <= bvh::Clustering::furthest, option,
+          static_cast<double>(boxes.clustering), "it is no bvh::Clustering");
+  require(boxes.groups_per_cluster <= 8, option, boxes.groups_per_cluster,
+          "1 to 8 groups per cluster are possible, or 0");
+}
+
 }  // namespace
 
 RuntimeOptions checked(RuntimeOptions options) {
@@ -44,6 +53,15 @@ RuntimeOptions checked(RuntimeOptions options) {
   require(s.optimisation >= 0 && s.optimisation <= 3, "specialiser.optimisation", s.optimisation,
           "0 to 3 are possible");
   require(s.nice >= 0 && s.nice <= 19, "specialiser.nice", s.nice, "0 to 19 are possible");
+  require(options.jit >= JitMode::off && options.jit <= JitMode::shadow, "jit",
+          static_cast<double>(options.jit), "it is no JitMode");
+  using Force = GeometryOptions::Force;
+  require(options.geometry.force <= Force::bvh, "geometry.force",
+          static_cast<double>(options.geometry.force), "it is no way to search");
+  if (options.geometry.boxes) require_structure(*options.geometry.boxes, "geometry.boxes");
+  for (const auto& [volume, boxes] : options.geometry.boxes_of) {
+    require_structure(boxes, "geometry.boxes_of");
+  }
   std::string& directory = options.cache.directory;
   if (!directory.empty()) {
     std::error_code error;

@@ -2,7 +2,9 @@
 
 #include <spdlog/spdlog.h>
 
+#include "analysis/foreign.hpp"
 #include "jit/activity.hpp"
+#include "navjit/errors.hpp"
 #include "runtime/budget.hpp"
 #include "runtime/install.hpp"
 #include "runtime/reports.hpp"
@@ -11,6 +13,22 @@
 
 namespace navjit {
 
+namespace {
+
+/// Only the reference in 113 bits says how large an error is, and it knows no solid of a program's
+/// own.
+void refuse_budget_of_foreign(const detail::Shared& shared) {
+  if (!shared.options.budget) return;
+  const World& world = shared.geometry.world();
+  for (VolumeId v = 0; v < world.volumes.size(); ++v) {
+    if (world.volumes[v].touchables == 0 || !is_foreign(world.volumes[v].solid.any())) continue;
+    throw UsageError("RuntimeOptions::budget: volume '" + world.volumes[v].name +
+                     "' has a foreign solid, whose errors cannot be told; leave the budget out");
+  }
+}
+
+}  // namespace
+
 Runtime::Runtime(const Detector& detector, RuntimeOptions options)
     : Runtime(detector, std::make_shared<detail::Shared>(detector.model(), std::move(options))) {}
 
@@ -18,6 +36,7 @@ Runtime::Runtime(Detector detector, std::shared_ptr<detail::Shared> shared)
     : detector_(std::move(detector)),
       shared_(std::move(shared)),
       specialiser_(std::make_shared<Specialiser>(shared_)) {
+  refuse_budget_of_foreign(*shared_);
   if (!shared_->options.plugin.empty())
     install_plugin(specialiser_->specialisation(), shared_->options.plugin);
   if (shared_->options.jit == JitMode::wait) {

@@ -71,7 +71,22 @@ std::string describe(const Surface& surface, std::size_t triangle, const Edge& e
 
 }  // namespace
 
+namespace {
+
+/// Throws GeometryError of a solid of this name.
+void require_corners(const Surface& surface, const std::string& name) {
+  for (const Surface::Triangle& t : surface.triangles) {
+    for (const std::uint32_t corner : t) {
+      detail::require(corner < surface.corners.size(), name,
+                      "a triangle has a corner that is none");
+    }
+  }
+}
+
+}  // namespace
+
 std::string open_at(const Surface& surface) {
+  require_corners(surface, "surface");
   std::unordered_map<std::uint64_t, Uses> edges;
   edges.reserve(surface.triangles.size() * 3 / 2);
   for (const Surface::Triangle& t : surface.triangles) {
@@ -95,12 +110,7 @@ std::string open_at(const Surface& surface) {
 }
 
 Solid make_tessellated(std::string name, const Surface& surface) {
-  for (const Surface::Triangle& t : surface.triangles) {
-    for (const std::uint32_t corner : t) {
-      detail::require(corner < surface.corners.size(), name,
-                      "a triangle has a corner that is none");
-    }
-  }
+  require_corners(surface, name);
   const std::string open = open_at(surface);
   detail::require(open.empty(), name, open.c_str());
   std::vector<kernels::Facet> facets;

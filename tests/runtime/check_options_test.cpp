@@ -26,6 +26,10 @@ TEST(CheckOptions, NumbersHaveToMakeSense) {
       {"poll_ms is nan", [&](RuntimeOptions& o) { o.specialiser.poll_ms = nan; }},
       {"compile_share is -0.5", [](RuntimeOptions& o) { o.specialiser.compile_share = -0.5; }},
       {"optimisation is 9", [](RuntimeOptions& o) { o.specialiser.optimisation = 9; }},
+      {"boxes is 77", [](RuntimeOptions& o) { o.geometry.boxes = {bvh::Method{77}}; }},
+      {"boxes_of is 9", [](RuntimeOptions& o) { o.geometry.boxes_of["a"].groups_per_cluster = 9; }},
+      {"force is 77", [](RuntimeOptions& o) { o.geometry.force = GeometryOptions::Force{77}; }},
+      {"jit is 77", [](RuntimeOptions& o) { o.jit = JitMode{77}; }},
       {"nice is 20", [](RuntimeOptions& o) { o.specialiser.nice = 20; }},
       {"nice is -1", [](RuntimeOptions& o) { o.specialiser.nice = -1; }},
       {"optimisation is -1", [](RuntimeOptions& o) { o.specialiser.optimisation = -1; }}};
