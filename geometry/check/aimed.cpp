@@ -45,6 +45,28 @@ double depth_in(const PlacedSolid& s, const Vec3& p, double tolerance) {
   return std::max(tolerance, safety_to_out(s.solid.any(), q));
 }
 
+/// A point and a unit vector, in the mother's frame.
+struct Line {
+  Vec3 p, v;
+};
+
+/// The line through two random points of a box that is placed by this frame; it starts so far
+/// before them. Nothing if they are the same point.
+std::optional<Line> line_through(std::mt19937_64& random, const Transformation& frame,
+                                 const Extent& box, double before) {
+  const auto point = [&] {
+    const double x = uniform(random, box.min.x, box.max.x);
+    const double y = uniform(random, box.min.y, box.max.y);
+    return to_outer(frame, {x, y, uniform(random, box.min.z, box.max.z)});
+  };
+  const Vec3 p = point();
+  Vec3 v = point() - p;
+  if (!(norm(v) > 0)) return std::nullopt;
+  v = (1 / norm(v)) * v;
+  v = (1 / norm(v)) * v;
+  return Line{p + (-before) * v, v};
+}
+
 }  // namespace
 
 bool boxes_meet(const PlacedSolid& a, const PlacedSolid& b, double tolerance) {
@@ -64,17 +86,9 @@ std::optional<SharedPoint> find_shared_point(const PlacedSolid& a, const PlacedS
     const bool first = i % 2 == 0;
     const PlacedSolid &from = first ? a : b, &other = first ? b : a;
     const Extent box = shared(from.solid.extent, box_in_frame_of(from, other));
-    const auto point = [&] {
-      const double x = uniform(random, box.min.x, box.max.x);
-      const double y = uniform(random, box.min.y, box.max.y);
-      return to_outer(from.transformation, {x, y, uniform(random, box.min.z, box.max.z)});
-    };
-    const Vec3 p = point();
-    Vec3 v = point() - p;
-    if (!(norm(v) > 0)) continue;
-    v = (1 / norm(v)) * v;
-    v = (1 / norm(v)) * v;
-    const Vec3 start = p + (-reach) * v;
+    const std::optional<Line> line = line_through(random, from.transformation, box, reach);
+    if (!line) continue;
+    const auto& [start, v] = *line;
     const auto in_b = chords_of(b, start, v, 2 * reach, rounding);
     for (const Chord& c : chords_of(a, start, v, 2 * reach, rounding)) {
       for (const Chord& other_chord : in_b) {
@@ -101,17 +115,10 @@ std::optional<SharedPoint> find_point_beyond(const PlacedSolid& solid, const Sol
                             norm(to_outer(solid.transformation, 0.5 * (e.min + e.max)) -
                                  0.5 * (outer.extent.min + outer.extent.max))) +
                        rounding;
-  const auto point = [&] {
-    const double x = uniform(random, e.min.x, e.max.x), y = uniform(random, e.min.y, e.max.y);
-    return to_outer(solid.transformation, {x, y, uniform(random, e.min.z, e.max.z)});
-  };
   for (std::size_t i = 0; i < lines; ++i) {
-    const Vec3 p = point();
-    Vec3 v = point() - p;
-    if (!(norm(v) > 0)) continue;
-    v = (1 / norm(v)) * v;
-    v = (1 / norm(v)) * v;
-    const Vec3 start = p + (-reach) * v;
+    const std::optional<Line> line = line_through(random, solid.transformation, e, reach);
+    if (!line) continue;
+    const auto& [start, v] = *line;
     const std::vector<Chord> within = chords_along(outer.any(), start, v, 2 * reach, rounding);
     for (const Chord& c : chords_of(solid, start, v, 2 * reach, rounding)) {
       // The gaps between the chords of `outer`, from this chord's begin to its end.
