@@ -70,6 +70,16 @@ struct Conversion {
     }
   }
 
+  static bool is_foreign(const G4VSolid& solid) {
+    ForeignSolids foreign;
+    try {
+      convert(solid, foreign);
+    } catch (const Error&) {
+      return false;  // refused where it is made
+    }
+    return !foreign.empty();
+  }
+
   VolumeId volume(const G4LogicalVolume& logical) {
     const auto known = plain.find(&logical);
     if (known != plain.end()) return known->second;
@@ -80,6 +90,10 @@ struct Conversion {
 
   VolumeId volume(const G4LogicalVolume& logical, const Copy& copy) {
     if (copy.shape.shape) return add(logical, copy.shape, copy.material);
+    // The text of a user's own class may say nothing of its dimensions.
+    if (copy.changing && is_foreign(*copy.solid)) {
+      return add(logical, solid_of(logical, *copy.solid, true), copy.material);
+    }
     const auto [known, added] =
         variants.try_emplace({&logical, copy.changing ? text_of(*copy.solid) : "", copy.material});
     if (added) known->second = add(logical, solid_of(logical, *copy.solid, true), copy.material);
@@ -92,6 +106,10 @@ struct Conversion {
   }
 
   void place_daughters(VolumeId mother, const G4LogicalVolume& logical) {
+    if (logical.CharacteriseDaughters() == kExternal) {
+      throw Unsupported("volume '" + logical.GetName() +
+                        "': its daughters are navigated externally (kExternal)");
+    }
     for (std::size_t i = 0; i < logical.GetNoDaughters(); ++i) {
       G4VPhysicalVolume& physical = *logical.GetDaughter(static_cast<G4int>(i));
       if (physical.VolumeType() == kNormal) {

@@ -117,7 +117,15 @@ G4VPhysicalVolume* Navigator::reset(const G4ThreeVector& point, const G4ThreeVec
   double safety = safeties_.find(state_, at);
   if (safety < 0) safety = new_distance_to_boundary(at);
   if (safety > 0) return fHistory.GetTopVolume();
-  return Navigator::locate(point, &direction, true, false);
+  G4VPhysicalVolume* const found = Navigator::locate(point, &direction, true, false);
+  // A track that is resumed on the face between two copies of one volume stays in its copy, as with
+  // Geant4's own navigator: the stepping manager compares volumes alone, and would not notice.
+  if (state_ != *start && found == history.GetVolume() &&
+      navigator_->relocate(*start, at, Vec3{0, 0, 0}) == *start) {
+    follow(*start);
+    return fHistory.GetTopVolume();
+  }
+  return found;
 }
 
 }  // namespace navjit::geant4

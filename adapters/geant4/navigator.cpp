@@ -138,7 +138,7 @@ double Navigator::checked_length(const Step& step, const Vec3& point, const Vec3
   const double length = step.length + 100 * kCarTolerance;
   next = navigator_->relocate(next, point + length * direction, direction);
   if (zero_steps_ == push_after) ++counts_->pushed;
-  if (zero_steps_ == abandon_after) {
+  if (zero_steps_ >= abandon_after) {
     ++counts_->abandoned;
     std::ostringstream message;
     message.precision(17);
@@ -163,6 +163,7 @@ G4VPhysicalVolume* Navigator::locate(const G4ThreeVector& point, const G4ThreeVe
     ResetStackAndState();
     levels_.resize(1);
     forget_steps();
+    zero_steps_ = 0;
     fEnteredDaughter = follow(on_world(navigator_->locate(at, along), point)) < levels_.size() - 1;
     return state_.inside() ? fHistory.GetTopVolume() : nullptr;
   }

@@ -27,11 +27,12 @@ void print_calls(const Counts& counts, double seconds, std::ostream& out) {
   for (std::size_t i = 0; i < call_kinds; ++i) {
     const CallCount& count = counts.calls[i];
     if (count.calls == 0) continue;
-    sum += count.seconds(clock);
+    const double seconds_of_calls = std::max(count.seconds(clock), 0.0);
+    sum += seconds_of_calls;
     out << "  " << std::left << std::setw(30) << call_name(static_cast<Call>(i)) << std::right
         << std::setw(12) << count.calls << " calls " << std::setw(8) << std::fixed
-        << std::setprecision(1) << 1e9 * count.seconds(clock) / static_cast<double>(count.calls)
-        << " ns each " << std::setw(9) << std::setprecision(3) << count.seconds(clock) << " s\n";
+        << std::setprecision(1) << 1e9 * seconds_of_calls / static_cast<double>(count.calls)
+        << " ns each " << std::setw(9) << std::setprecision(3) << seconds_of_calls << " s\n";
   }
   out << "  navigation: " << std::setprecision(2) << sum << " s of " << seconds
       << " s of processor time";

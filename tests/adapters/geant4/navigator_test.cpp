@@ -5,15 +5,20 @@
 #include <G4Box.hh>
 #include <G4GeometryManager.hh>
 #include <G4LogicalVolume.hh>
+#include <G4PVParameterised.hh>
 #include <G4PVPlacement.hh>
+#include <G4PVReplica.hh>
 #include <G4StateManager.hh>
 #include <G4TouchableHistory.hh>
 #include <G4TransportationManager.hh>
 #include <G4VExceptionHandler.hh>
+#include <G4VPVParameterisation.hh>
 
 #include <cmath>
+#include <memory>
 #include <sstream>
 #include <thread>
+#include <vector>
 
 #include "navjit/geant4/use.hpp"
 
@@ -217,6 +222,109 @@ TEST_F(Calls, AreCountedForWhoeverReadsMeanwhile) {
   for (std::uint64_t i = 0; i < calls; ++i) locate({0, 0, 0}, x_, false);
   reader.join();
   EXPECT_EQ(counted(), calls);
+}
+
+TEST_F(Calls, AStackThatWasResetIsThatOfTheWorld) {
+  EXPECT_EQ(locate({0, 0, 0}, x_, false), "inner");
+  navigator_.ResetStackAndState();
+  EXPECT_EQ(navigator_.depth(), 0U);
+  EXPECT_EQ(locate({1, 0, 0}, x_, true), "inner");
+  EXPECT_EQ(navigator_.depth(), 2U);
+  EXPECT_EQ(locate({10, 0, 0}, x_, true), "outer");
+}
+
+TEST_F(Calls, ExternalVolumesOfOthersAreRefused) {
+  boxes_.outer->ChangeDaughtersType(kExternal);
+  const auto session = std::make_shared<geant4::Session>(geant4::Options{});
+  EXPECT_EQ(session->engine(*boxes_.world), nullptr);
+  EXPECT_NE(session->refusal().find("'outer'"), std::string::npos) << session->refusal();
+}
+
+/// A class of a user's, whose text says nothing of its size.
+class Silent : public G4Box {
+ public:
+  using G4Box::G4Box;
+  std::ostream& StreamInfo(std::ostream& out) const override { return out << "Silent"; }
+  G4VSolid* Clone() const override { return new Silent(*this); }
+  G4GeometryType GetEntityType() const override { return "Silent"; }
+};
+
+/// Boxes of half widths 2, 5 and 10, at -40, 0 and 40 along x.
+class Growing : public G4VPVParameterisation {
+ public:
+  void ComputeTransformation(G4int n, G4VPhysicalVolume* volume) const override {
+    volume->SetTranslation({-40.0 + 40 * n, 0, 0});
+  }
+  G4VSolid* ComputeSolid(G4int n, G4VPhysicalVolume*) override { return solids_[n]; }
+  G4VSolid* first() const { return solids_[0]; }
+
+ private:
+  G4VSolid* solids_[3] = {new Silent("s", 2, 2, 2), new Silent("s", 5, 5, 5),
+                          new Silent("s", 10, 10, 10)};
+};
+
+/// Where a ray along x from (-90, 0.5, 0.5) crosses boundaries.
+std::vector<G4double> crossings(G4Navigator& navigator) {
+  const G4ThreeVector x(1, 0, 0);
+  G4ThreeVector point(-90, 0.5, 0.5);
+  std::vector<G4double> all;
+  G4VPhysicalVolume* in = navigator.LocateGlobalPointAndSetup(point, &x, false, false);
+  while (in != nullptr && all.size() < 20) {
+    G4double safety = 0;
+    point += navigator.ComputeStep(point, x, 1000, safety) * x;
+    all.push_back(std::round(point.x() * 1e6) / 1e6);
+    navigator.SetGeometricallyLimitedStep();
+    in = navigator.LocateGlobalPointAndSetup(point, &x);
+  }
+  return all;
+}
+
+TEST(Copies, OfAUsersClassThatSaysNothingOfItsSizeAreToldApart) {
+  auto* hall = new G4LogicalVolume(new G4Box("hall", 100, 100, 100), nullptr, "hall");
+  auto* world = new G4PVPlacement(nullptr, {}, hall, "hall", nullptr, false, 0);
+  auto* growing = new Growing;
+  new G4PVParameterised("d", new G4LogicalVolume(growing->first(), nullptr, "d"), hall, kXAxis, 3,
+                        growing);
+  G4GeometryManager::GetInstance()->CloseGeometry(true, false);
+  geant4::Navigator ours(std::make_shared<geant4::Session>(geant4::Options{}));
+  ours.SetWorldVolume(world);
+  EXPECT_EQ(crossings(ours), (std::vector<G4double>{-42, -38, -5, 5, 30, 50, 100}));
+  EXPECT_TRUE(ours.active());
+  G4GeometryManager::GetInstance()->OpenGeometry();
+}
+
+TEST(Copies, ATrackThatIsResumedOnAFaceStaysInItsCopy) {
+  auto* hall = new G4LogicalVolume(new G4Box("hall", 50, 50, 50), nullptr, "hall");
+  auto* world = new G4PVPlacement(nullptr, {}, hall, "hall", nullptr, false, 0);
+  auto* slab = new G4LogicalVolume(new G4Box("slab", 5, 50, 50), nullptr, "slab");
+  new G4PVReplica("slabs", slab, hall, kXAxis, 10, 10);
+  G4GeometryManager::GetInstance()->CloseGeometry(true, false);
+  G4Navigator theirs;
+  geant4::Navigator ours(std::make_shared<geant4::Session>(geant4::Options{}));
+  const G4ThreeVector x(1, 0, 0), face(10, 1, 2);
+  for (G4Navigator* navigator : {&theirs, static_cast<G4Navigator*>(&ours)}) {
+    navigator->SetWorldVolume(world);
+    navigator->LocateGlobalPointAndSetup({9, 1, 2}, &x, false, false);
+    const std::unique_ptr<G4TouchableHistory> touchable(navigator->CreateTouchableHistory());
+    ASSERT_EQ(touchable->GetReplicaNumber(), 5);
+    navigator->LocateGlobalPointAndSetup({-30, 1, 2}, &x, false, false);
+    navigator->ResetHierarchyAndLocate(face, x, *touchable);
+    const std::unique_ptr<G4TouchableHistory> resumed(navigator->CreateTouchableHistory());
+    EXPECT_EQ(resumed->GetReplicaNumber(), 5) << (navigator == &ours ? "navjit" : "Geant4");
+  }
+  EXPECT_TRUE(ours.active());
+  G4GeometryManager::GetInstance()->OpenGeometry();
+}
+
+TEST(Use, IsTooLateOnceTheRunManagerIsInitialised) {
+  G4TransportationManager* manager = G4TransportationManager::GetTransportationManager();
+  G4Navigator* before = manager->GetNavigatorForTracking();
+  G4StateManager* states = G4StateManager::GetStateManager();
+  states->SetNewState(G4State_Init);
+  states->SetNewState(G4State_Idle);
+  geant4::use();
+  EXPECT_EQ(manager->GetNavigatorForTracking(), before);
+  states->SetNewState(G4State_PreInit);
 }
 
 TEST(Use, InstallsAndConvertsTheWorldOnce) {
