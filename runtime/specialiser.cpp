@@ -49,8 +49,6 @@ bool Specialiser::stop() {
   if (!thread_.joinable()) return true;
   // It ends at once: a compilation that is under way is left to itself.
   spec_.wake.wait(lock, [&] { return ended_; });
-  lock.unlock();
-  thread_.join();
   // Runtimes are destroyed also where memory has run out. Then a report may lack a note, and exit()
   // waits only where it was told to before.
   try {
@@ -59,6 +57,11 @@ bool Specialiser::stop() {
       scene.status = SceneStatus::generic;
       scene.note = "the run ended before it was compiled";
     }
+  } catch (const std::bad_alloc&) {
+  }
+  lock.unlock();
+  thread_.join();
+  try {
     if (jit::Activity::any()) jit::outlast_activities();
   } catch (const std::bad_alloc&) {
   }
