@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/bvh/box_tree_traversal.hpp"
 #include "geometry/model/order.hpp"
 #include "geometry/navigation/geometry.hpp"
 #include "observe/separation.hpp"
@@ -29,23 +30,19 @@ bool adds_up(const World& world, const LogicalVolume& volume, Separation& separa
     if (separation.within({solid, p.transformation}, volume.solid) == Verdict::no) return false;
     boxes.push_back(placed_extent(solid, p.transformation));
   }
-  std::vector<std::size_t> order(boxes.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return boxes[a].min.z < boxes[b].min.z; });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    for (std::size_t j = i + 1; j < order.size(); ++j) {
-      const std::size_t a = order[i], b = order[j];
-      if (boxes[b].min.z >= boxes[a].max.z) break;
-      if (!share(boxes[a], boxes[b], tolerance)) continue;
+  if (boxes.empty()) return true;
+  const bvh::BoxTree tree(boxes, tolerance, bvh::default_method(boxes.size()));
+  bool apart = true;
+  for (std::uint32_t a = 0; a < boxes.size() && apart; ++a) {
+    tree.overlapping(boxes[a], [&](std::uint32_t b) {
+      if (b <= a || !share(boxes[a], boxes[b], tolerance)) return true;
       const Placement &p = volume.daughters[a], &q = volume.daughters[b];
-      if (separation.apart({world.volumes[p.volume].solid, p.transformation},
-                           {world.volumes[q.volume].solid, q.transformation}) == Verdict::no) {
-        return false;
-      }
-    }
+      apart = separation.apart({world.volumes[p.volume].solid, p.transformation},
+                               {world.volumes[q.volume].solid, q.transformation}) != Verdict::no;
+      return apart;
+    });
   }
-  return true;
+  return apart;
 }
 
 }  // namespace
@@ -55,9 +52,13 @@ Mixtures::Mixtures(const World& world, const Marks& marks, const std::vector<dou
       marks_(marks),
       rates_(rates),
       own_volume_(world.volumes.size(), -1),
+      counts_(world.volumes.size()),
       whole_(world.volumes.size()),
       possible_(world.volumes.size()),
       why_(world.volumes.size()) {
+  for (VolumeId v = 0; v < world.volumes.size(); ++v) {
+    for (const Placement& p : world.volumes[v].daughters) ++counts_[v][p.volume];
+  }
   const double tolerance = std::max(overlap, 8 * world.tolerance);
   Separation separation(tolerance, world.tolerance);
   // Whether all that is in a volume may become one with what is around it, tags aside.
@@ -111,12 +112,10 @@ bool Mixtures::may_disappear(VolumeId volume, VolumeId mother) const {
 
 Mixtures::Parts Mixtures::parts(VolumeId mother, const std::set<VolumeId>& daughters) const {
   Parts parts{{world_.volumes[mother].material, own_volume_[mother]}};
-  std::map<VolumeId, double> counts;
-  for (const Placement& p : world_.volumes[mother].daughters) {
-    if (daughters.contains(p.volume)) ++counts[p.volume];
-  }
-  for (const auto& [daughter, count] : counts) {
-    for (const auto& [material, part] : whole_[daughter]) parts[material] += count * part;
+  for (const VolumeId daughter : daughters) {
+    const auto count = counts_[mother].find(daughter);
+    if (count == counts_[mother].end()) continue;
+    for (const auto& [material, part] : whole_[daughter]) parts[material] += count->second * part;
   }
   return parts;
 }

@@ -39,7 +39,8 @@ class Mixtures {
   const Marks& marks_;
   const std::vector<double>& rates_;
   std::vector<double> own_volume_;  ///< mm3: without daughters; negative where it is not known
-  std::vector<Parts> whole_;        ///< with all below it
+  std::vector<std::map<VolumeId, double>> counts_;  ///< by mother: placements of each daughter
+  std::vector<Parts> whole_;                        ///< with all below it
   std::vector<std::set<VolumeId>> possible_;
   std::vector<std::string> why_;
 };
