@@ -1,6 +1,8 @@
 #include "python/core/step_arrays.hpp"
 
+#include <initializer_list>
 #include <limits>
+#include <utility>
 
 #include "python/core/arrays.hpp"
 #include "python/core/in_parallel.hpp"
@@ -42,6 +44,27 @@ py::array states_output(const py::object& given, std::size_t count) {
   return array;
 }
 
+/// What is written while other elements are still to be read must not be what is read. The same
+/// states from the same element on are no harm: each is read before it is written.
+void refuse_shared(const py::object& written, const char* name, const py::object& states,
+                   std::initializer_list<std::pair<const char*, py::object>> read) {
+  const py::module_ numpy = py::module_::import("numpy");
+  const auto share = [&](const py::object& other) {
+    return py::isinstance<py::array>(other) &&
+           numpy.attr("may_share_memory")(written, other).cast<bool>();
+  };
+  const auto refuse = [&](const char* other) {
+    throw UsageError(std::string("out.") + name + ": it shares memory with " + other +
+                     ", which is still to be read; give it memory of its own");
+  };
+  for (const auto& [other, array] : read) {
+    if (share(array)) refuse(other);
+  }
+  if (!share(states)) return;
+  const auto first = [](const py::object& array) { return array.cast<py::array>().data(); };
+  if (std::string(name) != "next" || first(written) != first(states)) refuse("states");
+}
+
 }  // namespace
 
 py::object locate(Engine& engine, const py::object& given_points,
@@ -79,6 +102,15 @@ py::object step(Engine& engine, const py::object& given_states, const py::object
   auto length = output<double>(part(0), count, "length");
   auto boundary = output<bool>(part(1), count, "boundary");
   py::array next = states_output(part(2), count);
+  if (!out.is_none()) {
+    for (const auto& [name, array] : {std::pair<const char*, py::object>{"length", length},
+                                      {"boundary", boundary},
+                                      {"next", next}}) {
+      refuse_shared(
+          array, name, given_states,
+          {{"points", given_points}, {"directions", given_directions}, {"limit", given_limit}});
+    }
+  }
   double* const lengths = length.mutable_data();
   bool* const boundaries = boundary.mutable_data();
   State* const nexts = data_of(next);

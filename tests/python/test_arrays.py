@@ -111,6 +111,20 @@ def test_out_is_written_to(runtime):
             runtime.step(states, points, directions, out=bad)
 
 
+def test_out_that_is_still_to_be_read_is_refused(runtime):
+    memory = np.zeros(20)
+    points, length = memory[:15].reshape(5, 3), memory[10:15]
+    directions = np.tile([0.0, 0.0, 1.0], (5, 1))
+    states = runtime.locate(points, directions)
+    boundary, following = np.empty(5, dtype=bool), np.repeat(states, 2)
+    with pytest.raises(navjit.UsageError, match="out.length: it shares memory with points"):
+        runtime.step(states, points, directions, out=navjit.Steps(length, boundary, states.copy()))
+    with pytest.raises(navjit.UsageError, match="out.next: it shares memory with states"):
+        out = navjit.Steps(np.empty(5), boundary, following[1:6])
+        runtime.step(following[:5], points, directions, out=out)
+
+
+
 @pytest.mark.parametrize("threads", [2, 5])
 def test_threads_change_nothing(detector, runtime, threads):
     several = navjit.Runtime(detector, threads=threads)
