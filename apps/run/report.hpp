@@ -20,7 +20,7 @@ struct RunReport {
   Transport transport;
   std::size_t basket = 0;  ///< rays at once; 0: one by one
   common::Part part{};
-  std::string rays_of{};  ///< of which rays that is a part
+  std::string rays_of{};   ///< of which rays that is a part
   unsigned processes = 1;  ///< that shared the rays
   bool interrupted = false;
   double compile_cpu_seconds = 0;  ///< processor time of all but the navigating threads

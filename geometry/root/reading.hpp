@@ -38,9 +38,9 @@ struct Reading {
   gdml::Notes notes{};
 
   std::unordered_map<Reference, MadeSolid> solids{};
-  std::size_t boolean_parts = 0;  ///< parts of all booleans
-  std::size_t corner_pairs = 0;   ///< of all polygons: their time is in proportion
-  std::size_t facets = 0;         ///< facets and vertices of all tessellated solids
+  std::size_t boolean_parts = 0;                  ///< parts of all booleans
+  std::size_t corner_pairs = 0;                   ///< of all polygons: their time is in proportion
+  std::size_t facets = 0;                         ///< facets and vertices of all tessellated solids
   std::unordered_map<Reference, bool> endless{};  ///< by shape: whether it is infinite
   std::unordered_map<Reference, MadeVolume> volumes{};
   std::unordered_map<Reference, bool> open_volumes{};

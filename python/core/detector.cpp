@@ -263,9 +263,7 @@ PythonDetector read_unlocked(Read&& read) {
 
 }  // namespace
 
-py::object python_detector(const Detector& detector) {
-  return py::cast(PythonDetector{detector});
-}
+py::object python_detector(const Detector& detector) { return py::cast(PythonDetector{detector}); }
 
 const Detector& detector_of(const py::object& given) {
   if (!py::isinstance<PythonDetector>(given)) {

@@ -26,8 +26,8 @@ World balls(const MakeBall& ball) {
   const VolumeId bored = tests::add_volume(
       world, "bored", make_subtraction("bored", make_box("block", 25, 25, 10), ball("bore", 18)));
   const VolumeId egg = tests::add_volume(world, "egg", make_scaled("egg", ball("e", 10), 1, 2, 3));
-  const VolumeId moved = tests::add_volume(
-      world, "moved", make_placed("moved", ball("m", 15), SolidFrame{{3, 4, 5}}));
+  const VolumeId moved =
+      tests::add_volume(world, "moved", make_placed("moved", ball("m", 15), SolidFrame{{3, 4, 5}}));
   const VolumeId core = tests::add_volume(world, "core", ball("core", 5));
   world.top = hall;
   tests::place(world, shell, plate, {0, 0, -3});

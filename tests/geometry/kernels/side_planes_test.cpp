@@ -184,8 +184,9 @@ TEST(SidePlanes, ChangeNothingWhereSidesTwist) {
 }
 
 TEST(SidePlanes, AreOfNoUseToSolidsThatAreHardlyLargerThanTheTolerance) {
-  const navjit::PlanarPoint corners[8] = {{-1e-7, -1e-7}, {-1e-7, 1e-7}, {1e-7, 1e-7}, {1e-7, -1e-7},
-                                  {-1e-7, -1e-7}, {-1e-7, 1e-7}, {1e-7, 1e-7}, {1e-7, -0.9e-7}};
+  const navjit::PlanarPoint corners[8] = {{-1e-7, -1e-7}, {-1e-7, 1e-7},  {1e-7, 1e-7},
+                                          {1e-7, -1e-7},  {-1e-7, -1e-7}, {-1e-7, 1e-7},
+                                          {1e-7, 1e-7},   {1e-7, -0.9e-7}};
   const Solid solid = make_arb8("s", 1e-7, corners);
   ASSERT_EQ(solid.kind, SolidKind::arb8);
   EXPECT_EQ(static_cast<const Shape*>(solid.any().shape)->planes.reach.a, infinity);
