@@ -42,13 +42,14 @@ Vec3 world_of(const Extent& extent) {
 
 int import_surface(const Options& options) {
   Output out(options.out);
-  const Surface surface = read_surface(options.file, {.unit = options.unit});
+  Surface surface = read_surface(options.file, {.unit = options.unit});
   const std::string name =
       !options.name.empty() ? options.name : std::filesystem::path(options.file).stem().string();
   if (const std::string open = open_at(surface); !open.empty()) {
     throw SurfaceError(common::printable(options.file) + ": " + open +
                        "; close the surface in the program that wrote it");
   }
+  for (const std::string& note : mend_shells(surface)) std::printf("note: %s\n", note.c_str());
   DetectorBuilder builder;
   const Solid solid = make_tessellated(name, surface);
   const auto inner = builder.volume(name, solid, add_material(builder, options.material));

@@ -20,7 +20,7 @@ constexpr std::array ignored{
 class ObjReader {
  public:
   ObjReader(const Place& at, std::string_view text, Collector& into)
-      : at_(at), words_(text), into_(into) {}
+      : at_(at), words_(text, true), into_(into) {}
 
   void read() {
     into_.origins_are_lines();
@@ -104,7 +104,7 @@ class ObjReader {
 }  // namespace
 
 void read_obj(const Place& at, std::string_view text, Collector& into) {
-  ObjReader(at, text, into).read();
+  ObjReader(at, without_mark(text), into).read();
 }
 
 }  // namespace navjit::surface

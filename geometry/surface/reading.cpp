@@ -54,25 +54,43 @@ Surface Collector::finish() {
   return std::move(surface_);
 }
 
+std::size_t Words::end_of_continuation() const {
+  if (!continued_ || text_[at_] != '\\') return at_;
+  std::size_t end = at_ + 1;
+  if (end < text_.size() && text_[end] == '\r') ++end;
+  return end < text_.size() && text_[end] == '\n' ? end + 1 : at_;
+}
+
 std::string_view Words::word() {
   const std::size_t begin = at_;
-  while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) > ' ') ++at_;
+  while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) > ' ' &&
+         end_of_continuation() == at_) {
+    ++at_;
+  }
   return text_.substr(begin, at_ - begin);
 }
 
 std::string_view Words::next() {
-  while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) <= ' ') {
-    if (text_[at_++] == '\n') ++line_;
+  for (;;) {
+    const std::string_view found = next_in_line();
+    if (!found.empty() || at_end()) return found;
+    ++at_;
+    ++line_;
   }
-  return word();
 }
 
 std::string_view Words::next_in_line() {
-  while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) <= ' ') {
-    if (text_[at_] == '\n') return {};
-    ++at_;
+  while (at_ < text_.size() && text_[at_] != '\n') {
+    if (const std::size_t end = end_of_continuation(); end != at_) {
+      at_ = end;
+      ++line_;
+    } else if (static_cast<unsigned char>(text_[at_]) <= ' ') {
+      ++at_;
+    } else {
+      return word();
+    }
   }
-  return word();
+  return {};
 }
 
 void Words::skip_line() {

@@ -58,23 +58,35 @@ class Collector {
   std::unordered_map<Vec3, std::uint32_t, HashOfPlace, SamePlace> known_;
 };
 
+/// A text without the mark with which some editors let it begin (UTF-8's byte order mark).
+inline std::string_view without_mark(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  return text;
+}
+
 /// The words of a text, with the line that each is on.
 class Words {
  public:
-  explicit Words(std::string_view text) : text_(text) {}
+  /// `continued`: a backslash at the end of a line makes one line of it and the next.
+  explicit Words(std::string_view text, bool continued = false)
+      : text_(text), continued_(continued) {}
 
   /// The next word of the text; empty at its end.
   std::string_view next();
   /// The next word of the same line; empty at its end.
   std::string_view next_in_line();
+  /// To the end of the line, whatever it ends with: a name or comment may end with a backslash.
   void skip_line();
   bool at_end() const { return at_ >= text_.size(); }
   std::size_t line() const { return line_; }
 
  private:
   std::string_view word();
+  /// The end of the backslash and line end that stand here; where none do, the place itself.
+  std::size_t end_of_continuation() const;
 
   std::string_view text_;
+  bool continued_;
   std::size_t at_ = 0, line_ = 1;
 };
 

@@ -113,8 +113,8 @@ void read_stl(const Place& at, std::string_view bytes, Collector& into) {
   if (long_enough && bytes.size() == header_bytes + count * facet_bytes) {
     return read_binary(at, bytes, into);
   }
-  Words words(bytes);
-  if (is_word(words.next(), "solid")) return AsciiReader(at, bytes, into).read();
+  const std::string_view text = without_mark(bytes);
+  if (is_word(Words(text).next(), "solid")) return AsciiReader(at, text, into).read();
   if (!long_enough) refuse(at, 0, "it is too short for STL: is it truncated?");
   refuse(at, 0,
          "binary STL of " + std::to_string(count) + " facets has " +

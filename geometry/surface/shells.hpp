@@ -1,0 +1,15 @@
+// The shells of a surface: its closed parts. Private to geometry/surface.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "navjit/surface.hpp"
+
+namespace navjit::surface {
+
+/// The numbers of the triangles of each shell. Bodies that share an edge or a corner, but are
+/// closed without one another, are two shells. The triangles have to close on one another.
+std::vector<std::vector<std::uint32_t>> split(const std::vector<Surface::Triangle>& triangles);
+
+}  // namespace navjit::surface
