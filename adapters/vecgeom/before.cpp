@@ -1,9 +1,20 @@
 #include "adapters/vecgeom/before.hpp"
 
+#include "adapters/vecgeom/navigator.hpp"
+
 #include <VecGeom/navigation/NewSimpleNavigator.h>
 #include <VecGeom/navigation/SimpleSafetyEstimator.h>
 
 namespace navjit::vecgeom {
+
+Before::Had Before::had(const ::vecgeom::LogicalVolume& volume) {
+  Had had{volume.GetNavigator(), volume.GetSafetyEstimator()};
+  if (const auto* other = dynamic_cast<const StepNavigator*>(had.navigator))
+    had.navigator = &other->before().navigator(volume, other);
+  if (const auto* other = dynamic_cast<const SafetyEstimator*>(had.safety))
+    had.safety = &other->before().safety(volume, other);
+  return had;
+}
 
 const ::vecgeom::VNavigator& Before::navigator(const ::vecgeom::LogicalVolume& volume,
                                                const ::vecgeom::VNavigator* not_this) const {

@@ -10,7 +10,8 @@
 namespace navjit::vecgeom {
 
 /// By volume. VecGeom asks some questions in a volume's own coordinates, without a state. They name
-/// no touchable, and so are answered by what the volume had before.
+/// no touchable, and so are answered by what the volume had before. That is never a navigator of
+/// navjit's: objects that are attached one over the other neither need nor call one another.
 class Before {
  public:
   struct Had {
@@ -19,7 +20,10 @@ class Before {
   };
   std::unordered_map<const ::vecgeom::LogicalVolume*, Had> all{};
 
-  /// Never one of navjit; for volumes that had none, VecGeom's simple ones.
+  /// What to remember of a volume that is about to be given a navigator of navjit's.
+  static Had had(const ::vecgeom::LogicalVolume& volume);
+
+  /// For volumes that had none, VecGeom's simple ones.
   const ::vecgeom::VNavigator& navigator(const ::vecgeom::LogicalVolume& volume,
                                          const ::vecgeom::VNavigator* not_this) const;
   const ::vecgeom::VSafetyEstimator& safety(const ::vecgeom::LogicalVolume& volume,

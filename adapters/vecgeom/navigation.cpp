@@ -71,9 +71,9 @@ void Navigation::attach(std::span<const LogicalVolume* const> volumes) {
     own.push_back(registered.at(volume->id()));
   }
   for (LogicalVolume* volume : own) {
+    // What was remembered of it is of no use if others have changed it since.
     if (volume->GetNavigator() != &parts_->navigator)
-      parts_->before.all.try_emplace(
-          volume, Before::Had{volume->GetNavigator(), volume->GetSafetyEstimator()});
+      parts_->before.all.insert_or_assign(volume, Before::had(*volume));
     volume->SetNavigator(&parts_->navigator);
     volume->SetSafetyEstimator(&parts_->safety);
   }

@@ -58,6 +58,7 @@ class StepNavigator final : public ::vecgeom::VNavigator {
                                   const ::vecgeom::VPlacedVolume*& hit) const override;
 
   const char* GetName() const override { return "navjit"; }
+  const Before& before() const { return before_; }
 
  protected:
   void Relocate(const Vector& point, const State_t& in, State_t& out) const override;

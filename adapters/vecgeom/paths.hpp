@@ -44,7 +44,8 @@ class Paths {
   Index world{};
   bool assemblies = false;  ///< whether there are any assemblies
 
-  /// The state of a path. A path of another world gives a state that no detector has.
+  /// The state of a path. A path of another world, or one that does not begin with the world, gives
+  /// a state that no detector has.
   State state(const NavigationState& path) const {
     return read(path, [](int, Index) {});
   }
@@ -122,16 +123,17 @@ class Paths {
     const std::size_t size = nodes.size();
     const int length = path.GetCurrentLevel();
     if (length == 0) return {};
-    TouchableId touchable = 0;
+    TouchableId touchable = 0, all = path.ValueAt(0) == world ? 0 : nowhere;
     const Node* node = &none;
     for (int i = 0; i < length; ++i) {
       const Index value = path.ValueAt(i);
       const std::size_t index = number(value);
       node = index < size ? table + index : &none;
       touchable += node->offset;
+      all |= node->offset;
       each(i, value);
     }
-    return {touchable, node->volume};
+    return {all < nowhere ? touchable : nowhere, node->volume};
   }
 
   /// Whether a level is the state's or one above it: touchables are numbered in preorder.

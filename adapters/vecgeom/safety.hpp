@@ -29,6 +29,7 @@ class SafetyEstimator final : public ::vecgeom::VSafetyEstimator {
       const Vector& point, const ::vecgeom::LogicalVolume* volume) const override;
 
   const char* GetName() const override { return "navjit"; }
+  const Before& before() const { return before_; }
 
  private:
   void ComputeSafetyForLocalPoints(const ::vecgeom::SOA3D<double>& points,

@@ -60,8 +60,10 @@ using Made = std::optional<Solid>;
 Made placed(const VPlacedVolume& volume, const Making& m) {
   const Made solid = solid_of(*volume.GetUnplacedVolume(), m.name, m.mm);
   const ::vecgeom::Transformation3D& t = *volume.GetTransformation();
-  if (!solid || (!t.HasRotation() && !t.HasTranslation())) return solid;
-  return make_placed(m.name, *solid, frame_of(t, m.mm));
+  if (!solid) return solid;
+  // The flags of the transformation may not know of a reflection.
+  const SolidFrame frame = frame_of(t, m.mm);
+  return is_identity(frame) ? *solid : make_placed(m.name, *solid, frame);
 }
 
 bool meet(const Extent& a, const Extent& b) {
@@ -147,7 +149,9 @@ Solid of(const ::vecgeom::UnplacedEllipticalCone& s, const Making& m) {
                      m.mm * s.GetZTopCut());
 }
 Solid of(const ::vecgeom::UnplacedParaboloid& s, const Making& m) {
-  return make_paraboloid(m.name, m.mm * s.GetRlo(), m.mm * s.GetRhi(), m.mm * s.GetDz());
+  const double low = m.mm * s.GetRlo(), high = m.mm * s.GetRhi(), hz = m.mm * s.GetDz();
+  if (low <= high) return make_paraboloid(m.name, low, high, hz);
+  return make_scaled(m.name, make_paraboloid(m.name, high, low, hz), 1, 1, -1);
 }
 Solid of(const ::vecgeom::UnplacedHype& s, const Making& m) {
   return make_hype(m.name, m.mm * s.GetRmin(), m.mm * s.GetRmax(), s.GetStIn(), s.GetStOut(),

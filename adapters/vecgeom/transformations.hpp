@@ -3,6 +3,9 @@
 
 #include <VecGeom/base/Transformation3D.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "navjit/solids.hpp"
 #include "navjit/transformation.hpp"
 
@@ -16,6 +19,14 @@ inline SolidFrame frame_of(const ::vecgeom::Transformation3D& from, double mm) {
     for (int j = 0; j < 3; ++j) frame.rotation[3 * i + j] = from.Rotation(3 * j + i);
   }
   return frame;
+}
+
+inline bool is_identity(const SolidFrame& frame) {
+  const SolidFrame none;
+  return std::equal(std::begin(frame.rotation), std::end(frame.rotation),
+                    std::begin(none.rotation)) &&
+         std::equal(std::begin(frame.translation), std::end(frame.translation),
+                    std::begin(none.translation));
 }
 
 /// The same for placements. Throws GeometryError if the rotation is not orthonormal.

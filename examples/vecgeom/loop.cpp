@@ -72,6 +72,10 @@ int main(int argc, char** argv) try {
     return 2;
   }
   const int rays = argc > 2 ? std::atoi(argv[2]) : 1000;
+  if (rays < 1) {
+    std::fprintf(stderr, "vecgeom_loop: RAYS is a number above 0\n");
+    return 2;
+  }
   if (!vgdml::Frontend::Load(argv[1], false)) return 1;  // in cm, as VecGeom does by default
 
   navjit::vecgeom::Navigation navigation;
@@ -82,7 +86,9 @@ int main(int argc, char** argv) try {
   print("navjit, specialised:", navigation, rays);
 
   // VecGeom leaves out what it enters from a copy of the same placement; otherwise they agree.
-  return std::abs(own.length - ours.length) < 1e-3 * own.length ? 0 : 1;
+  if (std::abs(own.length - ours.length) < 1e-3 * own.length) return 0;
+  std::fprintf(stderr, "vecgeom_loop: the lengths differ: VecGeom is stuck or wrong somewhere\n");
+  return 1;
 } catch (const navjit::Error& error) {
   std::fprintf(stderr, "vecgeom_loop: %s\n", error.what());
   return 1;

@@ -142,7 +142,10 @@ Solid read_hyperboloid(const Object& s) {
 }
 
 Solid read_paraboloid(const Object& s) {
-  return make_paraboloid(s.name, length(s, "fRlo"), length(s, "fRhi"), length(s, "fDz"));
+  const double low = length(s, "fRlo"), high = length(s, "fRhi"), hz = length(s, "fDz");
+  if (low <= high) return make_paraboloid(s.name, low, high, hz);
+  // GDML's paraboloids widen upwards.
+  return make_scaled(s.name, make_paraboloid(s.name, high, low, hz), 1, 1, -1);
 }
 
 struct Reader {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <numbers>
 
+#include "geometry/solids/any_solid.hpp"
 #include "navjit/runtime.hpp"
 #include "tests/support/root_reading.hpp"
 
@@ -180,6 +181,12 @@ TEST_F(RootShapes, RoundOnes) {
          {far, far, 3});
   expect(solid(root_object("TGeoParaboloid", "bowl", {{"fRlo", 1.0}, {"fRhi", 2.0}, {"fDz", 3.0}})),
          SolidKind::paraboloid, pi * 6 * 2.5, {-2, -2, -3}, {2, 2, 3});
+  const Solid dome =
+      solid(root_object("TGeoParaboloid", "dome", {{"fRlo", 2.0}, {"fRhi", 1.0}, {"fDz", 3.0}}));
+  expect(dome, SolidKind::scaled, pi * 6 * 2.5, {-2, -2, -3}, {2, 2, 3});
+  const auto up = kernels::make_direction<double>(0, 0, 1);
+  EXPECT_TRUE(contains(dome.any(), {19, 0, -29}, up, 1e-9));
+  EXPECT_FALSE(contains(dome.any(), {19, 0, 29}, up, 1e-9));
 }
 
 TEST_F(RootShapes, ExtrudedOnesMayHaveSteps) {

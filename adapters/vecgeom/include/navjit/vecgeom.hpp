@@ -68,9 +68,8 @@ class Navigation {
   /// UsageError if one is not in the world, or is an assembly.
   void attach();
   void attach(std::span<const ::vecgeom::LogicalVolume* const> volumes);
-  /// Gives the volumes back what they had before the first attach(); volumes whose navigator was
-  /// changed since then keep theirs. If several of these objects are attached to a volume, the last
-  /// of them has to be detached first.
+  /// Gives the volumes back what they had before attach(), which is never another of these objects.
+  /// Volumes whose navigator was changed since then keep theirs.
   void detach();
 
   /// The navigator that volumes are given: it serves all volumes of the world.
