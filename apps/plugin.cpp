@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "apps/commands.hpp"
+#include "apps/options/numbers.hpp"
 #include "runtime/make_plugin.hpp"
 
 namespace navjit::apps {
@@ -20,7 +21,7 @@ void add_plugin(CLI::App& app, Action& action) {
   CLI::App& command = *app.add_subcommand("plugin", "Plugins that were compiled elsewhere");
   command.require_subcommand(1);
   CLI::App& sealing = *command.add_subcommand("seal", "make a plugin of a shared library");
-  sealing.add_option("library", *library, "file, changed in place")->required();
+  sealing.add_option("library", *library, "file, changed in place")->check(not_empty())->required();
   sealing.callback([library, &action] { action = [library] { return seal(*library); }; });
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "apps/commands.hpp"
+#include "apps/options/numbers.hpp"
 #include "apps/options/outputs.hpp"
 #include "files/output_file.hpp"
 #include "navjit/errors.hpp"
@@ -42,7 +43,7 @@ void add_profile(CLI::App& app, Action& action) {
   CLI::App& command = *app.add_subcommand("profile", "Profiles of several runs");
   command.require_subcommand(1);
   CLI::App& merging = *command.add_subcommand("merge", "add profiles up");
-  merging.add_option("profiles", options->profiles, "files")->required();
+  merging.add_option("profiles", options->profiles, "files")->check(not_empty())->required();
   add_output(merging, "-o,--out", options->out, "file to write")->required();
   merging.callback([options, &action] {
     for (const std::string& read : options->profiles) {

@@ -1,5 +1,6 @@
 // `navjit specialise`: navigators made ahead of time, as a plugin or as its source.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -7,6 +8,7 @@
 #include "apps/commands.hpp"
 #include "apps/options/detector.hpp"
 #include "apps/options/numbers.hpp"
+#include "apps/options/observe.hpp"
 #include "apps/options/outputs.hpp"
 #include "files/output_file.hpp"
 #include "navjit/errors.hpp"
@@ -18,6 +20,7 @@ namespace {
 
 struct Options {
   Detector detector;
+  Observation observation;
   std::vector<std::string> scenes;  ///< logical volumes by name
   std::string profile;              ///< file; empty: the named scenes only
   PluginChoice choice;
@@ -38,7 +41,9 @@ std::vector<VolumeId> named_scenes(const Geometry& geometry, const WorldFacts& f
       if (const Worth worth = worth_compiling(geometry, plan_scene(geometry, facts, v)); !worth) {
         throw Error("scene '" + name + "' is not worth compiling: " + std::string(worth.why));
       }
-      scenes.push_back(v);
+      // Each once, whichever volumes are alike and however often they are named.
+      const VolumeId scene = facts.first_equal[v];
+      if (std::find(scenes.begin(), scenes.end(), scene) == scenes.end()) scenes.push_back(scene);
     }
     if (!found) {
       throw Error("no logical volume is called '" + name +
@@ -51,7 +56,8 @@ std::vector<VolumeId> named_scenes(const Geometry& geometry, const WorldFacts& f
 int specialise(const Options& options) {
   const bool source_only = options.emit == "cpp";
   OutputFile out(options.out, source_only ? std::nullopt : std::optional(plugin_mode));
-  const Geometry geometry(read(options.detector));
+  const ObservedDetector seen(read(options.detector), options.observation);
+  const Geometry geometry(seen.detector().model());
   const WorldFacts facts = analyse_world(geometry);
   std::vector<VolumeId> scenes = named_scenes(geometry, facts, options.scenes);
   if (!options.profile.empty()) {
@@ -86,10 +92,12 @@ void add_specialise(CLI::App& app, Action& action) {
   CLI::App& command =
       *app.add_subcommand("specialise", "Make a plugin of navigators ahead of time");
   add_detector(command, options->detector);
+  add_observe(command, options->observation);
   CLI::Option* scenes =
       command.add_option("--scene", options->scenes, "logical volumes")->option_text("NAME...");
   command.add_option("--profile", options->profile, "of navjit run --save-profile")
       ->excludes(scenes)
+      ->check(not_empty())
       ->option_text("FILE");
   command
       .add_option("--least-share", options->choice.least_share,

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <exception>
@@ -82,6 +83,13 @@ void remove_if_abandoned(const File& directory, const std::string& name) {
   unlinkat(directory.get(), name.c_str(), 0);
 }
 
+/// Entries can be read by whoever can read their directory.
+mode_t mode_of_entries(const File& directory) {
+  struct stat status;
+  if (fstat(directory.get(), &status) != 0) return 0600;
+  return 0600 | (status.st_mode & (S_IRGRP | S_IROTH));
+}
+
 /// A file of a new name, locked: see remove_if_abandoned.
 Expected<File> make_unfinished(const File& directory, std::string& name) {
   for (int attempt = 0;; ++attempt) {
@@ -141,7 +149,9 @@ CacheHit load_entry(const File& directory, const Digest& key, std::size_t max_by
   bytes->erase(bytes->begin(), bytes->begin() + static_cast<std::ptrdiff_t>(detail::header_bytes +
                                                                             header.label_bytes));
   struct stat status;
-  if (fstat(file->get(), &status) == 0 && std::time(nullptr) - status.st_mtime > use_resolution_s) {
+  // Times in the future come from a clock that was wrong.
+  if (fstat(file->get(), &status) == 0 &&
+      std::abs(std::time(nullptr) - status.st_mtime) > use_resolution_s) {
     futimens(file->get(), nullptr);  // may fail where the cache can only be read: no matter
   }
   return {std::move(*bytes), ""};
@@ -234,6 +244,7 @@ std::optional<Failure> ObjectCache::write(const Digest& key, std::string_view la
     unlinkat(directory_.get(), temporary.c_str(), 0);
     return failure;
   }
+  fchmod(file.get(), mode_of_entries(directory_));  // may fail: then it is the user's alone
   const std::string name = name_of(key);
   if (renameat(directory_.get(), temporary.c_str(), directory_.get(), name.c_str()) != 0) {
     Failure failure = system_failure("cannot move an entry of the cache into place");
@@ -304,15 +315,17 @@ Expected<std::size_t> ObjectCache::clear() {
     const Expected<std::vector<std::string>> names = names_in(directory_);
     if (!names) return names.failure();
     std::size_t removed = 0;
+    std::optional<Failure> failure;
     for (const std::string& name : *names) {
       if (is_unfinished_name(name)) {
         remove_if_abandoned(directory_, name);
       } else if (unlinkat(directory_.get(), name.c_str(), 0) == 0) {
         ++removed;
-      } else if (errno != ENOENT) {
-        return system_failure("cannot remove " + name);
+      } else if (errno != ENOENT && !failure) {
+        failure = system_failure("cannot remove " + name);  // the others go all the same
       }
     }
+    if (failure) return *failure;
     return removed;
   });
 }

@@ -30,8 +30,12 @@ std::optional<Failure> distrust(const std::string& path, const struct stat& stat
   }
   const bool others_write = (status.st_mode & (S_IWGRP | S_IWOTH)) != 0;
   if (others_write && !(above && (status.st_mode & S_ISVTX) != 0)) {
+    // A directory for everybody (/tmp) is to stay one.
+    const bool for_all = (status.st_mode & S_ISVTX) != 0 && S_ISDIR(status.st_mode);
     return Failure{path + " can be written by others (mode " + octal(status.st_mode) +
-                   "): refused; chmod go-w makes it usable"};
+                   "): refused; " +
+                   (for_all ? "use a directory of your own in it (mkdir -m 700)"
+                            : "chmod go-w makes it usable")};
   }
   return std::nullopt;
 }

@@ -45,14 +45,14 @@ OutputFile::OutputFile(std::string path, std::optional<mode_t> mode) : path_(std
   if (!exists && errno != ENOENT) fail(errno);
   if (exists && S_ISDIR(there.st_mode)) fail(EISDIR);
   if (exists && !S_ISREG(there.st_mode)) {
-    open_through();
+    open_through(mode);
     return;
   }
   if (exists && faccessat(AT_FDCWD, path_.c_str(), W_OK, AT_EACCESS) != 0) fail(errno);
   open_beside(exists ? &there : nullptr, mode);
   if (file_ >= 0) return;
   if (!exists) fail(errno);
-  open_through();
+  open_through(mode);
 }
 
 OutputFile::~OutputFile() {
@@ -86,8 +86,9 @@ void OutputFile::open_beside(const struct ::stat* there, std::optional<mode_t> m
   }
 }
 
-void OutputFile::open_through() {
-  struct stat target, out;
+void OutputFile::open_through(std::optional<mode_t> mode) {
+  struct stat target {
+  }, out;
   // /dev/stdout, where that is a file: what is in it already stays, and what follows comes after.
   standard_output_ = stat(path_.c_str(), &target) == 0 && S_ISREG(target.st_mode) &&
                      fstat(STDOUT_FILENO, &out) == 0 && target.st_dev == out.st_dev &&
@@ -96,6 +97,8 @@ void OutputFile::open_through() {
                            : ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOCTTY, 0666);
   if (file_ < 0) fail(errno);
   to_truncate_ = !standard_output_;
+  // Devices keep their permissions.
+  if (to_truncate_ && S_ISREG(target.st_mode)) mode_to_set_ = mode;
 }
 
 void OutputFile::write(std::string_view bytes) {
@@ -107,6 +110,8 @@ void OutputFile::flush() {
   if (standard_output_) std::fflush(stdout);
   // Only files have a length; the first write tells what is wrong with others.
   if (to_truncate_ && ftruncate(file_, 0) != 0 && errno != EINVAL) fail(errno);
+  if (mode_to_set_) fchmod(file_, *mode_to_set_);
+  mode_to_set_.reset();
   to_truncate_ = false;
   const int error = write_all(file_, buffer_);
   if (error != 0) fail(error);

@@ -35,7 +35,7 @@ class OutputFile {
 
  private:
   void open_beside(const struct ::stat* there, std::optional<mode_t> mode);
-  void open_through();
+  void open_through(std::optional<mode_t> mode);
   void flush();
   void close();
   void move_into_place();
@@ -45,6 +45,7 @@ class OutputFile {
   std::string buffer_;
   int file_ = -1;
   bool to_truncate_ = false;               ///< before the first byte
+  std::optional<mode_t> mode_to_set_{};    ///< then, too
   bool standard_output_ = false;           ///< shares the file with what printf writes
   std::unique_ptr<TemporaryPath> beside_;  ///< null: written through
 };

@@ -135,6 +135,7 @@ std::optional<CodeMaker::Made> CodeMaker::find(std::string_view source) {
   auto code = linker()->link(object);
   if (!code) {
     complain(complained_of_entry_, "entry not used: " + code.failure().message);
+    if (!code.failure().exhausted) entries->discard(key("object", source));
     return std::nullopt;
   }
   return Made{*std::move(code), std::move(object)};
@@ -166,7 +167,7 @@ void CodeMaker::keep(std::string_view source, std::string_view label, const jit:
 }
 
 void CodeMaker::reject(std::string_view source) {
-  complain(complained_of_entry_, "an entry holds code that gives wrong answers: compiled again");
+  complain(complained_of_entry_, "an entry holds code that gives wrong answers: removed");
   if (cache::ObjectCache* entries = cache()) entries->discard(key("object", source));
 }
 

@@ -76,7 +76,9 @@ void write(const Expected<std::string>& plugin, OutputFile& file) {
 std::vector<VolumeId> hot_scenes(const StepProfile& profile, const Geometry& geometry,
                                  const WorldFacts& facts, const PluginChoice& choice) {
   if (profile.geometry != geometry_fingerprint(geometry)) {
-    throw Error("the profile is of another detector, or another version of this one");
+    throw Error(
+        "the profile is of another detector, another version of this one, or another observation "
+        "of it");
   }
   std::map<VolumeId, double> counts;
   double total = 0;

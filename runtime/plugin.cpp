@@ -1,8 +1,11 @@
 #include "runtime/plugin.hpp"
 
 #include <dlfcn.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <exception>
 #include <set>
 #include <span>
@@ -54,7 +57,9 @@ std::string unsuitable(void* library, const Geometry& geometry) {
     return "it was made by another version of navjit: specialise again";
   }
   if (made_for != geometry_fingerprint(geometry)) {
-    return "it was made for another detector, or another version of this one: specialise again";
+    return "it was made for another detector, another version of this one, or another observation "
+           "of "
+           "it: specialise again";
   }
   const std::string missing = missing_feature(features);
   return missing.empty() ? "" : "it needs a processor with " + missing;
@@ -75,6 +80,27 @@ Expected<codegen::Module> module_of(void* library, const Geometry& geometry) {
     return Failure{"its scenes are not those of this detector: specialise again"};
   }
   return module;
+}
+
+/// A copy in memory, which stays as it was checked whatever becomes of the file: one that is
+/// rewritten in place while its code runs would end the process. It is a file of its own, too, so
+/// that the system's loader never takes it for a library that it has loaded before. No file where
+/// the system gives none.
+cache::File copy_in_memory(std::string_view bytes) {
+  cache::File copy(memfd_create("navjit-plugin", MFD_CLOEXEC));
+  while (copy && !bytes.empty()) {
+    const ssize_t n = ::write(copy.get(), bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return cache::File();
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return copy;
+}
+
+/// By its descriptor: the file that was checked, whatever its name stands for by now.
+void* load_library(const cache::File& file) {
+  const std::string name = "/proc/self/fd/" + std::to_string(file.get());
+  return dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
 }
 
 }  // namespace
@@ -118,15 +144,21 @@ Expected<std::shared_ptr<const Plugin>> Plugin::load_checked(const std::string& 
   const auto fail = [&](const std::string& why) { return Failure{path + ": " + why}; };
   Expected<cache::File> file = cache::open_trusted_file(path);
   if (!file) return file.failure();
+  cache::File copy;
   {
     const Expected<std::vector<char>> bytes = cache::read_all(*file, max_plugin_bytes);
     if (!bytes) return fail(bytes.failure().message);
     const std::string problem = check_plugin_seal({bytes->data(), bytes->size()});
     if (!problem.empty()) return fail(problem);
+    copy = copy_in_memory({bytes->data(), bytes->size()});
   }
-  // The file that was checked, whatever its name stands for by now.
-  const std::string checked = "/proc/self/fd/" + std::to_string(file->get());
-  void* library = dlopen(checked.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* library = copy ? load_library(copy) : nullptr;
+  if (library != nullptr) {
+    *file = std::move(copy);
+  } else {
+    // A system may allow no code from such copies.
+    library = load_library(*file);
+  }
   if (library == nullptr) {
     const char* why = dlerror();
     return fail(why != nullptr ? why : "it cannot be loaded");

@@ -37,7 +37,11 @@ std::string plugin_source(const Geometry& geometry, const WorldFacts& facts,
 #define NAVJIT_FEATURE(name, macro) features += "\n#ifdef " macro "\n\"" name " \"\n#endif";
   NAVJIT_PLUGIN_FEATURES(NAVJIT_FEATURE)
 #undef NAVJIT_FEATURE
-  std::string text = module.source;
+  std::string text =
+      "#if !defined(__clang__) || __clang_major__ < 18\n"
+      "#error \"plugins of navjit are compiled with Clang, 18 or newer\"\n"
+      "#endif\n" +
+      module.source;
   text += "\nextern \"C\" {\n";
   text += constant("const unsigned", "format", std::to_string(plugin_format));
   text += constant("const unsigned", "abi", "navjit::kernels::abi_version");

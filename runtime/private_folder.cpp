@@ -32,8 +32,10 @@ std::string make_in(const std::string& parent, std::string& why) {
 
 PrivateFolder::PrivateFolder() {
   std::error_code none;
+  const std::string temporary = std::filesystem::temp_directory_path(none).string();
   std::string why;
-  path_ = make_in(std::filesystem::temp_directory_path(none).string(), why);
+  // There is none if TMPDIR names no directory.
+  path_ = make_in(none ? "/tmp" : temporary, why);
   if (!path_.empty()) {
     temporary_.emplace(path_);
     return;
@@ -43,7 +45,7 @@ PrivateFolder::PrivateFolder() {
     std::string ignored;
     path_ = make_in(user, ignored);
   }
-  if (path_.empty()) throw Error("no place for temporary files: " + why);
+  if (path_.empty()) throw Error("no place for temporary files (TMPDIR names one): " + why);
   temporary_.emplace(path_);
 }
 

@@ -1,16 +1,11 @@
 #include "navjit/step_profile.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "cache/trust.hpp"
 #include "files/output_file.hpp"
+#include "geometry/input_file.hpp"
 
 namespace navjit {
 namespace {
@@ -49,11 +44,10 @@ const std::string& text(const std::string& path, const Json& object, const char*
 }
 
 std::string bytes_of(const std::string& path) {
-  const cache::File file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (!file) fail(path, std::strerror(errno));
-  auto bytes = cache::read_all(file, max_bytes);
+  Expected<std::string> bytes =
+      read_regular_file(path, max_bytes, "longer than " + std::to_string(max_bytes) + " bytes");
   if (!bytes) fail(path, bytes.failure().message);
-  return {bytes->begin(), bytes->end()};
+  return *std::move(bytes);
 }
 
 }  // namespace

@@ -61,6 +61,7 @@ void add_jit_options(CLI::App& command, RuntimeOptions& options) {
              "off, on, wait (specialise first) or shadow (compare);\n(default: on)")
       ->option_text("MODE");
   command.add_option("--plugin", options.plugin, "made by navjit specialise; used from the start")
+      ->check(not_empty())
       ->option_text("FILE");
   command
       .add_option("--opt", options.specialiser.optimisation,

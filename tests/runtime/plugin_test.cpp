@@ -90,6 +90,36 @@ TEST_F(PluginTest, TwoOfThemAreTwo) {
   EXPECT_NE((*a)->entries().size(), (*b)->entries().size());
 }
 
+TEST_F(PluginTest, OneMayGoBeforeAnotherComes) {
+  const std::string first = make(source_);
+  fs::rename(first, folder_.file("first.so"));
+  const std::string second =
+      make(plugin_source(geometry_, analyse_world(geometry_), std::vector<VolumeId>{1}));
+  // The system's loader knows libraries by names that come again.
+  auto a = Plugin::load(folder_.file("first.so"), geometry_);
+  const auto same = Plugin::load(folder_.file("first.so"), geometry_);
+  ASSERT_TRUE(a && same);
+  a = Failure{""};
+  const auto b = Plugin::load(second, geometry_);
+  ASSERT_TRUE(b);
+  EXPECT_EQ((*b)->entries().size(), 1U);
+  EXPECT_NE((*same)->entries().size(), 1U);
+}
+
+TEST_F(PluginTest, MayBeOverwrittenWhileItIsInUse) {
+  const std::string path = make(source_);
+  RuntimeOptions options = tests::eager_options(JitMode::off);
+  options.plugin = path;
+  Runtime runtime(world_, options);
+  std::ofstream(path, std::ios::trunc) << "something else";  // in place
+  Navigator navigator = runtime.navigator();
+  std::size_t steps = 0;
+  for (const Ray& ray : tests::rays_through(*world_, 21, 100)) {
+    steps += tests::trace(navigator, ray, world_->tolerance).size();
+  }
+  EXPECT_GT(steps, 100U);
+}
+
 TEST_F(PluginTest, DamageIsFoundBeforeItIsLoaded) {
   const std::string path = make(source_);
   const std::string right = tests::read_file(path);
