@@ -40,18 +40,59 @@ py::dict dict_of(const SceneReport& s) {
   return d;
 }
 
-py::list list_of(const std::vector<ObservationReport::Entry>& entries) {
+/// The key of a bound, which has its unit in its name, as in the reports of `navjit run`.
+const char* key_of_bound(const Observation& o) {
+  if (o.unit == Observation::Unit::grams_per_cm2) return "bound_g_per_cm2";
+  const bool relative = o.unit == Observation::Unit::relative;
+  return relative && o.kind == Observation::Kind::budget ? "bound_relative"
+                                                         : "bound_radiation_lengths";
+}
+
+py::list list_of(const std::vector<ObservationReport::Entry>& entries, const char* bound) {
   py::list all;
   for (const ObservationReport::Entry& e : entries) {
     py::dict d;
     d["volume"] = text(e.volume);
     d["mother"] = text(e.mother);
     d["placements"] = e.placements;
-    d["bound_radiation_lengths"] = e.bound;
+    d[bound] = e.bound;
     d["why"] = text(e.why);
     all.append(d);
   }
   return all;
+}
+
+py::list list_of(const std::vector<ObservationReport::Mixture>& mixtures, const char* bound) {
+  py::list all;
+  for (const ObservationReport::Mixture& m : mixtures) {
+    py::list of;
+    for (const std::string& daughter : m.of) of.append(text(daughter));
+    py::dict d;
+    d["volume"] = text(m.volume);
+    d["of"] = of;
+    d["placements"] = m.placements;
+    d["material"] = text(m.material);
+    d["density_g_per_cm3"] = m.density;
+    d["radiation_length_mm"] = m.radiation_length;
+    d[bound] = m.bound;
+    all.append(d);
+  }
+  return all;
+}
+
+py::dict dict_of(const ObservationReport::Measured& m, Observation::Unit unit) {
+  py::dict d;
+  d["unit"] = unit == Observation::Unit::grams_per_cm2 ? "g/cm2" : "radiation lengths";
+  d["rays"] = m.rays;
+  d["mean_of_ray"] = m.whole;
+  d["mean_change"] = m.mean;
+  d["mean_change_error"] = m.mean_error;
+  d["signed_mean_change"] = m.signed_mean;
+  d["signed_mean_change_error"] = m.signed_error;
+  d["change_99_percent"] = m.of_99_percent;
+  d["change_99.9_percent"] = m.of_999_permille;
+  d["largest_change"] = m.largest;
+  return d;
 }
 
 }  // namespace
@@ -74,18 +115,23 @@ py::dict dict_of(const RuntimeReport& report) {
 
 py::dict dict_of(const ObservedDetector& seen) {
   const ObservationReport& r = seen.report();
+  const char* bound = key_of_bound(seen.observation());
   py::dict d;
   d["kind"] = text(observation_text(seen.observation()));
   d["invisible"] = r.invisible;
   d["dissolved"] = r.dissolved;
   d["sampled"] = r.sampled;
-  d["bound_radiation_lengths"] = r.bound;
+  d[bound] = r.bound;
   d["placements_before"] = r.placements_before;
   d["placements_after"] = r.placements_after;
   d["touchables_before"] = r.touchables_before;
   d["touchables_after"] = r.touchables_after;
-  d["gone"] = list_of(r.gone);
-  d["left"] = list_of(r.left);
+  d["gone"] = list_of(r.gone, bound);
+  d["left"] = list_of(r.left, bound);
+  if (seen.observation().kind == Observation::Kind::mixtures) {
+    d["mixtures"] = list_of(r.mixtures, bound);
+    d["measured"] = dict_of(r.measured, seen.observation().unit);
+  }
   return d;
 }
 

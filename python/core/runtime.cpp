@@ -28,7 +28,11 @@ JitMode jit_mode(const std::string& name) {
 Cache cache_of(const py::object& given) {
   if (given.is_none() || given.is(py::bool_(false))) return {};
   if (given.is(py::bool_(true))) return Cache::user_default();
-  return Cache::in(given.cast<std::filesystem::path>().string());
+  try {
+    return Cache::in(given.cast<std::filesystem::path>().string());
+  } catch (const py::cast_error&) {
+    throw py::type_error("cache: a folder, True for the user's, or None");
+  }
 }
 
 struct PythonRuntime {

@@ -87,6 +87,18 @@ def test_a_volume_that_is_not_there(detector):
         navjit.Runtime(detector, observe="materials,NoSuchVolume")
     with pytest.raises(TypeError):
         navjit.Runtime("detectors/shashlik.gdml")
+    with pytest.raises(TypeError, match="cache: a folder"):
+        navjit.Runtime(detector, cache=3)
+
+
+def test_reports_say_what_is_mixed_and_by_how_much(detector):
+    report = navjit.Runtime(detector, jit="off", observe="mixtures:10%").report()["observe"]
+    assert report["mixtures"] and report["measured"]["rays"] > 0
+    assert 0 < report["measured"]["mean_change"] <= 0.1 * report["measured"]["mean_of_ray"]
+    mixture = report["mixtures"][0]
+    assert mixture["placements"] >= len(mixture["of"]) > 0 and mixture["density_g_per_cm3"] > 0
+    report = navjit.Runtime(detector, jit="off", observe="budget:0.1g/cm2").report()["observe"]
+    assert report["bound_g_per_cm2"] <= 0.1 and "mixtures" not in report
 
 
 def test_errors_are_of_both_kinds(tmp_path):
