@@ -1,10 +1,10 @@
-// Solids that are so much code that copies of it cost more than calls.
+// Solids with so much code that inlined copies of it cost more than calls.
 namespace navjit::kernels {
 
 template <class Real>
 struct Approach;
 
-/// A solid whose kernels are functions of their own, made once for all that call them.
+/// A solid whose kernels are functions that are not inlined, so that all callers share one copy.
 template <class Solid>
 struct SolidApart {
   [[no_unique_address]] Solid solid;
@@ -38,7 +38,7 @@ template <class Solid>
   return safety_to_out(s.solid, p);
 }
 
-// Booleans look through to what their operands are made of.
+// Booleans call these for their operands, which may be booleans themselves.
 template <class Solid>
 [[gnu::noinline]] double furthest_out(const SolidApart<Solid>& s, const Vec3<double>& p,
                                       const Direction<double>& v, double tol) {

@@ -1,15 +1,16 @@
-// A solid of a known kind as a part of a scene: its numbers are elsewhere in memory, or constants.
+// Solids of a known kind as parts of a scene. Their numbers are elsewhere in memory, or are
+// constants.
 namespace navjit::kernels {
 
-/// Whether a ray that has come out of the solid along its way, at this point, cannot meet it again:
-/// then distance_to_in is infinite, there and all along the ray. Solids that may tell have an
-/// overload of their own, beside their kernels; all others may be met again.
+/// Whether a ray that has come out of the solid at this point cannot meet the solid again. If so,
+/// distance_to_in is infinite from there on, all along the ray. Solids that can tell have an
+/// overload beside their kernels. The others may be met again.
 template <class Solid>
 bool is_left_for_good(const Solid&, const Vec3<double>&, double) {
   return false;
 }
 
-/// A solid that is known to be of this kind.
+/// A solid whose kind is known and whose numbers are in memory.
 template <class Shape>
 struct KnownSolid {
   const Shape* shape;
@@ -96,7 +97,8 @@ double safety_to_out(const ConstantSolid<solid>&, const Vec3<double>& p) {
   return safety_to_out(solid, p);
 }
 
-/// Kernels whose distance_to_entry is for rays along none of the axes of the solid's own frame.
+/// Whether the distance_to_entry of a solid is only for rays that are oblique (is_oblique) in the
+/// solid's own frame.
 template <class Solid>
 inline constexpr bool entry_needs_oblique = false;
 template <>

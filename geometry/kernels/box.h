@@ -14,11 +14,12 @@ Side inside(const Box<Real>& s, const Vec3<Real>& p, Real tol) {
   return worse(side, absolute(p.z) - s.hz, tol);
 }
 
-// Most volumes are boxes and most directions run along none of their faces: those take the short
-// way, with all three axes turned so that the ray ascends. The others give the rules, out of line,
-// where they take no registers from the short way; both give the same bits.
+// Most volumes are boxes, and most directions run along none of their faces. For these directions
+// the functions have a short way, in which all three axes are turned so that the ray ascends. For
+// the other directions there are functions out of line, so that they take no registers from the
+// short way. Both ways give the same bits.
 
-/// The coordinate along an axis that ascends with the ray. `v` is never negative zero.
+/// The coordinate along an axis that is turned so that the ray ascends. `v` is never negative zero.
 template <class Real>
 constexpr Real ascending(Real p, Real v) {
   return v < 0 ? -p : p;
@@ -30,7 +31,8 @@ constexpr double ascending<double>(double p, double v) {
                                         (__builtin_bit_cast(unsigned long long, v) & sign));
 }
 
-// Their arguments are numbers: structs would be kept in memory for them, all along the short way.
+// The functions out of line take single numbers. Compilers would keep structs in memory for them,
+// all along the short way.
 
 template <class Real>
 [[gnu::noinline, gnu::cold]] bool contains_along_faces(Real hx, Real hy, Real hz, Real x, Real y,

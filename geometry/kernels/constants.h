@@ -1,15 +1,15 @@
-// Frames and places of daughters as constants: what is zero or one leaves the sums that it is in.
-// Sums keep their order, and so their bits; a sum that is zero may have another sign, which no
-// kernel reads (docs/numerics.md).
+// Frames and places of daughters whose numbers are constants. Products with zero are left out of
+// sums, and so are factors of one. Sums keep their order, and so their bits. Only the sign of a sum
+// that is zero may change, and no kernel reads that sign (docs/numerics.md).
 namespace navjit::kernels {
 
-/// A number that is a constant.
+/// A number that is known when the code is compiled.
 template <double value>
 struct ConstantNumber {
   constexpr operator double() const { return value; }
 };
 
-/// A term of a sum that is not there.
+/// Stands for a term that is left out of a sum.
 struct NoTerm {};
 
 template <double factor>
@@ -35,7 +35,7 @@ constexpr NoTerm plus(NoTerm, NoTerm) { return {}; }
 constexpr double value_of(double x) { return x; }
 constexpr double value_of(NoTerm) { return 0; }
 
-/// One component of what the matrix `by.turn` makes of a vector.
+/// One component of the product of the matrix `by.turn` and a vector.
 template <const auto& by, int row>
 constexpr double turned_row(double x, double y, double z) {
   return value_of(plus(plus(term<by.turn[3 * row]>(x), term<by.turn[3 * row + 1]>(y)),
@@ -46,12 +46,12 @@ constexpr Vec3<double> turned_by(double x, double y, double z) {
   return {turned_row<by, 0>(x, y, z), turned_row<by, 1>(x, y, z), turned_row<by, 2>(x, y, z)};
 }
 
-/// What is the same for all touchables of a volume that have one rotation, or none.
+/// What all touchables of a volume have in common if they have one rotation, or none is rotated.
 struct FrameConstants {
-  unsigned rotation;      ///< its number, as TurnedRay has it; 0: none
+  unsigned rotation;      ///< the number of the rotation, as in TurnedRay; 0 if there is none
   double turn[9];         ///< the rotation
-  bool placed;            ///< there is one touchable:
-  double translation[3];  ///< its place
+  bool placed;            ///< whether the volume has only one touchable
+  double translation[3];  ///< where that touchable is in the world, mm
 };
 
 template <const auto& known>
@@ -82,7 +82,7 @@ struct ConstantFrame {
       return stack->ray.direction;
     }
   }
-  /// Without reciprocals.
+  /// The ray's direction in this frame. The reciprocals in it are not valid.
   static Direction<double> heading(const NavigationStack* stack, const StackLevel&) {
     if constexpr (rotated) {
       if (stack->turned.rotation == known.rotation) {
@@ -102,13 +102,13 @@ struct ConstantFrame {
   }
 };
 
-/// What the places of several daughters have in common.
+/// What the places of several daughters have in common. Arrays are by axis.
 struct PlaceConstants {
-  bool same[3];  ///< by axis: all have one coordinate
-  double at[3];  ///< which it is, mm
-  bool rotated;  ///< all are, or none is
+  bool same[3];  ///< whether all daughters have the same coordinate
+  double at[3];  ///< the coordinate that all have, mm
+  bool rotated;  ///< whether all daughters are rotated; if not, none is
   bool same_turn;
-  double turn[9];  ///< the rotation that all have, where they do
+  double turn[9];  ///< the rotation of all daughters, if same_turn
   bool same_volume;
   unsigned volume;
 };
@@ -118,7 +118,8 @@ template <const auto& shared, int axis>
 constexpr double coordinate(double own) {
   return shared.same[axis] ? shared.at[axis] : own;
 }
-/// The same as a term: none where all have zero.
+/// The coordinate as a term of a sum. There is no such term if the coordinate of all daughters is
+/// zero.
 template <const auto& shared, int axis>
 constexpr auto moved(double own) {
   if constexpr (shared.same[axis] && shared.at[axis] == 0) {
@@ -128,7 +129,8 @@ constexpr auto moved(double own) {
   }
 }
 
-/// One coordinate, in the world, of what is at (x, y, z) in a frame; terms may be missing.
+/// One world component of the vector (x, y, z) that is given in a frame. Some of x, y and z may be
+/// terms that are left out.
 template <const auto& frame, int axis, class X, class Y, class Z>
 constexpr auto moved_in_frame(X x, Y y, Z z) {
   if constexpr (frame.rotation != 0) {
@@ -143,7 +145,8 @@ constexpr auto moved_in_frame(X x, Y y, Z z) {
   }
 }
 
-/// Pushes a daughter placed by translation alone; `shared`: PlaceConstants of all of the scene.
+/// Pushes a daughter that is placed by translation only. `shared` is the PlaceConstants of all
+/// daughters of the scene.
 template <class Frame, const auto& shared>
 inline void push_placed(NavigationStack* stack, unsigned volume, unsigned daughter,
                         unsigned long long offset, double x, double y, double z) {

@@ -1,17 +1,17 @@
-// Flat faces of a convex body, several at once: the quotients of clip_face and leave_face
-// (convex.h), of which the same ones count, so that bits are those of one face after the other.
-// Which faces a ray enters by cannot be foreseen: one by one, each is a branch that often goes the
-// other way.
+// Flat faces of a convex body, several at once. The quotients are those of clip_face and leave_face
+// (convex.h), and the same ones are chosen, so the bits are those of one face after the other. This
+// saves branches that are often mispredicted: nobody can foresee which faces a ray enters by.
 namespace navjit::kernels {
 
-/// Faces, one in each lane: what clip_face and its like ask of each. A face may be there twice.
+/// What clip_face and leave_face need to know of several faces, one face in each lane. A face may
+/// occur twice.
 template <class Lanes>
 struct FaceLanes {
   Lanes beyond;  ///< the signed distance of a point
   Lanes nv;      ///< the outward unit normal times the direction
 };
 
-/// The lanes of a comparison.
+/// The result of a comparison of lanes.
 template <class Lanes>
 using MaskOf = decltype(Lanes{} > Lanes{});
 
@@ -20,12 +20,13 @@ inline bool any_lane(MaskOf<EightLanes> set) {
   return bits_of(__builtin_bit_cast(EightWords, set)) != 0;
 }
 
-/// clip_face of all faces that are folded in.
+/// The span that clip_face makes of all faces that are passed to `clip`.
 template <class Lanes>
 struct FaceSpans {
-  // Less the paths where a ray leaves: one quotient serves both ways.
+  // leave_back and until_back are minus the paths to where the ray leaves, so that one quotient
+  // serves for entering and for leaving.
   Lanes enter = Lanes{} - infinity<double>(), leave_back = enter, until_back = enter;
-  MaskOf<Lanes> passed{};  ///< the ray is along a face, and beyond it
+  MaskOf<Lanes> passed{};  ///< whether the ray is along a face and beyond it
 
   void clip(const FaceLanes<Lanes>& f, double tol) {
     const double along = along_a_face<double>();
@@ -44,10 +45,10 @@ struct FaceSpans {
   }
 };
 
-/// leave_face of all faces that are folded in.
+/// The exit that leave_face finds for all faces that are passed to `leave`.
 template <class Lanes>
 struct FaceExits {
-  Lanes leave_back = Lanes{} - infinity<double>();  ///< less the path
+  Lanes leave_back = Lanes{} - infinity<double>();  ///< minus the path
   MaskOf<Lanes> at_once{};
 
   void leave(const FaceLanes<Lanes>& f, double tol) {
@@ -61,14 +62,14 @@ struct FaceExits {
   double path() const { return any_lane(at_once) ? 0.0 : -largest_lane(leave_back); }
 };
 
-/// beyond_face of any of the faces.
+/// Whether beyond_face holds for any of the faces.
 template <class Lanes>
 inline bool beyond_any(const FaceLanes<Lanes>& f, double tol) {
   return any_lane((f.beyond > tol) | ((f.beyond >= -tol) & (f.nv > along_a_face<double>())));
 }
 
-/// Is the start beyond any of the faces, without heading in? Then nothing of the body is ahead, and
-/// no quotient is needed.
+/// Is the start beyond any of the faces and the ray not heading in through it? Then the body is not
+/// ahead, and no quotient is needed.
 template <class Lanes>
 inline bool passes_any(const FaceLanes<Lanes>& f, double tol) {
   return any_lane((f.beyond > tol) & (f.nv >= -along_a_face<double>()));

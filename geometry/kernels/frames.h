@@ -1,5 +1,6 @@
-// How a point and the ray come into the frame of a scene: what is known of the frames of all
-// touchables of a volume is a type, so that code for a simple frame has no other case.
+// How a point and the ray are transformed into the frame of a scene. What the frames of all
+// touchables of a volume have in common is expressed by a type, so that the code for a simple frame
+// handles no other case.
 namespace navjit::kernels {
 
 /// No touchable of the volume is rotated in the world.
@@ -21,11 +22,11 @@ struct UnrotatedFrame {
   }
 };
 
-/// All touchables have the same rotation in the world, which is not the identity: the ray in it is
-/// kept from step to step.
+/// All touchables have the same rotation in the world, which is not the identity. The ray's
+/// direction in this frame is kept from step to step.
 struct TurnedFrame {
   static constexpr bool rotated = true;
-  unsigned rotation;  ///< its number, as TurnedRay has it; not 0
+  unsigned rotation;  ///< its number, as in TurnedRay; not 0
 
   Vec3<double> point(const StackLevel& level, double x, double y, double z) const {
     if (level.rotation == nullptr) __builtin_unreachable();
@@ -48,7 +49,7 @@ struct TurnedFrame {
   }
 };
 
-/// Touchables have several rotations.
+/// The touchables have different rotations. Some may have none.
 struct AnyFrame {
   static constexpr bool rotated = true;
 

@@ -1,10 +1,10 @@
-// Several numbers at once, for kernels that ask many faces or boxes the same question. Vector
-// extensions that GCC and Clang share; operations are those of each lane alone, so that bits are
-// those of a loop.
+// Several numbers at once, for kernels that ask many faces or boxes the same question. This uses
+// the vector extensions that GCC and Clang share. Each lane is computed on its own, so the bits are
+// those of a loop over single numbers.
 namespace navjit::kernels {
 
-/// Whether a solid's kernels use vectors: functions that serve all kinds of solids keep these
-/// apart, as the others would pay for them.
+/// Whether a solid's kernels use vectors. Functions that serve all kinds of solids call such
+/// kernels out of line, because the other kinds would pay for the vector registers.
 template <class Shape>
 inline constexpr bool uses_vectors = false;
 
@@ -14,11 +14,12 @@ constexpr int lanes_of_four = 4;
 
 inline Doubles four_of(double x) { return Doubles{x, x, x, x}; }
 
-/// One bit for each lane that is set: all ones, where the others are zero.
+/// One bit for each lane, which is 1 if the lane is set. A set lane has all bits 1, any other lane
+/// has all bits 0.
 inline unsigned bits_of(Words set) {
 #if defined(__clang__)
   typedef bool Bits __attribute__((ext_vector_type(4)));
-  // Four of the eight bits are no one's.
+  // The upper four of the eight bits belong to no lane.
   return __builtin_bit_cast(unsigned char, __builtin_convertvector(set, Bits)) & 15U;
 #elif defined(__AVX__)
   return static_cast<unsigned>(__builtin_ia32_movmskpd256(__builtin_bit_cast(Doubles, set)));
@@ -29,13 +30,13 @@ inline unsigned bits_of(Words set) {
 #endif
 }
 
-/// The largest of all lanes, none of which is no number.
+/// The largest of all lanes. Every lane must be a number (not NaN).
 inline double largest_lane(Doubles lanes) {
   typedef double Two __attribute__((vector_size(16)));
   const Two even = __builtin_shufflevector(lanes, lanes, 0, 1);
   const Two odd = __builtin_shufflevector(lanes, lanes, 2, 3);
   const Two two = even > odd ? even : odd;
-  // Not as two numbers, which may become a branch.
+  // As vectors, because the comparison of two single numbers may become a branch.
   const Two other = __builtin_shufflevector(two, two, 1, 0);
   return (two > other ? two : other)[0];
 }

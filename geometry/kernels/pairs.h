@@ -1,15 +1,16 @@
-// Solids whose faces a line may cross more than twice, as it does a torus or a hyperboloid: each
-// face gives up to two spans, and the solid is where all of its bodies and none of its holes are.
+// Solids whose faces a line may cross more than twice, as it may a torus or a hyperboloid. Each
+// face gives up to two spans. The ray is in the solid where it is in all of the solid's bodies and
+// in none of its holes.
 namespace navjit::kernels {
 
-/// A function along a ray and its derivative.
+/// The value of a function along a ray, and its derivative.
 template <class Real>
 struct Sample {
   Real value, slope;
 };
 
-/// A zero of the increasing (`rising`) or decreasing function in [low, high], where f
-/// gives value and derivative: Newton's iteration, halving the bracket where that is no help.
+/// A zero in [low, high] of a function that increases (`rising`) or decreases there; `f` gives its
+/// value and derivative. Newton's iteration, with bisection where a Newton step does not help.
 template <class Real, class F>
 Real bracketed_zero(const F& f, Real low, Real high, bool rising) {
   Real t = low + (high - low) / 2, step = high - low;
@@ -23,14 +24,14 @@ Real bracketed_zero(const F& f, Real low, Real high, bool rising) {
       next = low + (high - low) / 2;
     }
     step = absolute(next - t);
-    // Rounding would make it go to and fro.
+    // From here on rounding would make the iteration go to and fro.
     if (t + step / 4 == t) return next;
     t = next;
   }
   return t;
 }
 
-/// The parts of a ray behind one face, in order along it.
+/// The parts of a ray behind one face, in the order in which the ray comes to them.
 template <class Real>
 struct SpanPair {
   Span<Real> first, second;
@@ -48,7 +49,7 @@ template <class Real>
 constexpr bool starts_in(const SpanPair<Real>& pair) {
   return starts_in(pair.first) | starts_in(pair.second);
 }
-/// Spans that were measured from `shift` along the ray.
+/// Spans that were measured from `shift` along the ray, as measured from the ray's start.
 template <class Real>
 constexpr SpanPair<Real> moved_by(const SpanPair<Real>& pair, Real shift) {
   const Span<Real>&a = pair.first, &b = pair.second;
@@ -56,12 +57,13 @@ constexpr SpanPair<Real> moved_by(const SpanPair<Real>& pair, Real shift) {
           {b.enter < 0 ? b.enter : b.enter + shift, b.leave + shift, b.until + shift}};
 }
 
-/// Is `t` before the end of the span?
+/// Is `t` before the end of the span, and is there a span at all?
 template <class Real>
 constexpr bool ends_after(const Span<Real>& span, Real t) {
   return (span.enter < span.until) & (t < span.until);
 }
-/// Moves `t` on to where the body is; says whether it had to.
+/// Moves `t` ahead to where the ray is in the body, if it is not there, or to infinity; returns
+/// whether `t` changed.
 template <class Real>
 constexpr bool reach_body(const SpanPair<Real>& body, Real& t) {
   const Span<Real>& span = ends_after(body.first, t) ? body.first : body.second;
@@ -71,7 +73,8 @@ constexpr bool reach_body(const SpanPair<Real>& body, Real& t) {
   return moved;
 }
 
-/// Path to where all bodies first are and no hole is; -1 if the start is in the solid.
+/// The path to where the ray is first in all bodies and in no hole; infinity if it never is, and -1
+/// if the start is in the solid.
 template <class Real, int bodies, int holes>
 constexpr Real first_entry(const SpanPair<Real> (&body)[bodies],
                            const SpanPair<Real> (&hole)[holes]) {
@@ -90,19 +93,19 @@ constexpr Real first_entry(const SpanPair<Real> (&body)[bodies],
   return waited ? t : Real(-1);
 }
 
-/// The exit from a body that the start is known to be in, folded into `leave`.
+/// The smaller of `leave` and the path to the exit from a body that the start is known to be in.
 template <class Real>
 constexpr Real leave_body(const SpanPair<Real>& body, Real leave) {
   return starts_in(body) ? smaller(body.first.leave, leave) : Real(0);
 }
-/// The path until one of the spans of a hole is entered, folded into `leave`.
+/// The smaller of `leave` and the path to where the ray enters one of the spans of a hole.
 template <class Real>
 constexpr Real leave_into_holes(const SpanPair<Real>& hole, Real leave) {
   return leave_into_hole(hole.second, leave_into_hole(hole.first, leave));
 }
 
-/// The span between two faces across z: that of clip_face for either, without a branch on where
-/// the ray heads.
+/// The span between two planes across z, as clip_face of both planes gives it, but without a branch
+/// on where the ray heads.
 template <class Real>
 Span<Real> slab_span(Real z_low, Real z_high, const Vec3<Real>& p, const Direction<Real>& v,
                      Real tol) {
@@ -112,7 +115,7 @@ Span<Real> slab_span(Real z_low, Real z_high, const Vec3<Real>& p, const Directi
   const Real before = down ? over : under, depth = down ? -under : -over, rate = absolute(v.z);
   return {before > tol ? before / rate : -infinity<Real>(), depth / rate, (depth - tol) / rate};
 }
-/// The exit through these faces, as leave_face of either.
+/// The exit through these planes, as leave_face of both gives it.
 template <class Real>
 Real leave_ends(Real z_low, Real z_high, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   const Real over = p.z - z_high, under = z_low - p.z;
@@ -121,9 +124,9 @@ Real leave_ends(Real z_low, Real z_high, const Vec3<Real>& p, const Direction<Re
   return depth <= tol ? Real(0) : depth / absolute(v.z);
 }
 
-/// How far along the ray to go before looking at a solid within |x| <= hx, |y| <= hy and
-/// z_low <= z <= z_high: towards a box somewhat larger, so that no start on a face is moved.
-/// Infinity if the ray misses the box.
+/// How far along the ray to go, mm, before examining a solid within |x| <= hx, |y| <= hy and z_low
+/// <= z <= z_high, so that it is examined from nearby: to a box that is somewhat larger, so that a
+/// start on a face is not moved. It is 0 from within this box, and infinity if the ray misses it.
 template <class Real>
 Real approach(Real hx, Real hy, Real z_low, Real z_high, const Vec3<Real>& p,
               const Direction<Real>& v) {

@@ -1,19 +1,21 @@
-// What every kernel stands on beside vectors (navjit/detail/vectors.h): directions, and the few
-// functions of a number that the kernels need. Freestanding: this text is also near the head of
+// What every kernel needs besides vectors (navjit/detail/vectors.h): the conventions, and a few
+// functions of numbers and directions. This text is freestanding, as it is also near the head of
 // every generated navigator.
 //
-// Conventions shared by all kernels (docs/tolerance.md has the reasons):
+// Conventions shared by all kernels (docs/tolerance.md gives the reasons):
 //   inside(s, p, tol)            where a point is, regardless of direction
-//   contains(s, p, v, tol)       is the point in the solid once it has moved on along v? Reads the
-//                                components of v alone, not its reciprocals
+//   contains(s, p, v, tol)       whether the point is in the solid once it has moved on along v;
+//                                reads the components of v only, not its reciprocals
 //   distance_to_in(s, p, v, tol) path to the first crossing from outside to inside, or infinity
 //   distance_to_out(s, p, v, tol) path to the first crossing from inside to outside
 //   safety_to_in(s, p), safety_to_out(s, p)  lower bounds of the distance to the surface, >= 0
-// Points within `tol` of a face, measured across it, are on the face, and there the direction
-// decides. No kernel moves a point, and no kernel calls a transcendental function: results depend
-// on +, -, *, / and square root alone, so that every compiler gives the same bits.
-// What returns a span, a point or a direction, or changes one, is inlined by force in many kernels,
-// with what it calls: otherwise compilers hand these over through memory.
+// Lengths are in mm, in the frame of the solid. Points within `tol` of a face, measured across it,
+// are on the face, and there the direction decides. No kernel moves a point, and no kernel calls a
+// transcendental function: results depend on +, -, *, / and square root alone, so that every
+// compiler gives the same bits.
+//
+// Many functions that return or change a span, a point or a direction are inlined by force,
+// together with the functions that they call: otherwise compilers pass these values through memory.
 namespace navjit::kernels {
 
 enum class Side : int { outside = 0, surface = 1, inside = 2 };
@@ -25,11 +27,11 @@ constexpr Real infinity() {
 
 template <class Real>
 inline Real square_root(Real x) {
-  // Beyond the range of double by way of a number within it.
+  // Numbers beyond the range of double are scaled into that range first.
   const Real large = Real(0x1p600) * Real(0x1p600);
   if (x > 0 && x < Real(0x1p-900)) return square_root(x * large) / Real(0x1p600);
   if (x > Real(0x1p900) && x < x * 2) return square_root(x / large) * Real(0x1p600);
-  // Newton's iteration from the double result: two steps reach 128-bit precision.
+  // Newton's iteration from the double result. Two steps reach 128-bit precision.
   Real root = static_cast<Real>(__builtin_sqrt(static_cast<double>(x)));
   if (!(root > 0)) return root;
   root = (root + x / root) / 2;
@@ -53,12 +55,13 @@ constexpr double absolute<double>(double x) {
   return __builtin_fabs(x);
 }
 
-/// The larger of the two; `b` where a is not a number. The order of arguments matters.
+/// The larger of the two; `b` if either is not a number. The order of the arguments matters for
+/// that.
 template <class Real>
 constexpr Real larger(Real a, Real b) {
   return a > b ? a : b;
 }
-/// The smaller of the two; `b` where a is not a number.
+/// The smaller of the two; `b` if either is not a number.
 template <class Real>
 constexpr Real smaller(Real a, Real b) {
   return a < b ? a : b;
@@ -78,41 +81,43 @@ constexpr Vec3<Real> advance(const Vec3<Real>& p, const Direction<Real>& v, Real
   return {p.x + t * v.x, p.y + t * v.y, p.z + t * v.z};
 }
 
-/// A direction without its reciprocals: enough for `contains`, which reads the components alone.
+/// A direction without its reciprocals, which are not numbers. It is enough for `contains`, which
+/// reads the components only.
 template <class Real>
 constexpr Direction<Real> make_heading(Real x, Real y, Real z) {
   const Real not_given = static_cast<Real>(__builtin_nan(""));
   return {x + Real(0), y + Real(0), z + Real(0), not_given, not_given, not_given};
 }
 
-/// Products of a direction and a unit normal up to this are those of a direction along the face.
+/// A direction whose product with a unit normal is no larger than this runs along the face.
 template <class Real>
 constexpr Real along_a_face() {
   return static_cast<Real>(0x1p-50);
 }
-/// Does a direction run along a face, given its outward unit normal times the direction? To within
-/// the rounding of directions and frames: over a path as long as the world such a ray stays within
-/// the tolerance of where it is. On the face it is in the solid.
+/// Does a direction run along a face? `nv` is the outward unit normal times the direction. The
+/// limit allows for the rounding of directions and frames: over a path as long as the world such a
+/// ray stays within the tolerance of where it is. If it starts on the face, it is in the solid.
 template <class Real>
 constexpr bool is_along(Real nv) {
   return absolute(nv) <= along_a_face<Real>();
 }
 
-/// A direction along none of the planes of its frame's axes. It may be along other faces.
+/// Does a direction run along none of the coordinate planes of its frame? It may run along other
+/// faces.
 template <class Real>
 constexpr bool is_oblique(const Direction<Real>& v) {
   return smaller(absolute(v.x), smaller(absolute(v.y), absolute(v.z))) > along_a_face<Real>();
 }
 
 /// The verdict on one face for `contains`: `s` is the signed distance of the point beyond the face
-/// (> 0 outside), `nv` the outward unit normal times the direction. Without branches: where tracks
-/// cross faces, processors cannot foresee the answer.
+/// (> 0 outside), `nv` the outward unit normal times the direction. There are no branches, because
+/// processors cannot predict the answer where tracks cross faces.
 template <class Real>
 constexpr bool beyond_face(Real s, Real nv, Real tol) {
   return (s > tol) | ((s >= -tol) & (nv > along_a_face<Real>()));
 }
 
-/// The verdict on one face for `inside`, folded into a running one.
+/// The verdict on one face for `inside`, combined with the verdict `side` on the faces before.
 template <class Real>
 constexpr Side worse(Side side, Real s, Real tol) {
   if (s > tol) return Side::outside;
@@ -121,10 +126,11 @@ constexpr Side worse(Side side, Real s, Real tol) {
 }
 constexpr Side worse(Side a, Side b) { return a < b ? a : b; }
 
-// What is rare, put off: the same distances for callers that know another way then.
+// The next two functions are for callers that treat rare cases elsewhere. Solids with a faster
+// kernel for the common case overload them.
 
-/// distance_to_in for a direction that is_oblique; solids that have a kernel of their own for it
-/// return a negative number where they contain the start.
+/// distance_to_in for a direction that is_oblique. The overloads of solids return a negative number
+/// if the solid contains the start.
 template <class Real, class Solid>
 Real distance_to_entry(const Solid& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   return distance_to_in(s, p, v, tol);

@@ -2,15 +2,16 @@
 // paraboloids, hyperbolic and twisted tubes.
 namespace navjit::kernels {
 
-/// a x^2 + b y^2 + c z^2 + d z + e < 0 within, with z from `origin`.
+/// The face a x^2 + b y^2 + c z^2 + d z + e = 0, where z is measured from `origin`. The value is
+/// negative within.
 template <class Real>
 struct Quadric {
   Real a, b, c, d, e;
   Real origin;
 };
 
-/// The quadric along a ray: a t^2 + 2 b t + c. `gradient2` is the square of the length of its
-/// gradient at the start, and bend + sqrt(bend2) bounds its second derivative in any unit
+/// The value of a face's equation along a ray: a t^2 + 2 b t + c. `gradient2` is the squared length
+/// of the gradient at the start, and bend + sqrt(bend2) bounds the second derivative in any unit
 /// direction.
 template <class Real>
 struct QuadraticForm {
@@ -37,8 +38,8 @@ template <class Real>
           Real(0)};
 }
 
-/// Signed distance to the surface, a lower bound on either side: how far one has to go for the
-/// value to reach zero with the steepest gradient and the strongest bend.
+/// Signed distance to the surface, in size a lower bound on either side: the value cannot reach
+/// zero sooner, even with the steepest gradient and the largest second derivative.
 template <class Real>
 Real form_distance(const QuadraticForm<Real>& q) {
   const Real size = absolute(q.c);
@@ -47,9 +48,9 @@ Real form_distance(const QuadraticForm<Real>& q) {
   return 2 * q.c / (gradient + square_root(gradient * gradient + 2 * (bend * size)));
 }
 
-/// Is form_distance beyond the tolerance, on either side? Told without a root of the gradient: the
-/// value at the tolerance's distance is what the steepest gradient and the strongest bend make of
-/// that.
+/// Is the size of form_distance above the tolerance? This needs no square root of gradient2,
+/// because within the tolerance of the surface the value is at most tol * gradient + bend * tol^2 /
+/// 2 in size.
 template <class Real>
 [[gnu::always_inline]] inline bool is_off_surface(const QuadraticForm<Real>& q, Real tol) {
   const Real bend = q.bend2 > 0 ? q.bend + square_root(q.bend2) : q.bend;
@@ -57,24 +58,26 @@ template <class Real>
   return without_bend > 0 && without_bend * without_bend > tol * tol * q.gradient2;
 }
 
-/// Whether a ray that heads out is in again within the tolerance, by a step too short to move the
-/// point: where the surface bends away from it.
+/// Whether a ray that heads out of a surface which bends away from it is in again within the
+/// tolerance. That would be a step too short to move the point.
 template <class Real>
 bool comes_back(const QuadraticForm<Real>& q, Real tol) {
   return q.a < 0 && q.b > 0 &&
          square_root(larger(q.b * q.b - q.a * q.c, Real(0))) + q.b <= -tol * q.a;
 }
 
-/// Directional containment within the tolerance of the surface. A tangent goes where that bends;
-/// what comes no deeper than the tolerance leaves at once, and what would be in again within it
-/// does not leave: nearly along the surface rays would come and go for ever, by steps that do not
-/// move what decides.
+/// Directional containment for points within the tolerance of the surface. A tangent is in if the
+/// value decreases along it. A ray that comes no deeper than the tolerance leaves at once, and a
+/// ray that would be in again within the tolerance does not leave. Otherwise rays nearly along the
+/// surface would leave and enter for ever, by steps too short to change the coordinates that
+/// decide.
 template <class Real>
 [[gnu::always_inline]] inline bool heads_into_form(const QuadraticForm<Real>& q, Real tol) {
   if (comes_back(q, tol)) return true;
   if (q.b > 0 || (q.b == 0 && q.a >= 0 && !(q.c < 0))) return false;
   if (!(q.a > 0)) return true;
-  // Where it is deepest the value is that much, by `a`, below 0.
+  // The lowest value along the ray is -(b^2 - a c) / a. It must be below the value as deep as the
+  // tolerance.
   const Real most = tol * q.a;
   const Real without_bend = q.b * q.b - q.a * q.c - most * (tol * q.bend);
   return without_bend > 0 && without_bend * without_bend > most * most * q.gradient2;
@@ -84,9 +87,10 @@ template <class Real>
   return is_off_surface(q, tol) ? q.c < 0 : heads_into_form(q, tol);
 }
 
-/// Whether the closed form loses more than its value at the crossing has of rounding anyway: not
-/// where it was looked at from near a face that bounds an ellipsoid or an elliptical tube, whose
-/// terms are all as small there as at the crossing.
+/// Whether the closed form of a crossing is less accurate than the rounding of the value at the
+/// crossing allows, so that one Newton step (`polished`) pays. For an ellipsoid or an elliptical
+/// tube that is examined from nearby it is not: there all terms are as small at the start as at the
+/// crossing.
 template <class Face, class Real>
 [[gnu::always_inline]] inline bool needs_polish(const Face&, const QuadraticForm<Real>&) {
   return true;
@@ -97,16 +101,16 @@ template <class Real>
   return !((f.c >= 0) & (f.d == 0) & (q.c <= -4 * f.e));
 }
 
-/// A crossing at `t` after one step of Newton's, which undoes the rounding of the closed form.
+/// A crossing at `t` after one Newton step, which removes the rounding error of the closed form.
 template <class Face, class Real>
 Real polished(const Face& f, const Vec3<Real>& p, const Direction<Real>& v, Real t) {
   if (!(t < infinity<Real>())) return t;
   const QuadraticForm<Real> q = form_at(f, advance(p, v, t), v);
   const Real step = q.c / (2 * q.b), to = t - step;
-  // Where the ray grazes, the closed form is as good.
+  // Where the ray grazes the face, the closed form is as good.
   return (q.b != 0) & (to > 0) & (absolute(step) * 1024 * 1024 < to) ? to : t;
 }
-/// Polishing changes a path by less than this part of it.
+/// Polishing changes a path by less than this fraction of it.
 template <class Real>
 constexpr Real most_polish() {
   return Real(1) / 65536;
@@ -116,13 +120,13 @@ template <class Real>
 Real form_root(const QuadraticForm<Real>& q) {
   return square_root(larger(q.b * q.b - q.a * q.c, Real(0)));
 }
-/// Whether a ray that is behind the face comes out ahead of it.
+/// Whether a ray that starts behind the face comes out of it.
 template <class Real>
 bool comes_out(const QuadraticForm<Real>& q, Real tol) {
-  // A surface that bends away is left, if at all, by heading out.
+  // A surface that bends away from the ray is left only by heading out.
   return q.a > 0 || (q.b > 0 && q.b * q.b > q.a * q.c && !comes_back(q, tol));
 }
-/// Where such a ray does; `root` is that of the form.
+/// The path to where such a ray comes out; `root` is form_root(q).
 template <class Face, class Real>
 Real form_exit(const Face& f, const QuadraticForm<Real>& q, Real root, const Vec3<Real>& p,
                const Direction<Real>& v) {
@@ -134,14 +138,15 @@ Real form_exit(const Face& f, const QuadraticForm<Real>& q, Real root, const Vec
   const Real leave = bends_around & !(below > 0) ? Real(0) : above / below;
   return needs_polish(f, q) ? polished(f, p, v, leave) : leave;
 }
-/// Whether a ray from before a face that bends around what is behind it comes in.
+/// Whether a ray that starts before the face comes in, for a face that bends around what is behind
+/// it (a > 0).
 template <class Real>
 bool comes_in(const QuadraticForm<Real>& q, Real tol) {
-  // On the surface: a graze that is not entered.
+  // A ray that starts on the surface and does not head in only grazes the face.
   return q.b < 0 && q.b * q.b > q.a * q.c && is_off_surface(q, tol);
 }
 
-/// The parts of the ray behind the face, of which `q` is the form.
+/// The parts of the ray behind the face `f`, where `q` is form_at(f, p, v).
 template <class Face, class Real>
 SpanPair<Real> form_spans(const Face& f, const QuadraticForm<Real>& q, const Vec3<Real>& p,
                           const Direction<Real>& v, Real tol) {
@@ -152,7 +157,7 @@ SpanPair<Real> form_spans(const Face& f, const QuadraticForm<Real>& q, const Vec
     if (!comes_out(q, tol)) return one_span(whole_ray<Real>());
     const Real exit = form_exit(f, q, root, p, v);
     const Span<Real> first{-forever, exit, exit};
-    // What bends away is met again.
+    // A surface that bends away from the ray is met again.
     return q.a < 0 ? SpanPair<Real>{first, to((q.b + root) / -q.a, forever)} : one_span(first);
   }
   if (q.a > 0) {
@@ -168,9 +173,9 @@ SpanPair<Real> form_spans(const Face& f, const Vec3<Real>& p, const Direction<Re
   return form_spans(f, form_at(f, p, v), p, v, tol);
 }
 
-/// The same for a face that the ray is not behind, and may be so far from that its discriminant is
-/// a difference of squares a million times as large: a bore of 0.01 mm would be missed from 10 m
-/// away. There it is looked at from just before the ray comes to it.
+/// The same for a face that the ray does not start behind. From far away the discriminant is a
+/// difference of squares a million times as large, and a bore of 0.01 mm would be missed from 10 m
+/// away. Then the face is examined from a point just before the ray comes to it.
 template <class Face, class Real>
 SpanPair<Real> form_spans_ahead(const Face& f, const Vec3<Real>& p, const Direction<Real>& v,
                                 Real tol) {
@@ -190,7 +195,8 @@ SpanPair<Real> form_spans_ahead(const Face& f, const Vec3<Real>& p, const Direct
   return moved_by(form_spans(f, advance(p, v, shift), v, tol), shift);
 }
 
-/// The exit through the face, folded into `leave`, for points behind it.
+/// The smaller of `leave` and the path to the exit through the face; 0 for a start that is not
+/// behind the face.
 template <class Face, class Real>
 Real leave_form(const Face& f, const Vec3<Real>& p, const Direction<Real>& v, Real tol,
                 Real leave) {
@@ -206,13 +212,13 @@ Real face_distance(const Face& f, const Vec3<Real>& p) {
   return form_distance(form_at(f, p, Direction<Real>{}));
 }
 
-/// Within `outer`, outside of `inner`, between two planes.
+/// The solid within `outer`, outside of `inner`, and between two planes.
 template <class Real>
 struct QuadricSolid {
   Real hx, hy;         ///< the solid is within |x| <= hx, |y| <= hy, mm
   Real z_low, z_high;  ///< faces across z
   Quadric<Real> outer, inner;
-  int bored;  ///< 0: there is no inner face
+  int bored;  ///< 0 if there is no inner face
 };
 
 template <class Real>
@@ -231,9 +237,9 @@ bool contains(const QuadricSolid<Real>& s, const Vec3<Real>& p, const Direction<
   return s.bored == 0 || !in_form(form_at(s.inner, p, v), tol);
 }
 
-/// The path to where a ray from before a face that bends around the solid comes into that and
-/// between the planes, the face being looked at from `q`, `shift` along the ray; 0 if that is at
-/// once, infinity if it is nowhere.
+/// For a start before the outer face, which bends around the solid: the path to where the ray is
+/// both behind that face and between the planes. `form` is the face's form at `q`, a point `shift`
+/// along the ray. The result is 0 if the ray is there at once, and infinity if it never is.
 template <class Real>
 Real entry_through_bend(const QuadricSolid<Real>& s, const Span<Real>& slab,
                         const QuadraticForm<Real>& form, const Vec3<Real>& q,
@@ -246,7 +252,7 @@ Real entry_through_bend(const QuadricSolid<Real>& s, const Span<Real>& slab,
   const Real t = larger(near, larger(slab.enter, Real(0)));
   if (!(t < slab.until)) return infinity<Real>();
   if (!to_be_polished) return t < far + shift ? t : infinity<Real>();
-  // Where the ray comes out is polished only where that might decide.
+  // Where the ray comes out of the face is polished only if that might decide.
   const Real before_exit = (shift + far * (1 - most_polish<Real>())) * (1 - Real(0x1p-50));
   return t < before_exit || t < polished(s.outer, q, v, far) + shift ? t : infinity<Real>();
 }
@@ -303,7 +309,8 @@ Real safety_to_out(const QuadricSolid<Real>& s, const Vec3<Real>& p) {
 // Beside navigation.
 namespace navjit::kernels {
 
-/// The direction of a form's gradient: half of its slopes along the axes are what `form_at` gives.
+/// The unit vector along a form's gradient. The `b` of form_at for a direction along an axis is
+/// half the slope along that axis.
 template <class Face, class Real>
 Vec3<Real> form_normal(const Face& f, const Vec3<Real>& p) {
   const Direction<Real> x{1, 0, 0, 0, 0, 0}, y{0, 1, 0, 0, 0, 0}, z{0, 0, 1, 0, 0, 0};

@@ -1,27 +1,28 @@
-// Daughters that follow one another along an axis without overlapping. Only a filter, as cells are:
-// margins make it conservative.
+// Daughters that follow one another along an axis without overlapping. The search only finds
+// candidates. Its margins are such that it never misses one.
 namespace navjit::kernels {
 
-/// Positions count along the axis; `low` and `high` carry the margin.
+/// A slab's position is its number along the axis. `low` and `high` include the margin.
 template <class Index>
 struct SlabRow {
   int count;
   const double *low, *high;  ///< mm, by position
   const Index* daughter;     ///< by position
   const Index* position;     ///< by daughter
-  /// From a face of the margin to where a track that left there meets the slab no more, mm: the
-  /// margin and half the tolerance. 0 where that is not known.
+  /// A track that came out of a slab does not meet it again if it is no deeper than this within
+  /// `low` or `high`, mm. It is the margin and half the tolerance; 0 if that is not known.
   double skin;
   double origin, per_mm;
   int cells;
-  /// By cell: the first position that a ray ascending from there may meet; the last one for rays
-  /// that descend.
+  /// By cell: the first position that an ascending ray from there may meet, and the last position
+  /// for a descending ray.
   const Index *ascending, *descending;
 };
 
-/// The first position that the ray may meet. `left`: the daughter that the track may have left
-/// last, or any number. If it is just behind, the next one follows, and that is known before the
-/// point is. `oblique`: the ray is known not to run along the slabs.
+/// The first position that the ray may meet. `left` is the daughter that the track may have left
+/// last, or any number. If that daughter is just behind the ray, the answer is the next position,
+/// which the processor knows before it has the point. `oblique`: the ray is known not to run along
+/// the slabs.
 template <bool oblique, class Index>
 inline int first_slab(const SlabRow<Index>& s, double p, double v, unsigned left) {
   const bool down = v < 0;
@@ -35,24 +36,25 @@ inline int first_slab(const SlabRow<Index>& s, double p, double v, unsigned left
   return static_cast<int>((down ? s.descending : s.ascending)[b]);
 }
 
-/// Where positions along the ray end.
+/// One beyond the last position along the ray.
 template <class Index>
 inline int end_of_slabs(const SlabRow<Index>& s, double v) {
   return v < 0 ? -1 : s.count;
 }
 
-/// Whether the slab begins beyond `reach`, a path length. Not a number where the ray runs along
-/// the very edge of the margin: then it is offered.
+/// Whether the slab begins beyond `reach`, a path length. The comparison is with NaN, and so false,
+/// where the ray runs exactly along the edge of the margin; the slab is then offered.
 template <class Index>
 inline bool slab_is_beyond(const SlabRow<Index>& s, int i, double p, double v, double inverse,
                            double reach) {
   return ((v < 0 ? s.high : s.low)[i] - p) * inverse > reach;
 }
 
-/// Calls visit(daughter), which says whether the ray meets it, for daughters along the ray from
-/// position `i` on until one is met or the next is beyond `reach`. `p`, `v` and `inverse` are the
-/// ray's along the axis. What the ray meets first is what is nearest, as those behind begin where
-/// it ends; but a ray along the faces may be on one that two share, and then both are offered.
+/// Calls visit(daughter), which returns whether the ray meets the daughter, for daughters along the
+/// ray from position `i` on until one is met or the next is beyond `reach`. `p`, `v` and `inverse`
+/// are the ray's along the axis. The first daughter that is met is the nearest, because the next
+/// one begins where it ends. But a ray along the slabs may run on a face that two daughters share,
+/// and then both are offered.
 template <class Index, class Visit>
 inline void walk_slabs_from(const SlabRow<Index>& s, int i, double p, double v, double inverse,
                             double reach, const Visit& visit) {
@@ -63,14 +65,14 @@ inline void walk_slabs_from(const SlabRow<Index>& s, int i, double p, double v, 
   }
 }
 
-/// The same from the first position on; `left`: see first_slab.
+/// The same from the first position on. For `left` see first_slab.
 template <class Index, class Visit>
 inline void walk_slabs(const SlabRow<Index>& s, double p, double v, double inverse, double reach,
                        unsigned left, const Visit& visit) {
   walk_slabs_from(s, first_slab<false>(s, p, v, left), p, v, inverse, reach, visit);
 }
 
-/// Calls visit(daughter) for those that may hold the point.
+/// Calls visit(daughter) for the daughters that may hold the point.
 template <class Index, class Visit>
 inline void visit_slabs_at(const SlabRow<Index>& s, double p, const Visit& visit) {
   const int b = cell_along(p, s.origin, s.per_mm, s.cells);

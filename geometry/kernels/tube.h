@@ -9,14 +9,14 @@ struct Tube {
   Wedge<Real> wedge;
 };
 
-/// Does a direction run along the z axis? As for flat faces.
+/// Does a direction run along the z axis, within the limit that is_along sets for flat faces?
 template <class Real>
 constexpr bool is_along_axis(const Direction<Real>& v) {
   return is_along(v.x) & is_along(v.y);
 }
 
-/// The far end of a line's part in the infinite cylinder of radius r, which is not along the axis;
-/// a, b and r2 are v.v, p.v and p.p of the parts across z.
+/// The path to where a line that is not along the axis leaves the infinite cylinder of radius r. a,
+/// b and r2 are v.v, p.v and p.p, in x and y only.
 template <class Real>
 [[gnu::always_inline]] inline Real cylinder_exit(Real r, const Vec3<Real>& p,
                                                  const Direction<Real>& v, Real a, Real b,
@@ -27,8 +27,9 @@ template <class Real>
   return larger((root - b) / a, Real(0));
 }
 
-/// On the surface, does a direction head in? A tangent leaves a round surface, and so does what
-/// comes no deeper than the tolerance: nearly along the axis it would leave and enter for ever.
+/// Does a direction head in from the surface? A tangent leaves a round surface, and so does a ray
+/// that comes no deeper than the tolerance: nearly along the axis it would leave and enter for
+/// ever.
 template <class Real>
 [[gnu::always_inline]] inline bool heads_into_cylinder(Real r, const Vec3<Real>& p,
                                                        const Direction<Real>& v, Real tol, Real a,
@@ -62,8 +63,8 @@ template <class Real>
   return cylinder_exit(r, p, v, a, b, r2);
 }
 
-/// The span of the infinite cylinder of radius r. The discriminant comes from the moment of the ray
-/// about the axis: far away it keeps the accuracy that |p|^2 - r^2 would lose.
+/// The span of the infinite cylinder of radius r. The discriminant is computed from the moment of
+/// the ray about the axis, which keeps the accuracy that |p|^2 - r^2 loses far away.
 template <class Real>
 [[gnu::always_inline]] inline Span<Real> cylinder_span(Real r, const Vec3<Real>& p,
                                                        const Direction<Real>& v, Real tol) {
@@ -126,8 +127,8 @@ Real distance_to_out(const Tube<Real>& s, const Vec3<Real>& p, const Direction<R
   return leave_wedge(s.wedge, p, v, tol, leave);
 }
 
-/// Out of the bore it may come back, and where an azimuth is missing. Nearer to the bore than to
-/// the outer face it is not known which of them it has left.
+/// A ray that left into the bore or into a missing sector may come back. If the point is nearer to
+/// the bore than to the outer face, it is not known which of the two the ray has left by.
 inline bool is_left_for_good(const Tube<double>& s, const Vec3<double>& p, double tol) {
   if (s.rmin == 0) return s.wedge.kind != 2;
   const double middle = (s.rmin + s.rmax) / 2;
@@ -159,7 +160,7 @@ Real safety_to_out(const Tube<Real>& s, const Vec3<Real>& p) {
 // Beside navigation.
 namespace navjit::kernels {
 
-/// A tube's outer and inner face and its wedge.
+/// Offers the outer and the inner cylinder of a tube, and its wedge.
 template <class Real>
 void offer_cylinders(NearestFace<Real>& best, Real rmin, Real rmax, const Wedge<Real>& w,
                      const Vec3<Real>& p) {

@@ -42,7 +42,7 @@ template <class Real>
   return gap;
 }
 
-/// The exit from the sector, for points known to be in it, folded into `leave`.
+/// The smaller of `leave` and the path to the exit from the sector, for points known to be in it.
 template <class Real>
 [[gnu::always_inline]] inline Real leave_wedge(const Wedge<Real>& w, const Vec3<Real>& p,
                                                const Direction<Real>& v, Real tol, Real leave) {
@@ -53,7 +53,8 @@ template <class Real>
   return smaller(leave_face(at.second, along.second, tol, leave), leave);
 }
 
-/// Directional containment in the convex form (kind 1: the sector; kind 2: what is missing).
+/// Directional containment in the convex form, which is the sector for kind 1 and the missing
+/// sector for kind 2.
 template <class Real>
 [[gnu::always_inline]] inline bool in_convex_wedge(const Wedge<Real>& w, const Vec3<Real>& p,
                                                    const Direction<Real>& v, Real tol) {
@@ -68,8 +69,8 @@ template <class Real>
   return w.kind == 0 || in_convex_wedge(w, p, v, tol) == (w.kind == 1);
 }
 
-/// Signed distance bound to the sector's faces: > 0 outside (a lower bound of the distance), < 0
-/// inside (minus a lower bound of the depth).
+/// Signed distance to the sector's faces: > 0 outside (a lower bound of the distance), < 0 inside
+/// (minus a lower bound of the depth).
 template <class Real>
 Real wedge_distance(const Wedge<Real>& w, Real x, Real y) {
   const WedgeForm<Real> at = wedge_form(w, x, y);
@@ -82,8 +83,8 @@ Real wedge_distance(const Wedge<Real>& w, Real x, Real y) {
 // Beside navigation.
 namespace navjit::kernels {
 
-/// The side of the wedge that counts for the point. The outward normals are the same whether
-/// the wedge is less than half a turn or more.
+/// The side of the wedge that is nearest to the point, as a face. The outward normals are the same
+/// whether the wedge is less than half a turn or more.
 template <class Real>
 NearestFace<Real> wedge_face(const Wedge<Real>& w, const Vec3<Real>& p, Real tol) {
   if (w.kind == 0) return no_face(tol);
