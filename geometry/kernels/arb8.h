@@ -2,7 +2,8 @@
 // flat or twisted: hyperbolic paraboloids, which a line may cross twice.
 namespace navjit::kernels {
 
-/// (a x + b y + c z + d) z + e x + f y + g < 0 within; a = b = c = 0 for a flat side.
+/// The side (a x + b y + c z + d) z + e x + f y + g = 0; the value is negative within. A flat side
+/// has a = b = c = 0.
 template <class Real>
 struct TwistedFace {
   Real a, b, c, d, e, f, g;
@@ -13,7 +14,7 @@ struct Arb8 {
   Real hz;      ///< half length, mm
   Real hx, hy;  ///< the solid is within |x| <= hx, |y| <= hy, mm
   TwistedFace<Real> first, second, third, fourth;
-  SidePlanes<Real> planes;  ///< near these, within a box larger by a thirty-second
+  SidePlanes<Real> planes;  ///< the bounds hold in a box larger by a thirty-second
 };
 
 template <>
@@ -82,7 +83,8 @@ Real distance_to_out(const Arb8<Real>& s, const Vec3<Real>& p, const Direction<R
   return leave_form(s.fourth, p, v, tol, leave);
 }
 
-// The same, by planes that the sides are near. Only sides that these leave open are asked.
+// The same functions for double, by planes near the sides. Only the sides that their planes do not
+// decide are asked.
 
 /// Is the point, seen along z, in a box somewhat larger than the one around the solid?
 inline bool is_near(const Arb8<double>& s, const Vec3<double>& p) {
@@ -115,7 +117,7 @@ inline double distance_to_out(const Arb8<double>& s, const Vec3<double>& p,
     const TwistedFace<double>& side = side_of(s, i);
     const QuadraticForm<double> form = form_at(side, p, v);
     if (!(earliest > 0) && !in_form(form, tol)) return 0;
-    // A side that the ray heads away from, however it twists, is not met again.
+    // A side that the ray heads away from is not met again, however it twists.
     if (!(planes.nv[i] < -lean[i]) && comes_out(form, tol)) {
       const double exit = form_exit(side, form, form_root(form), p, v);
       if (!(exit > 0)) return 0;
@@ -126,8 +128,8 @@ inline double distance_to_out(const Arb8<double>& s, const Vec3<double>& p,
   return leave;
 }
 
-/// Has the ray, from a point in the box or before it, left the solid by a side that it does not
-/// meet again?
+/// Has the ray, from a point in the box or before it, left the solid by a side that the ray does
+/// not meet again?
 inline bool has_left(const Arb8<double>& s, const FaceLanes<Doubles>& planes, const Doubles& clear,
                      const Vec3<double>& p, const Direction<double>& v, double tol) {
   const Doubles steep = planes.nv - lanes_from(s.planes.lean);
@@ -172,8 +174,8 @@ Real beyond_arb8(const Arb8<Real>& s, const Vec3<Real>& p) {
   return larger(face_distance(s.fourth, p), beyond);
 }
 
-// Safeties by the planes, less what the sides may be nearer; where that is most of it, by the
-// sides.
+// Safeties are distances to the planes, less the reach of the sides. The sides themselves are asked
+// where that is not positive and, from within, where the reach is a large part of the distance.
 
 template <class Real>
 Real safety_to_in(const Arb8<Real>& s, const Vec3<Real>& p) {
@@ -184,7 +186,7 @@ Real safety_to_in(const Arb8<Real>& s, const Vec3<Real>& p) {
   return nearest > 0 ? larger(absolute(p.z) - s.hz, nearest) : larger(beyond_arb8(s, p), Real(0));
 }
 
-/// A side that is farther away than so many times what it may be off its plane is not asked.
+/// From within, no side is asked if all are farther away than this many times their reach.
 constexpr int reaches_that_are_little = 16;
 
 template <class Real>
@@ -201,7 +203,7 @@ Real safety_to_out(const Arb8<Real>& s, const Vec3<Real>& p) {
   return larger(is_far ? by_planes : depth, Real(0));
 }
 
-// The same, four sides at once.
+// The same functions for double, four sides at once.
 
 inline double safety_to_in(const Arb8<double>& s, const Vec3<double>& p) {
   const Doubles away = planes_near(s.planes, p, {}).beyond - lanes_from(s.planes.reach);

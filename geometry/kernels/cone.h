@@ -1,18 +1,19 @@
-// A cone about the z axis (a frustum with a conical bore), possibly cut to an azimuthal segment: a
-// convex body (slab, outer nappe, convex wedge) less up to two convex holes (inner nappe, missing
-// sector). The conical face also serves polycones and the polar faces of spheres.
+// A cone about the z axis (a frustum with a conical bore), possibly cut to an azimuthal segment. It
+// is a convex body (slab, outer nappe, convex wedge) less up to two convex holes (inner nappe,
+// missing sector). The conical face also serves polycones and the polar faces of spheres.
 namespace navjit::kernels {
 
 /// One nappe of a cone about the z axis, scaled so that its signed distance is
 /// cosine * rho - slope * z - radius, with cosine^2 + slope^2 = 1 and cosine >= 0. A cylinder has
-/// slope 0, a plane across the axis cosine 0.
+/// slope 0; a plane across the axis has cosine 0.
 template <class Real>
 struct ConicalFace {
   Real radius, slope, cosine;
 };
 
-/// The face seen from a ray, in coordinates where its quadratic is that of a cone of 45 degrees:
-/// x^2 + y^2 = radius^2, changing at the rates vx, vy and `rate`; a t^2 + 2 b t + c.
+/// The face seen from a ray, in coordinates where it is a cone of 45 degrees: x^2 + y^2 = radius^2.
+/// Along the ray x, y and radius change at the rates vx, vy and `rate`. The quadratic is
+/// a t^2 + 2 b t + c, where r2 = x^2 + y^2 and c = r2 - radius^2.
 template <class Real>
 struct ConicalForm {
   Real x, y, radius, vx, vy, rate;
@@ -35,7 +36,7 @@ template <class Real>
           x * vx + y * vy - radius * rate};
 }
 
-/// The discriminant b^2 - a c, written without the squares of the large terms.
+/// The discriminant b^2 - a c, written without squares of large terms.
 template <class Real>
 [[gnu::always_inline]] inline Real conical_discriminant(const ConicalForm<Real>& q) {
   const Real gx = q.radius * q.vx - q.rate * q.x, gy = q.radius * q.vy - q.rate * q.y;
@@ -43,13 +44,14 @@ template <class Real>
   return gx * gx + gy * gy - cross * cross;
 }
 
-/// Does the direction, steeper than the face, stay in the nappe for ever once in it?
+/// Does the direction, which is steeper than the face, stay in the nappe for ever once it is in?
 template <class Real>
 [[gnu::always_inline]] inline bool stays_in_nappe(const ConicalForm<Real>& q) {
   return q.a < 0 && q.rate > 0;
 }
 
-/// Does the direction run along a cylinder?
+/// Does the direction run along the whole face? The face is then a cylinder or a plane across the
+/// axis.
 template <class Real>
 [[gnu::always_inline]] inline bool is_along_nappe(const ConicalForm<Real>& q) {
   return is_along(q.vx) & is_along(q.vy) & is_along(q.rate);
@@ -67,17 +69,19 @@ template <class Real>
   return q.a > 0 ? square_root(-c / q.a) : infinity<Real>();
 }
 
-/// Directional containment, for points not beyond the tolerance outside. A tangent leaves, and so
-/// does what comes no deeper than the tolerance: nearly along the face it would leave and enter for
-/// ever, by steps that do not move the coordinates which decide.
+/// Directional containment, for points that are not outside by more than the tolerance. A tangent
+/// leaves, and so does a ray that comes no deeper than the tolerance. Otherwise rays nearly along
+/// the face would leave and enter for ever, by steps too short to change the coordinates that
+/// decide.
 template <class Real>
 [[gnu::always_inline]] inline bool heads_into_nappe(const ConicalForm<Real>& q, Real tol) {
   const Real inner = q.radius - tol;
   if (inner > 0 && q.r2 < inner * inner) return true;
   if (is_along_nappe(q)) return true;
-  // At the tip every direction is a face's: only those within the cone head in.
+  // At the tip all faces meet. Only directions within the cone head in.
   if (q.radius <= tol && q.r2 <= tol * tol) return stays_in_nappe(q);
-  // `a` times the radius where it is deepest; there r2 is below its square by discriminant / a.
+  // `deepest` is `a` times the radius where the ray is deepest. There r2 is below radius^2 by
+  // discriminant / a.
   const Real deepest = q.radius * q.a - q.rate * q.b;
   if (q.a > 0 && deepest > 0) {
     return q.b <= 0 && conical_discriminant(q) > tol * (2 * deepest - tol * q.a);
@@ -94,7 +98,7 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline bool in_cone(const ConicalFace<Real>& f, const Vec3<Real>& p,
                                            const Direction<Real>& v, Real tol) {
-  // Most points are far from the face; the direction matters to those that are on it.
+  // Most points are far from the face. The direction matters only for those on the face.
   const Real x = f.cosine * p.x, y = f.cosine * p.y, radius = f.radius + f.slope * p.z;
   const Real r2 = x * x + y * y, outer = radius + tol, inner = radius - tol;
   if (!(outer >= 0 && r2 <= outer * outer)) return false;
@@ -111,7 +115,8 @@ template <class Real>
   return nappe_exit(q);
 }
 
-/// The span of the nappe. Accurate for starts whose z is near the part of the nappe in question.
+/// The span of the nappe. It is accurate for starts whose z is near the part of the nappe in
+/// question.
 template <class Real>
 [[gnu::always_inline]] inline Span<Real> cone_span(const ConicalFace<Real>& f, const Vec3<Real>& p,
                                                    const Direction<Real>& v, Real tol) {
@@ -131,7 +136,7 @@ template <class Real>
     const Real enter = q.b < 0 ? -c / (q.b - root) : -(q.b + root) / q.a;
     return {larger(enter, Real(0)), infinity<Real>(), infinity<Real>()};
   }
-  // The last condition tells this nappe from the other one.
+  // The last condition distinguishes this nappe from the other one.
   if (!(q.b < 0) || !(discriminant > 0) || !(q.a >= 0) || !(q.radius * q.a > q.rate * q.b)) {
     return no_span<Real>();
   }
@@ -146,7 +151,7 @@ constexpr Real cone_distance(const ConicalFace<Real>& f, Real rho, Real z) {
   return f.cosine * rho - f.slope * z - f.radius;
 }
 
-/// A span that was measured from `shift` along the ray.
+/// A span that was measured from `shift` along the ray, as measured from the ray's start.
 template <class Real>
 [[gnu::always_inline]] constexpr Span<Real> shifted(const Span<Real>& span, Real shift) {
   return {span.enter < 0 ? span.enter : span.enter + shift, span.leave + shift, span.until + shift};
@@ -156,7 +161,7 @@ template <class Real>
 struct Cone {
   Real hz;                         ///< half length, mm
   ConicalFace<Real> outer, inner;  ///< z from the centre
-  int bored;                       ///< 0: no inner face
+  int bored;                       ///< 0 if there is no inner face
   Wedge<Real> wedge;
 };
 
@@ -184,7 +189,8 @@ Real distance_to_entry(const Cone<Real>& s, const Vec3<Real>& p, const Direction
   Span<Real> body = whole_ray<Real>();
   clip_slab(body, s.hz, p.z, v.z, v.inverse_z, tol);
   if (!is_ahead(body)) return infinity<Real>();
-  // The nappes are looked at from where the ray enters the slab.
+  // Spans of nappes are accurate for starts nearby, so they are taken from where the ray enters the
+  // slab.
   const Real shift = larger(body.enter, Real(0));
   const Vec3<Real> q = advance(p, v, shift);
   const Span<Real> outer = shifted(cone_span(s.outer, q, v, tol), shift);
@@ -210,7 +216,7 @@ Real distance_to_out(const Cone<Real>& s, const Vec3<Real>& p, const Direction<R
   return leave_wedge(s.wedge, p, v, tol, leave);
 }
 
-/// Out of the bore it may come back, and where an azimuth is missing.
+/// A ray that left into the bore or into a missing sector may come back.
 inline bool is_left_for_good(const Cone<double>& s, const Vec3<double>& p, double tol) {
   if (s.bored == 0) return s.wedge.kind != 2;
   if (s.wedge.kind != 0) return false;

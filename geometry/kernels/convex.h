@@ -1,6 +1,9 @@
-// The part of a ray inside a convex body, gathered face by face. Most solids are a convex body less
-// a few convex holes, and their distances follow from the spans of those: intervals, not validated
-// hit points, so that a ray through an edge is never lost.
+// The part of a ray inside a convex body, found face by face. Most solids are a convex body less a
+// few convex holes, and their distances follow from the spans of these. Spans are intervals and
+// need no check of hit points, so a ray through an edge is never lost.
+//
+// "Folded into `leave`" means here and in other kernels: the result is the smaller of `leave` and
+// the path in question.
 namespace navjit::kernels {
 
 /// The part of a ray (path lengths from its start) in a convex body, in the directional sense of
@@ -9,7 +12,7 @@ template <class Real>
 struct Span {
   Real enter;  ///< path to the crossing into the body; -infinity if the start is in
   Real leave;  ///< path to the crossing out of it
-  Real until;  ///< where the body stops counting as entered: `leave`, less the depth of tolerance
+  Real until;  ///< the body can be entered before this path: `leave`, less the depth of tolerance
 };
 
 template <class Real>
@@ -21,7 +24,7 @@ constexpr Span<Real> no_span() {
   return {infinity<Real>(), -infinity<Real>(), -infinity<Real>()};
 }
 
-/// Is any of the body on the ray?
+/// Does the ray come through the body, or start in it?
 template <class Real>
 constexpr bool is_ahead(const Span<Real>& span) {
   return (span.enter < span.until) & (span.until > 0);
@@ -75,7 +78,7 @@ constexpr Real leave_slab(Real h, Real p, Real v, Real inverse, Real tol, Real l
   return depth <= tol ? Real(0) : smaller(depth * absolute(inverse), leave);
 }
 
-/// Moves `t` to the far side of a hole that it is in; says whether it did.
+/// Moves `t` to the far side of a hole if it is in the hole; returns whether it was.
 template <class Real>
 constexpr bool skip_hole(const Span<Real>& hole, Real& t) {
   if (!((hole.enter <= t) & (t < hole.until))) return false;
@@ -83,7 +86,8 @@ constexpr bool skip_hole(const Span<Real>& hole, Real& t) {
   return true;
 }
 
-/// Path to the first crossing into a body with up to two holes; -1 if the start is in the solid.
+/// Path to the first crossing into a body with up to two holes; infinity if there is none, and -1
+/// if the start is in the solid.
 template <class Real>
 constexpr Real first_entry(const Span<Real>& body, const Span<Real>& hole_a,
                            const Span<Real>& hole_b) {
@@ -98,14 +102,14 @@ constexpr Real first_entry(const Span<Real>& body, const Span<Real>& hole_a,
   return t < body.until ? t : infinity<Real>();
 }
 
-/// The path until a hole is entered, for a start outside of it, folded into `leave`.
+/// The path until a hole is entered, for a start outside of the hole, folded into `leave`.
 template <class Real>
 constexpr Real leave_into_hole(const Span<Real>& hole, Real leave) {
   return is_ahead(hole) ? smaller(larger(hole.enter, Real(0)), leave) : leave;
 }
 
-/// What distance_to_in returns for a start that the solid contains: zero from its surface, never
-/// from deep inside.
+/// The result of distance_to_in for a start that the solid contains: zero on the surface, otherwise
+/// infinity.
 template <class Real, class Solid>
 Real distance_from_within(const Solid& s, const Vec3<Real>& p, Real tol) {
   return inside(s, p, tol) == Side::surface ? Real(0) : infinity<Real>();

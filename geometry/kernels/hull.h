@@ -1,7 +1,7 @@
 // A convex body given by the planes of its faces.
 namespace navjit::kernels {
 
-/// Eight planes; where there are fewer, some more than once.
+/// Eight planes. Where fewer are left, some occur more than once.
 template <class Real>
 struct PlaneGroup {
   EightOf<Real> a, b, c, d;
@@ -11,7 +11,7 @@ template <class Real>
 struct Hull {
   const Plane<Real>* planes;
   int count;
-  const PlaneGroup<Real>* groups;  ///< the same planes
+  const PlaneGroup<Real>* groups;  ///< the same planes, in groups of eight
   int group_count;
 };
 
@@ -24,7 +24,7 @@ inline FaceLanes<EightLanes> faces_of(const PlaneGroup<double>& g, const Vec3<do
   return {a * p.x + b * p.y + c * p.z + lanes_from(g.d), a * v.x + b * v.y + c * v.z};
 }
 
-/// The signed distance to the plane that the point is beyond most, or nearest to.
+/// The signed distance to the plane that the point is furthest beyond, or nearest to from within.
 template <class Real>
 Real hull_distance(const Hull<Real>& s, const Vec3<Real>& p) {
   Real beyond = -infinity<Real>();
@@ -73,7 +73,7 @@ Real distance_to_out(const Hull<Real>& s, const Vec3<Real>& p, const Direction<R
   return leave;
 }
 
-// The same, eight planes at once.
+// The same functions for double, eight planes at once.
 inline bool contains(const Hull<double>& s, const Vec3<double>& p, const Direction<double>& v,
                      double tol) {
   for (int i = 0; i < s.group_count; ++i) {

@@ -1,12 +1,13 @@
-// What the normals of solids are made of: normal(s, p, tol) is the outward unit normal at a point
-// on the surface of a solid, in its own frame (docs/normals.md). Needed where a track is reflected
-// or refracted, and by no navigator: kernels have theirs below the line "// Beside navigation.",
-// and generated code is given what is above.
+// Normals of solids. normal(s, p, tol) is the outward unit normal at a point on the surface of a
+// solid, in the solid's own frame (docs/normals.md). Normals are needed where a track is reflected
+// or refracted, but not for navigation. Therefore each kernel has its normals below the line
+// "// Beside navigation.", and generated code contains only the text above that line.
 //
-// The face is the one that the point is furthest beyond, or, within the solid, nearest to; of those
-// that are so to within the tolerance, the first in the order in which they are offered. So a
-// point on an edge gets the same face whatever the last bit of its coordinates. Where a face has no
-// normal, on the axis of a round one, x is the direction that is taken for radial.
+// The face that counts is the one that the point is furthest beyond, or, for a point within the
+// solid, the nearest one. If several faces are equal in this to within the tolerance, it is the
+// first in the order in which they are offered. So a point on an edge gets the same face whatever
+// the last bit of its coordinates. On the axis a round face has no normal; there the x direction
+// counts as radial.
 namespace navjit::kernels {
 
 /// The best of the faces that have been offered.
@@ -27,7 +28,7 @@ constexpr void offer(NearestFace<Real>& best, Real beyond, const Vec3<Real>& nor
   best.normal = normal;
 }
 
-/// The vector times what makes it of unit length; along z if it has none.
+/// The vector scaled to unit length; the unit vector along z if the vector is zero.
 template <class Real>
 Vec3<Real> unit_vector(const Vec3<Real>& v) {
   const Real most = larger(absolute(v.x), larger(absolute(v.y), absolute(v.z)));
@@ -41,7 +42,7 @@ constexpr Vec3<Real> turned_over(const Vec3<Real>& v) {
   return {-v.x, -v.y, -v.z};
 }
 
-/// Away from the z axis, and how far from it the point is.
+/// The unit vector away from the z axis at a point, and the distance of the point from the axis.
 template <class Real>
 struct Radial {
   Real x, y, rho;

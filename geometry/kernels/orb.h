@@ -6,15 +6,15 @@ struct Orb {
   Real radius;  ///< mm
 };
 
-/// (v.v) r^2 - |p x v|^2: the discriminant from the moment of the ray about the centre, which keeps
-/// its accuracy far away.
+/// (v.v) r^2 - |p x v|^2. This discriminant is computed from the moment of the ray about the
+/// centre, which keeps the accuracy far away. `a` is v.v.
 template <class Real>
 Real ball_discriminant(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real a) {
   const Real mx = p.y * v.z - p.z * v.y, my = p.z * v.x - p.x * v.z, mz = p.x * v.y - p.y * v.x;
   return a * (r * r) - (mx * mx + my * my + mz * mz);
 }
 
-/// The far end of a line's part in the ball of radius r; b is p.v, r2 is p.p.
+/// The path to where a line leaves the ball of radius r; b is p.v, and r2 is p.p.
 template <class Real>
 [[gnu::always_inline]] inline Real ball_exit(Real r, const Vec3<Real>& p, const Direction<Real>& v,
                                              Real b, Real r2) {
@@ -24,8 +24,8 @@ template <class Real>
   return larger((root - b) / a, Real(0));
 }
 
-/// On the surface, does a direction head in? A tangent leaves a round surface, and so does what
-/// would be out again within the tolerance: a step too short to move the point.
+/// Does a direction head in from the surface? A tangent leaves a round surface, and so does a ray
+/// that would be out again within the tolerance, by a step too short to move the point.
 template <class Real>
 bool heads_into_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol, Real b,
                      Real r2) {

@@ -3,7 +3,7 @@ namespace navjit::kernels {
 
 template <class Real>
 struct Polycone {
-  const Section<Real>* sections;  ///< in ascending z; those of one slab are disjoint rings
+  const Section<Real>* sections;  ///< in ascending z; those over the same z are disjoint rings
   int count;
   const Ledge<Real>* ledges;
   int ledge_count;

@@ -8,7 +8,7 @@ struct SideNormal {
   Real x, y;
 };
 
-/// Those of eight sides; where there are fewer, some more than once.
+/// The normals of eight sides. Where fewer are left, some occur more than once.
 template <class Real>
 struct SideGroup {
   EightOf<Real> x, y;
@@ -16,25 +16,25 @@ struct SideGroup {
 
 template <class Real>
 struct Polyhedra {
-  const Section<Real>* sections;  ///< in ascending z; those of one slab are disjoint rings
+  const Section<Real>* sections;  ///< in ascending z; those over the same z are disjoint rings
   int count;
   const Ledge<Real>* ledges;
   int ledge_count;
   Real z_low, z_high;  ///< the ends, mm
   Real rmax;           ///< largest distance of an edge from the axis, mm
   Wedge<Real> wedge;
-  const SideNormal<Real>* sides;  ///< an outer or inner face is where all of them hold
+  const SideNormal<Real>* sides;  ///< the inside of an outer or inner face is behind all of them
   int side_count;
-  const SideGroup<Real>* groups;  ///< the same sides
+  const SideGroup<Real>* groups;  ///< the same sides, in groups of eight
   int group_count;
 };
 
 template <>
 inline constexpr bool uses_vectors<Polyhedra<double>> = true;
 
-// A point in the sector of one side is never beyond another side alone: all sides hold or the
-// nearest one fails. Over any azimuthal segment, an outer or inner face is therefore the convex
-// intersection of its half-spaces, cut by the wedge.
+// If a point is beyond any side, it is beyond the side whose sector it is in. Over any azimuthal
+// segment the inside of an outer or inner face is therefore the convex intersection of the
+// half-spaces behind the sides, cut by the wedge.
 
 template <class Real>
 Span<Real> face_span(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const Vec3<Real>& p,
@@ -55,7 +55,7 @@ inline FaceLanes<EightLanes> faces_of(const SideGroup<double>& g, const ConicalF
   return {f.cosine * (x * p.x + y * p.y) - (f.radius + f.slope * p.z),
           f.cosine * (x * v.x + y * v.y) - f.slope * v.z};
 }
-/// As above, eight sides at once.
+/// The span for double, eight sides at once.
 inline Span<double> face_span(const Polyhedra<double>& s, const ConicalFace<double>& f,
                               const Vec3<double>& p, const Direction<double>& v, double tol) {
   FaceSpans<EightLanes> spans;
@@ -67,8 +67,8 @@ inline Span<double> face_span(const Polyhedra<double>& s, const ConicalFace<doub
   return spans.span();
 }
 
-/// The largest product of a side's normal and a point: that of the side whose sector the point is
-/// in.
+/// The largest product of a side's normal and a point, which is that of the side whose sector the
+/// point is in.
 template <class Real>
 Real largest_across(const Polyhedra<Real>& s, const Vec3<Real>& p) {
   Real across = -infinity<Real>();
@@ -106,7 +106,7 @@ inline bool in_face(const Polyhedra<double>& s, const ConicalFace<double>& f, co
   }
   return true;
 }
-/// One quotient for each side, where face_span needs two.
+/// Takes one quotient for each side, where face_span takes two.
 inline double face_leave(const Polyhedra<double>& s, const ConicalFace<double>& f,
                          const Vec3<double>& p, const Direction<double>& v, double tol) {
   FaceExits<EightLanes> exits;
@@ -117,7 +117,8 @@ inline double face_leave(const Polyhedra<double>& s, const ConicalFace<double>& 
   }
   return exits.path();
 }
-/// The distance to the side that the point is beyond most, or nearest to; `rho` is not needed.
+/// The distance to the side that the point is furthest beyond, or nearest to from within. It does
+/// not need `rho`.
 template <class Real>
 Real face_distance(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const Vec3<Real>& p,
                    Real) {
@@ -156,7 +157,7 @@ Real safety_to_out(const Polyhedra<Real>& s, const Vec3<Real>& p) {
 // Beside navigation.
 namespace navjit::kernels {
 
-/// That of the side whose distance face_distance gives.
+/// The normal of the side whose distance is face_distance.
 template <class Real>
 Vec3<Real> face_normal(const Polyhedra<Real>& s, const ConicalFace<Real>& f, const Vec3<Real>& p,
                        Real tol) {

@@ -38,8 +38,8 @@ template <class Real>
           Real(0)};
 }
 
-/// Signed distance to the surface, in size a lower bound on either side: the value cannot reach
-/// zero sooner, even with the steepest gradient and the largest second derivative.
+/// Signed distance to the surface, in magnitude a lower bound on either side: the value cannot
+/// reach zero sooner, even with the steepest gradient and the largest second derivative.
 template <class Real>
 Real form_distance(const QuadraticForm<Real>& q) {
   const Real size = absolute(q.c);
@@ -48,9 +48,9 @@ Real form_distance(const QuadraticForm<Real>& q) {
   return 2 * q.c / (gradient + square_root(gradient * gradient + 2 * (bend * size)));
 }
 
-/// Is the size of form_distance above the tolerance? This needs no square root of gradient2,
-/// because within the tolerance of the surface the value is at most tol * gradient + bend * tol^2 /
-/// 2 in size.
+/// Is the magnitude of form_distance above the tolerance? This needs no square root of gradient2,
+/// because within the tolerance of the surface the value is at most
+/// tol * gradient + bend * tol^2 / 2 in magnitude.
 template <class Real>
 [[gnu::always_inline]] inline bool is_off_surface(const QuadraticForm<Real>& q, Real tol) {
   const Real bend = q.bend2 > 0 ? q.bend + square_root(q.bend2) : q.bend;

@@ -1,41 +1,43 @@
-// Daughters at equal steps of azimuth about an axis: a ray passes sectors one after the other, from
-// the one it starts in to the one it ends in, less than half a turn on. Only a filter: near an edge
-// the sector beyond it counts, too, by far more than positions are rounded by, and no sector is so
-// narrow that this would be more than its neighbour.
+// Daughters at equal steps of azimuth about an axis. A ray passes sectors one after the other, from
+// the one that it starts in to the one that it ends in, which is less than half a turn away. The
+// search only finds candidates. Near an edge the sector beyond the edge counts, too. What is near
+// is far larger than the rounding of positions, and no sector is so narrow that this would include
+// more than its neighbour.
 //
-// Daughters may lean: sectors then end at tangents of a circle about the axis, and the direction of
-// the tangent that a point is on stands for its azimuth. Outside of the circle a ray turns from
-// tangent to tangent as it does from azimuth to azimuth, one way and by less than half a turn: only
-// on the circle itself its sense may change.
+// If daughters lean, sectors end at tangents of a circle about the axis, and the direction of the
+// tangent through a point takes the place of the azimuth. Outside of the circle a ray turns from
+// tangent to tangent as it does from azimuth to azimuth: in one sense and by less than half a turn.
+// Its sense can change only on the circle itself.
 namespace navjit::kernels {
 
-/// Coordinates across the axis are x and y here, along it z.
+/// Here x and y are the coordinates across the axis, and z is the one along it.
 template <class Index>
 struct RingSectors {
   double near2, far2, low, high;  ///< squared radii and ends, with a margin, mm^2 and mm
-  bool hole, outside, ends;       ///< whether rays come nearer, farther, beyond the ends
+  bool hole, outside, ends;       ///< whether rays may come nearer, or farther, or beyond the ends
   int sectors;
   const double (*edges)[2];  ///< unit vectors along the lower edges of sectors, and the first again
-  const Index* at_angle;     ///< by cell of square_angle: the sector of its beginning
+  const Index* at_angle;     ///< by cell of square_angle: the sector that the cell begins in
   double cells_per_angle;
   int cells;
-  double reach;  ///< so near to an edge the sector beyond it counts, too, mm
-  /// The radius, mm, of a circle about the axis, within all daughters, whose tangents the edges
-  /// are. Seen outwards they have the axis on their right; on their left where this is negative. 0:
-  /// the edges are radii.
+  double reach;  ///< mm; within this of an edge the sector beyond the edge counts, too
+  /// The edges are tangents of a circle of this radius, mm, about the axis; all daughters are
+  /// outside of the circle. Seen outwards, the edges have the axis on their right, or on their left
+  /// if `lean` is negative. If it is 0, the edges are radii.
   double lean;
   const unsigned* first;  ///< by sector: start in members
   const Index* members;   ///< daughters, ascending within a sector
 };
 
-/// In [0, 4], ascending with the azimuth from the x axis on: where a ray from the axis meets a
-/// square.
+/// A measure of azimuth in [0, 4], ascending from the x axis on: where a ray from the axis meets a
+/// square around it.
 inline double square_angle(double x, double y) {
   const double d = y / (absolute(x) + absolute(y));
   return x < 0 ? 2 - d : y < 0 ? 4 + d : d;
 }
 
-/// The length of the tangent from a point to the circle; its radius where there is none.
+/// The length of the tangent from a point to the circle; 0 for a point within the circle. Without a
+/// circle (`lean` 0) it is the point's distance from the axis.
 template <class Index>
 inline double tangent_length(const RingSectors<Index>& g, double x, double y) {
   return square_root(larger(x * x + y * y - g.lean * g.lean, 0.0));
@@ -47,8 +49,8 @@ inline double beyond_edge(const RingSectors<Index>& g, int edge, double x, doubl
   return g.edges[edge][0] * y - g.edges[edge][1] * x - g.lean;
 }
 
-/// The sector of a point; any where the point is on the axis, or within the circle. A cell has an
-/// edge at most.
+/// The sector of a point. For a point on the axis or within the circle it is an arbitrary one. A
+/// cell contains at most one edge.
 template <class Index>
 inline int sector_at(const RingSectors<Index>& g, double x, double y) {
   double along_x = x, along_y = y;
@@ -70,13 +72,13 @@ inline int sector_beside(const RingSectors<Index>& g, int sector, bool upper) {
                : (sector == 0 ? g.sectors - 1 : sector - 1);
 }
 
-/// Whether a point of the sector is near its upper or its lower edge.
+/// Whether a point of the sector is near the sector's upper edge, or its lower edge if not `upper`.
 template <class Index>
 inline bool is_near_edge(const RingSectors<Index>& g, int sector, bool upper, double x, double y) {
   return absolute(beyond_edge(g, upper ? sector + 1 : sector, x, y)) <= g.reach;
 }
 
-/// Calls visit(daughter) for those that may hold a point.
+/// Calls visit(daughter) for the daughters that may hold a point.
 template <class Index, class Visit>
 inline void visit_sector_at(const RingSectors<Index>& g, double x, double y, double z,
                             const Visit& visit) {
@@ -93,12 +95,13 @@ inline void visit_sector_at(const RingSectors<Index>& g, double x, double y, dou
   if (is_near_edge(g, at, true, x, y)) all(sector_beside(g, at, true));
 }
 
-/// A ray about the ring's axis.
+/// A ray in the coordinates of the ring.
 struct AxialRay {
   double x, y, z, vx, vy, vz, inverse_z;
 };
 
-/// Where a ray is in a ring: [from, to] but for (enter, leave), path lengths.
+/// The path lengths at which a ray is in a ring: from `from` to `to`, except between `enter` and
+/// `leave`, where it is in the hole.
 struct RingPart {
   double from, to, enter, leave;
 };
@@ -113,7 +116,7 @@ inline RingPart ring_part(const RingSectors<Index>& g, const AxialRay& ray, doub
   if (!g.hole && !g.outside) return part;
   const double a = ray.vx * ray.vx + ray.vy * ray.vy, b = ray.x * ray.vx + ray.y * ray.vy;
   const double r2 = ray.x * ray.x + ray.y * ray.y;
-  if (a < 1e-20) {  // along the axis: at its radius for as long as any scene is
+  if (a < 1e-20) {  // a ray along the axis keeps its radius for as long as any scene is
     return ((r2 < g.near2) | (r2 > g.far2)) ? none : part;
   }
   const double inverse = 1 / a;
@@ -140,7 +143,7 @@ inline RingPart ring_part(const RingSectors<Index>& g, const AxialRay& ray, doub
   return part;
 }
 
-/// Whether a ray that is at (x, y) goes to higher sectors from there.
+/// Whether a ray that is at (x, y) goes on to higher sectors from there.
 template <class Index>
 inline bool goes_up(const RingSectors<Index>& g, const AxialRay& ray, double x, double y) {
   const double turns = ray.x * ray.vy - ray.y * ray.vx;
@@ -148,8 +151,8 @@ inline bool goes_up(const RingSectors<Index>& g, const AxialRay& ray, double x, 
   return tangent_length(g, x, y) * turns + g.lean * (x * ray.vx + y * ray.vy) >= 0;
 }
 
-/// Calls visit(daughter) for those whose sectors the ray passes within `reach()`, a path length
-/// that visits may shorten.
+/// Calls visit(daughter) for the daughters whose sectors the ray passes within `reach()`, a path
+/// length that visits may shorten.
 template <class Index, class Visit, class Reach>
 inline void walk_ring(const RingSectors<Index>& g, const AxialRay& ray, const Visit& visit,
                       const Reach& reach) {
@@ -163,7 +166,7 @@ inline void walk_ring(const RingSectors<Index>& g, const AxialRay& ray, const Vi
     int last = 0, steps = 0;
     int sector = start, beside = 0;
     for (int i = 0;;) {
-      // Whenever the part becomes shorter, where it ends is found anew.
+      // Whenever visits have shortened the reach, the end of this part is found anew.
       if (const double now = smaller(reach(), stop); beside == 0 && (i == 0 || now < end)) {
         end = now;
         ex = ray.x + end * ray.vx;
@@ -171,13 +174,14 @@ inline void walk_ring(const RingSectors<Index>& g, const AxialRay& ray, const Vi
         last = sector_at(g, ex, ey);
         steps = up ? last - start : start - last;
         if (steps < 0) steps += g.sectors;
-        // Less than half a turn, unless it is rounded, or not a number.
+        // A ray turns by less than half a turn. If there are more steps, something was rounded or
+        // is not a number.
         if (2 * steps > g.sectors + 2 || !(absolute(ex) + absolute(ey) < 1e30)) {
           steps = g.sectors - 1;
         }
       }
       if (i > steps) {
-        // What is just across an edge from where the part begins or ends.
+        // Then the sectors just across an edge from where the part begins and ends.
         bool near = false;
         for (; !near && beside < 4; ++beside) {
           const bool upper = beside % 2 == 1, at_end = beside >= 2;
@@ -192,7 +196,7 @@ inline void walk_ring(const RingSectors<Index>& g, const AxialRay& ray, const Vi
       ++i;
       sector = sector_beside(g, sector, up);
     }
-    // No more than twice, as there is one hole.
+    // The loop runs at most twice, since there is one hole.
     if (part.leave == infinity<double>() || part.leave > smaller(reach(), part.to)) return;
     part.from = part.leave;
     part.enter = part.leave = infinity<double>();

@@ -1,10 +1,11 @@
-// Solids made of sections along z: a ring between an outer and an inner face over each section,
-// continued or stepped from one section to the next. What polycones and polyhedra share; they
-// differ in what a face is: each provides, for its faces,
-//   face_span, in_face  as cone_span and in_cone do
-//   face_distance       signed distance bound to it
-// Sections are searched in the order in which the ray meets them. The paths to the planes between
-// sections are the same bits from either side, so nothing is lost at a seam, and a seam is no
+// Solids made of sections along z, which polycones and polyhedra have in common. Over each section
+// the solid is a ring between an outer and an inner face, and the ring is continued or stepped from
+// one section to the next. The two solids differ in what a face is. Each provides for its faces:
+//   face_span, in_face  as cone_span and in_cone
+//   face_distance       a signed distance, in magnitude a lower bound
+//   face_normal         the outward unit normal
+// Sections are searched in the order in which the ray meets them. The path to a plane between two
+// sections has the same bits from either side, so nothing is lost at a seam, and a seam is no
 // surface where both sections continue.
 namespace navjit::kernels {
 
@@ -12,7 +13,7 @@ template <class Real>
 struct Section {
   Real z_low, z_high;              ///< mm
   ConicalFace<Real> outer, inner;  ///< z from z_low
-  int bored;  ///< 0: there is no inner face; 1: there is; 2: and nowhere near the outer one
+  int bored;  ///< 0: no inner face; 1: an inner face; 2: one that is nowhere near the outer face
 };
 
 /// A part of a plane across z where the solid ends: the end caps, and the steps between sections.
@@ -21,7 +22,7 @@ struct Ledge {
   Real z, rmin, rmax;  ///< mm
 };
 
-/// Where a ray that starts in a face leaves it; -1 if it does not start there.
+/// The path to where a ray that starts in a face leaves it; -1 if the ray does not start there.
 template <class Sections, class Real>
 [[gnu::always_inline]] inline Real face_leave(const Sections& s, const ConicalFace<Real>& f,
                                               const Vec3<Real>& p, const Direction<Real>& v,
@@ -30,13 +31,13 @@ template <class Sections, class Real>
   return is_ahead(span) && starts_in(span) ? span.leave : Real(-1);
 }
 
-/// The range of a ray over a section, seen from its start; empty unless from < to.
+/// The paths between which a ray is over a section, in z. Empty unless from < to.
 template <class Real>
 struct SectionRange {
   Real from, to;
 };
-/// Within the tolerance of a plane the direction decides, the same way for the sections on both of
-/// its sides; along the plane, a ray is in both.
+/// Within the tolerance of a plane the direction decides, in the same way for the sections on both
+/// of its sides. A ray along the plane is in both.
 template <class Real>
 [[gnu::always_inline]] inline SectionRange<Real> section_range(const Section<Real>& section,
                                                                const Vec3<Real>& p,
@@ -51,7 +52,8 @@ template <class Real>
   return {before > tol ? before * rate : Real(0), depth > tol ? depth * rate : Real(0)};
 }
 
-/// Of more than a few sections, how many end below a point, which are the first ones; 0 of few.
+/// How many sections end below a point; these are the first ones. 0 if there are only a few
+/// sections, as then all are asked.
 template <class Real>
 int sections_below(const Section<Real>* sections, int count, const Vec3<Real>& p, Real tol) {
   constexpr int few = 4;
@@ -70,7 +72,8 @@ constexpr Vec3<Real> from_section(const Section<Real>& section, const Vec3<Real>
   return {p.x, p.y, p.z - section.z_low};
 }
 
-/// Signed distance bound to the ring of one section, taken as infinite in z.
+/// Signed distance to the ring of one section, as if the ring were infinite in z; in magnitude a
+/// lower bound.
 template <class Sections, class Real>
 Real ring_distance(const Sections& s, const Section<Real>& section, const Vec3<Real>& q, Real rho) {
   Real beyond = face_distance(s, section.outer, q, rho);
@@ -78,7 +81,7 @@ Real ring_distance(const Sections& s, const Section<Real>& section, const Vec3<R
   return beyond;
 }
 
-/// Where a point is: the sections on both sides of a plane have their say near it.
+/// Where a point is. Near a plane the sections on both sides of it are asked.
 template <class Sections, class Real>
 Side sections_inside(const Sections& s, const Vec3<Real>& p, Real tol) {
   const Real rho = square_root(p.x * p.x + p.y * p.y);
@@ -104,7 +107,7 @@ bool sections_contains(const Sections& s, const Vec3<Real>& p, const Direction<R
     const Section<Real>& section = s.sections[i];
     const Real over_low = p.z - section.z_low, under_high = section.z_high - p.z;
     if (-over_low > tol) break;
-    // As section_range has it.
+    // The same decision as in section_range.
     const bool in_range = is_along(v.z) ? under_high >= -tol
                           : v.z < 0     ? (over_low > tol) & (under_high >= -tol)
                                         : under_high > tol;
@@ -118,8 +121,8 @@ bool sections_contains(const Sections& s, const Vec3<Real>& p, const Direction<R
   return false;
 }
 
-/// Is the point in the bore of a ring of a full turn, and off its face? Of a bore with flat sides
-/// only the circle within them is looked at.
+/// Is the point in the bore of a ring and off the bore's face? The ring must have a full turn. Of a
+/// bore with flat sides only the circle within them is considered.
 template <class Real>
 [[gnu::always_inline]] inline bool well_in_bore(const Section<Real>& section, const Vec3<Real>& q,
                                                 Real tol) {
@@ -132,7 +135,8 @@ template <class Real>
 template <class Sections, class Real>
 Real sections_distance_to_in(const Sections& s, const Vec3<Real>& p, const Direction<Real>& v,
                              Real tol) {
-  // All sections: the ends, and a cylinder around it that leaves the surface well inside.
+  // First the ray is clipped to the ends and to a cylinder around all sections, which is so wide
+  // that the surface is well inside.
   Span<Real> body = whole_ray<Real>();
   if (is_along(v.z)) {
     if (s.z_low - p.z > tol || p.z - s.z_high > tol) return infinity<Real>();
@@ -145,7 +149,7 @@ Real sections_distance_to_in(const Sections& s, const Vec3<Real>& p, const Direc
     body.until = (depth - tol) * rate;
     if (!is_ahead(body)) return infinity<Real>();
   }
-  // One section is asked as quickly as that.
+  // A single section is asked as quickly as the cylinder.
   const Span<Real> around =
       s.count > 1 ? cylinder_span(s.rmax * Real(1.0625), p, v, Real(0)) : whole_ray<Real>();
   if (!is_ahead(around) || !(around.enter < body.leave) || !(body.enter < around.leave)) {
@@ -162,9 +166,11 @@ Real sections_distance_to_in(const Sections& s, const Vec3<Real>& p, const Direc
     const SectionRange<Real> range = section_range(section, p, v, tol);
     if (!(range.from < range.to) || range.to <= around.enter) continue;
     if (range.from >= nearest || range.from >= around.leave) break;
-    // The faces are looked at from where the ray enters the section.
+    // Spans of faces are accurate for starts nearby, so they are taken from where the ray enters
+    // the section.
     const Vec3<Real> q = from_section(section, advance(p, v, range.from));
-    // Where the faces are apart, a ray that starts in the bore leaves that before the outer face.
+    // If the faces are apart, a ray that starts in the bore leaves the bore before it reaches the
+    // outer face.
     const bool in_bore =
         (section.bored == 2) & (s.wedge.kind == 0) && well_in_bore(section, q, tol);
     const Span<Real> outer = in_bore ? whole_ray<Real>() : face_span(s, section.outer, q, v, tol);
@@ -176,7 +182,7 @@ Real sections_distance_to_in(const Sections& s, const Vec3<Real>& p, const Direc
     ring.until = smaller(outer.until + range.from, ring.until);
     if (!is_ahead(ring)) continue;
     Span<Real> bore = no_span<Real>();
-    // And one that comes in through the outer face is not in the bore there.
+    // Likewise, a ray that comes in through the outer face is not in the bore there.
     const bool through_outer = (section.bored == 2) & (s.wedge.kind != 2) & (outer.enter >= 0) &&
                                ring.enter == outer.enter + range.from;
     if (section.bored != 0 && !through_outer) {
@@ -200,7 +206,7 @@ Real sections_distance_to_out(const Sections& s, const Vec3<Real>& p, const Dire
     if (!(reach < range.to)) continue;
     if (reach < range.from) break;
     const Vec3<Real> q = from_section(section, advance(p, v, range.from));
-    // A ring that the path is not in here, or is leaving, takes it no further.
+    // A ring that the path is not in here, or is just leaving, does not extend the path.
     Real leave = face_leave(s, section.outer, q, v, tol);
     if (leave < 0) continue;
     if (section.bored != 0) {
@@ -228,7 +234,7 @@ Real sections_safety_to_in(const Sections& s, const Vec3<Real>& p) {
 template <class Sections, class Real>
 Real sections_safety_to_out(const Sections& s, const Vec3<Real>& p) {
   const Real rho = square_root(p.x * p.x + p.y * p.y);
-  // The nearest of all pieces of the surface, once the point is known to be in a ring.
+  // The distance to the nearest piece of the surface, once the point is known to be in a ring.
   Real depth = infinity<Real>();
   bool in = false;
   for (int i = 0; i < s.count; ++i) {
@@ -265,8 +271,8 @@ Real sections_safety_to_out(const Sections& s, const Vec3<Real>& p) {
 // Beside navigation.
 namespace navjit::kernels {
 
-/// Is the solid below this plane across z, or above? Below is where a section that ends in it has
-/// more of the point in its ring than any that starts in it.
+/// Is the solid below this plane across z, or above? It is below if the point is deeper in the ring
+/// of a section that ends in the plane than in the ring of any section that starts there.
 template <class Sections, class Real>
 bool is_below(const Sections& s, const Ledge<Real>& ledge, const Vec3<Real>& p, Real rho,
               Real tol) {
@@ -281,8 +287,8 @@ bool is_below(const Sections& s, const Ledge<Real>& ledge, const Vec3<Real>& p, 
   return below <= above;
 }
 
-/// The nearest of all pieces of the surface. Not the one that the point is most beyond: the solid
-/// is not where all of them hold.
+/// The normal of the nearest piece of the surface. The piece that the point is furthest beyond
+/// would not do, because the solid is not the intersection of what lies behind its pieces.
 template <class Sections, class Real>
 Vec3<Real> sections_normal(const Sections& s, const Vec3<Real>& p, Real tol) {
   const Real rho = square_root(p.x * p.x + p.y * p.y);

@@ -1,5 +1,6 @@
 // A spherical shell about the origin, possibly cut to a range of azimuth and of polar angle. Each
-// polar limit is a cone with its tip at the centre: the solid lies within it, or it is a hole.
+// polar limit is a nappe with its tip at the centre. Either the solid lies within the nappe, or the
+// nappe is a hole.
 namespace navjit::kernels {
 
 template <class Real>
@@ -15,7 +16,7 @@ struct Sphere {
   PolarLimit<Real> low, high;  ///< smallest and largest polar angle
 };
 
-/// Signed distance bound beyond the limit.
+/// Signed distance to the limit, positive beyond it; a lower bound of the distance on either side.
 template <class Real>
 Real polar_distance(const PolarLimit<Real>& limit, Real rho, Real z) {
   const Real s = cone_distance(limit.face, rho, z);
@@ -62,7 +63,8 @@ Real distance_to_in(const Sphere<Real>& s, const Vec3<Real>& p, const Direction<
                     Real tol) {
   Span<Real> body = ball_span(s.rmax, p, v, tol);
   if (!is_ahead(body)) return infinity<Real>();
-  // Cones are looked at from where the ray enters the ball.
+  // Spans of nappes are accurate for starts nearby, so they are taken from where the ray enters the
+  // ball.
   const Real shift = larger(body.enter, Real(0));
   const Vec3<Real> q = advance(p, v, shift);
   clip_to_nappe(s.low, q, v, tol, shift, body);

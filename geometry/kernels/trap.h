@@ -49,7 +49,7 @@ inline FaceLanes<Doubles> sides_of(const Trap<double>& s, const Vec3<double>& p,
     return lanes;
   };
   const Doubles f = load(s.y_minus), g = load(s.y_plus), h = load(s.x_minus), k = load(s.x_plus);
-  // From planes to coefficients.
+  // The planes are transposed into vectors of coefficients.
   const Doubles ac_y = __builtin_shufflevector(f, g, 0, 4, 2, 6);
   const Doubles bd_y = __builtin_shufflevector(f, g, 1, 5, 3, 7);
   const Doubles ac_x = __builtin_shufflevector(h, k, 0, 4, 2, 6);
@@ -99,7 +99,7 @@ Real distance_to_out(const Trap<Real>& s, const Vec3<Real>& p, const Direction<R
   return leave_plane(s.x_plus, p, v, tol, leave);
 }
 
-// The same, all sides at once.
+// The same functions for double, all sides at once.
 inline bool contains(const Trap<double>& s, const Vec3<double>& p, const Direction<double>& v,
                      double tol) {
   return !(beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol) |

@@ -1,8 +1,8 @@
 // A trapezoid symmetric about the z axis: half lengths in x and y that change linearly with z.
 namespace navjit::kernels {
 
-/// Two faces that mirror each other: signed distance = across * |u| + along * z - offset, where u
-/// is x or y and (across, along) a unit vector.
+/// Two faces that mirror each other. Their signed distance is across * |u| + along * z - offset,
+/// where u is x or y, and (across, along) is a unit vector.
 template <class Real>
 struct FacePair {
   Real across, along, offset;
@@ -91,7 +91,7 @@ Real distance_to_out(const Trd<Real>& s, const Vec3<Real>& p, const Direction<Re
   return smaller(leave_pair(s.y, p.y, p.z, v.y, v.z, tol, leave), leave);
 }
 
-// The same, all sides at once.
+// The same functions for double, all sides at once.
 inline bool contains(const Trd<double>& s, const Vec3<double>& p, const Direction<double>& v,
                      double tol) {
   return !(beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol) |
