@@ -1,18 +1,18 @@
-// Boxes around daughters, eight to a block, tested at once in single precision. Only a filter: the
-// boxes carry a margin for all rounding here, and what may meet them is then asked for double
-// precision's answer.
+// Boxes around daughters, eight to a block, tested at once in single precision. The tests only find
+// candidates. The boxes include a margin for all rounding here, and the daughters in boxes that may
+// be met are then asked in double precision.
 namespace navjit::kernels {
 
 typedef float Floats __attribute__((vector_size(32)));
 typedef int Ints __attribute__((vector_size(32)));
 constexpr int box_lanes = 8;
 
-/// Bounds by axis; empty lanes have low = +infinity and high = -infinity.
+/// Bounds by axis, mm; empty lanes have low = +infinity and high = -infinity.
 struct BoxBlock {
   Floats low[3], high[3];
 };
 
-/// Like a CellGrid, with blocks of boxes instead of daughters.
+/// The same as CellGrid, with blocks of boxes instead of daughters.
 template <class Index>
 struct BlockGrid {
   int count[3];
@@ -22,7 +22,8 @@ struct BlockGrid {
   const Index (*daughters)[box_lanes];  ///< ascending within a cell
 };
 
-/// One bit for each lane that is not zero, where each is all ones or zero.
+/// One bit for each lane, which is 1 if the lane is set. A set lane has all bits 1, any other lane
+/// has all bits 0.
 inline unsigned lanes_of(Ints set) {
 #if defined(__clang__)
   typedef bool Bits __attribute__((ext_vector_type(8)));
@@ -40,7 +41,8 @@ inline Floats all_lanes(float x) { return Floats{x, x, x, x, x, x, x, x}; }
 inline Floats larger_lanes(Floats a, Floats b) { return a > b ? a : b; }
 inline Floats smaller_lanes(Floats a, Floats b) { return a < b ? a : b; }
 
-/// A ray in single precision. Reciprocals are finite: the scene is far smaller than their bound.
+/// A ray in single precision. Reciprocals are limited to 1e30, so that they are finite; scenes are
+/// far smaller than that.
 struct FloatRay {
   Floats p[3], inverse[3];
   bool down[3];
@@ -58,11 +60,11 @@ inline FloatRay float_ray(const Vec3<double>& p, const Direction<double>& v) {
           {v.x < 0, v.y < 0, v.z < 0}};
 }
 
-/// Path lengths are compared with this much to spare, relatively: four roundings are in one.
+/// The relative slack in comparisons of path lengths, each of which has four roundings.
 constexpr float path_slack = 1 + 0x1p-20f;
 
-/// The lanes whose boxes the ray may meet between `from` and `to`, path lengths >= 0; where, at the
-/// earliest, into `enter`.
+/// The lanes whose boxes the ray may meet between `from` and `to`, path lengths >= 0. `enter`
+/// receives lower bounds of the paths to the boxes.
 inline unsigned lanes_met(const BoxBlock& block, const FloatRay& ray, float from, float to,
                           Floats& enter) {
   enter = all_lanes(from / path_slack);
@@ -84,8 +86,8 @@ inline unsigned lanes_around(const BoxBlock& block, const Vec3<double>& p) {
                   (y <= block.high[1]) & (block.low[2] <= z) & (z <= block.high[2]));
 }
 
-/// The first of `count` numbers for which holds(number) is true; -1 for none. `blocks` has their
-/// boxes, in their order, and where the point is not in the box it need not be asked.
+/// The first of `count` numbers of daughters for which holds(number) is true; -1 for none. `blocks`
+/// has the daughters' boxes in the same order. A daughter is asked only if the point is in its box.
 template <class Index, class Holds>
 inline int first_around(const BoxBlock* blocks, const Index* numbers, unsigned count,
                         const Vec3<double>& p, Holds holds) {
@@ -98,7 +100,7 @@ inline int first_around(const BoxBlock* blocks, const Index* numbers, unsigned c
   return -1;
 }
 
-/// Floats strictly below and above a double, as the generic navigator's boxes have them
+/// Floats strictly below and above a double, as the boxes of the generic navigator use them
 /// (geometry/bvh/rounding.hpp).
 inline float strictly_below(double x) {
   if (absolute(x) == infinity<double>()) {
@@ -120,7 +122,7 @@ inline Floats root_of_lanes(Floats x) {
 #endif
 }
 
-/// The first lane that has the least number.
+/// The first lane that has the smallest number.
 inline unsigned least_lane(Floats x) {
   Floats least = smaller_lanes(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
   least = smaller_lanes(least, __builtin_shufflevector(least, least, 2, 3, 0, 1, 6, 7, 4, 5));
@@ -128,7 +130,7 @@ inline unsigned least_lane(Floats x) {
   return static_cast<unsigned>(__builtin_ctz(lanes_of(x <= least)));
 }
 
-/// Distances of a point from boxes, as the generic navigator has them, bit by bit
+/// Distances of a point from boxes, with the same bits as in the generic navigator
 /// (bvh::BoxTree::near).
 struct BoxDistances {
   Floats below[3], above[3];
@@ -153,7 +155,8 @@ struct BoxDistances {
     return root_of_lanes(squares) * all_lanes(1 - 0x1p-21f);
   }
 
-  /// Less than the distance along the axis where that is most; 0 within a box.
+  /// A lower bound of the distance to a box: the distance along the axis on which this is largest.
+  /// 0 within a box.
   Floats along_axes(const BoxBlock& block) const {
     Floats most = all_lanes(0);
     for (int axis = 0; axis < 3; ++axis) {
@@ -164,7 +167,8 @@ struct BoxDistances {
   }
 };
 
-/// Daughters for safety: blocks of those that are close together, and boxes around whole blocks.
+/// The boxes of daughters, as safeties and SearchGroups use them: blocks of daughters that are
+/// close together, and boxes around whole blocks.
 struct NearBoxes {
   const BoxBlock* groups;                  ///< lane l of group g is around block g * box_lanes + l
   const BoxBlock* blocks;                  ///< null: none
@@ -172,14 +176,14 @@ struct NearBoxes {
   unsigned count;                          ///< of blocks
 };
 
-/// `safety` or the smallest max(bound, away(k)) of the daughters, where that is less. `bound` is
-/// the distance to the daughter's box: with it the answer does not depend on who is asked. Of each
-/// group the nearest block is asked first, which spares most others.
+/// The smallest of `safety` and max(bound, away(k)) of all daughters k, where `bound` is the
+/// distance to the daughter's box. The bound makes the answer independent of which daughters are
+/// asked. In each group the nearest block is asked first, which saves asking most of the others.
 template <class Away>
 inline double safety_near_boxes(const NearBoxes& boxes, const Vec3<double>& p, double safety,
                                 Away away) {
   const BoxDistances from(p);
-  // The nearest box first: mostly nothing is as near as what is in it.
+  // The nearest box is asked first: usually its daughter is nearer than all other boxes.
   const auto ask = [&](unsigned m) {
     Floats distance = BoxDistances::distances(from.squares(boxes.blocks[m]));
     while (lanes_of(distance < all_lanes(strictly_above(safety))) != 0) {
@@ -194,7 +198,8 @@ inline double safety_near_boxes(const NearBoxes& boxes, const Vec3<double>& p, d
     ask(0);
     return safety;
   }
-  // Rounded up, so that no box that is nearer is left out; what is offered is asked above.
+  // This is rounded up, so that no box that is nearer is left out. `ask` decides about the boxes
+  // that are offered.
   const auto enough = [&] { return all_lanes(strictly_above(safety * safety * (1 + 0x1p-18))); };
   for (unsigned first = 0; first < boxes.count; first += box_lanes) {
     const Floats squares = from.squares(boxes.groups[first / box_lanes]);
@@ -215,7 +220,7 @@ inline double safety_near_boxes(const NearBoxes& boxes, const Vec3<double>& p, d
   return safety;
 }
 
-/// Calls visit(daughter) for those of a few blocks of boxes that may hold the point.
+/// Calls visit(daughter) for the daughters in a few blocks of boxes that may hold the point.
 template <class Index, class Visit>
 inline void visit_blocks_around(const BoxBlock* blocks, const Index (*daughters)[box_lanes],
                                 unsigned count, const Vec3<double>& p, const Visit& visit) {
@@ -226,13 +231,13 @@ inline void visit_blocks_around(const BoxBlock* blocks, const Index (*daughters)
   }
 }
 
-/// Calls visit(daughter) for those of a few blocks of boxes that the ray may meet between the path
-/// lengths `from` and `smaller(reach(), to)`.
+/// Calls visit(daughter) for the daughters in blocks `first` to `last` - 1 whose boxes the ray may
+/// meet between the path lengths `from` and `smaller(reach(), to)`.
 template <class Index, class Visit, class Reach>
 inline void visit_blocks(const BoxBlock* blocks, const Index (*daughters)[box_lanes],
                          unsigned first, unsigned last, const FloatRay& ray, double from, double to,
                          const Visit& visit, const Reach& reach) {
-  // Rounded, a number beyond single precision is infinite, which serves as well.
+  // A path beyond single precision is rounded to infinity, which serves as well.
   float end = static_cast<float>(smaller(reach(), to));
   for (unsigned m = first; m < last; ++m) {
     Floats enter;
@@ -246,8 +251,8 @@ inline void visit_blocks(const BoxBlock* blocks, const Index (*daughters)[box_la
   }
 }
 
-/// Calls visit(daughter) for those whose box may hold the point, last in file order first, until it
-/// returns false.
+/// Calls visit(daughter) for the daughters whose boxes may hold the point, in descending file
+/// order, until visit returns false.
 template <class Index, class Visit>
 inline void visit_blocks_at(const BlockGrid<Index>& g, const Vec3<double>& p, const Visit& visit) {
   const unsigned b = cell_at(g, p);
@@ -260,7 +265,7 @@ inline void visit_blocks_at(const BlockGrid<Index>& g, const Vec3<double>& p, co
   }
 }
 
-/// Calls visit(daughter) along the ray for those whose boxes it may meet within `reach()`, a path
+/// Calls visit(daughter) for the daughters whose boxes the ray may meet within `reach()`, a path
 /// length that visits may shorten.
 template <class Index, class Visit, class Reach>
 inline void walk_blocks(const BlockGrid<Index>& g, const Vec3<double>& p,

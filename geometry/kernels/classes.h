@@ -1,19 +1,20 @@
-// Daughters in classes: those of a class are tested by the same code, for one solid or for solids
-// of one kind, with the numbers that all of them share as constants. Fewer kinds than there are
-// kernels make a short switch, and where there is one class there is none.
+// Daughters in classes. The daughters of a class have one solid, or solids of one kind, and are
+// tested by the same code, in which the numbers that all of them share are constants. There are
+// fewer classes than kinds of solids, which makes a short switch; if there is only one class, there
+// is no switch.
 namespace navjit::kernels {
 
-/// A daughter placed in any way.
+/// A daughter that is placed in any way.
 struct PlacedDaughter {
   double x, y, z;          ///< translation in the mother's frame, mm
   const double* rotation;  ///< null: none
-  const void* shape;       ///< of the kind that its class has, where that has no solid itself
+  const void* shape;       ///< of the kind of its class; not used if the class has one solid
   unsigned long long offset;
   unsigned volume;
   unsigned short kind;  ///< number of its class
   InnerDaughters inner;
 };
-/// The same where some class is of boxes: they are beside their places.
+/// The same for scenes with a class of boxes, whose half lengths are kept beside the places.
 struct PlacedBoxDaughter : PlacedDaughter {
   Box<double> box;
 };
@@ -25,9 +26,9 @@ struct DaughterTable {
   const Vec3<double> (*boxes)[2];  ///< by daughter: corners of the solid's box, with a margin
 };
 
-// The solid of a class:
+// The next types say where the solid of a class is.
 
-/// One for all.
+/// All daughters of the class have the same solid.
 template <const auto& solid>
 struct SameSolid {
   template <class Daughter>
@@ -35,7 +36,7 @@ struct SameSolid {
     return {};
   }
 };
-/// Each has its own, of one kind.
+/// Each daughter has a solid of its own, all of one kind.
 template <class Shape>
 struct OwnSolid {
   template <class Daughter>
@@ -43,12 +44,12 @@ struct OwnSolid {
     return {static_cast<const Shape*>(d.shape)};
   }
 };
-/// Half lengths of boxes: those that all share.
+/// The half lengths of boxes, by axis: whether all boxes share one, and which it is, mm.
 struct BoxConstants {
   bool same[3];
   double half[3];
 };
-/// Boxes of their own.
+/// Each daughter has a box of its own, except for the half lengths that all share.
 template <const auto& shared>
 struct OwnBox {
   template <class Daughter>
@@ -58,7 +59,7 @@ struct OwnBox {
   }
 };
 
-/// The same, its kernels being functions of their own.
+/// The solid that `Solid` gives, with kernels that are not inlined.
 template <class Solid>
 struct Apart {
   template <class Daughter>
@@ -67,7 +68,7 @@ struct Apart {
   }
 };
 
-// The box of a class, tested before its solid:
+// The next types say where the box is that is tested before the solid of a class.
 
 struct NoBox {
   static constexpr bool any = false;
@@ -122,7 +123,8 @@ struct DaughterClass {
       return contains(Solid::of(d), q, v, tol);
     }
   }
-  /// `entry`: by distance_to_entry, where the ray is as that needs it.
+  /// `entry`: calls distance_to_entry, unless this needs an oblique ray and the daughter is
+  /// rotated.
   template <bool entry, class Daughter>
   static double distance(const DaughterTable<Daughter>& table, const Daughter& d, unsigned k,
                          const Vec3<double>& p, const Direction<double>& v, double reach,
@@ -162,7 +164,7 @@ struct DaughterClass {
   }
 };
 
-/// ask(class) for the class of this number among several.
+/// Calls ask(c), where c is the class with this number.
 template <class First, class... Others, class Ask>
 auto ask_class(unsigned kind, const Ask& ask) {
   if constexpr (sizeof...(Others) == 0) {
@@ -173,7 +175,7 @@ auto ask_class(unsigned kind, const Ask& ask) {
   }
 }
 
-/// Pushes daughter `k`; `shared`: of all.
+/// Pushes daughter `k`. `shared` is the PlaceConstants of all daughters.
 template <class Frame, const auto& shared, bool any_rotated, bool all_rotated, class Daughter>
 void push_of_class(NavigationStack* stack, const Daughter& d, unsigned k) {
   if constexpr (any_rotated) {
@@ -197,7 +199,7 @@ struct ClassedDaughters : DaughterTable<Daughter> {
                         all_rotated = (Classes::rotated && ...);
   unsigned count;
 
-  /// It will be asked.
+  /// Prefetches the record of a daughter that will be asked.
   [[gnu::always_inline]] void fetch(unsigned k) const { __builtin_prefetch(this->at + k); }
 
   bool holds(unsigned k, const Vec3<double>& p, const Direction<double>& v, double tol) const {
@@ -244,11 +246,12 @@ struct NthOf<0, First, Others...> {
   using type = First;
 };
 
-/// A few daughters, each a class, all of whose numbers are constants.
+/// A few daughters, each of which is a class of its own. All their numbers are constants.
 template <const auto& places, const auto& shared, class... Classes>
 struct ListedDaughters {
   static constexpr bool any = true;
-  static constexpr unsigned listed = sizeof...(Classes);  ///< how many
+  static constexpr unsigned listed =
+      sizeof...(Classes);  ///< how many daughters are types of their own
   static constexpr bool any_rotated = (Classes::rotated || ...),
                         all_rotated = (Classes::rotated && ...);
   static constexpr unsigned count = sizeof...(Classes);
@@ -275,7 +278,7 @@ struct ListedDaughters {
   static double away_one(const Vec3<double>& p) {
     return Nth<k>::away(places[k], p);
   }
-  // By a number that is no constant: where that is rare.
+  // The same by a number that is not a constant, for rare cases.
   static bool holds(unsigned k, const Vec3<double>& p, const Direction<double>& v, double tol) {
     return ask_class<Classes...>(
         k, [&](auto c) { return decltype(c)::holds(table, places[k], k, p, v, tol); });

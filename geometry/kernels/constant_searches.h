@@ -1,7 +1,7 @@
-// Searches whose numbers are constants but for their tables, which would be too much of a program.
+// Searches whose numbers are constants, except for their tables, which are too large for code.
 namespace navjit::kernels {
 
-// What is `known` of a search, and the tables that are not.
+// with_tables: the search `known`, with the tables of `tables`.
 
 template <class Index>
 [[gnu::always_inline]] inline SearchSlabs<Index> with_tables(SearchSlabs<Index> known,
@@ -60,7 +60,7 @@ template <class Index>
   return known;
 }
 
-/// A search whose numbers are constants but for its tables.
+/// A search whose numbers are constants, except for its tables.
 template <const auto& known>
 struct ConstantSearch {
   decltype(with_tables(known, known)) tables;

@@ -1,13 +1,13 @@
 // The daughters of a scene, by number: whether one holds a point, how far along a ray it is, how
-// far away, and the level of the stack that it becomes. Each kind of scene has the kind of table
-// that it needs and no more: a table of boxes has their sizes beside their places.
+// far away it is, and which level of the stack it becomes. Each kind of scene has the kind of table
+// that it needs and no more. For instance, a table of boxes has their sizes beside their places.
 namespace navjit::kernels {
 
-/// What a daughter has of its own.
+/// Where a daughter's own daughters are.
 enum InnerDaughters : unsigned short {
-  has_surface_daughters,  ///< some may be where it is entered
+  has_surface_daughters,  ///< some may be at its surface, where steps enter it
   no_daughters,
-  deep_daughters,  ///< none is near its surface, through which steps enter it
+  deep_daughters,  ///< none is near its surface, where steps enter it
 };
 
 /// A scene without daughters.
@@ -17,7 +17,7 @@ struct NoDaughters {
 
 /// A box placed without a rotation; a cache line.
 struct BoxDaughter {
-  double x, y, z;     ///< of its centre in the mother's frame, mm
+  double x, y, z;     ///< the centre in the mother's frame, mm
   double hx, hy, hz;  ///< half lengths, mm
   unsigned long long offset;
   unsigned volume;
@@ -26,11 +26,12 @@ struct BoxDaughter {
 
 struct BoxDaughters {
   static constexpr bool any = true;
-  static constexpr unsigned listed = 0;  ///< how many are types of their own
+  static constexpr unsigned listed = 0;  ///< how many daughters are types of their own
   const BoxDaughter* at;
   unsigned count;
 
-  /// It will be asked. (Where it was not always inlined GCC 12 left it out.)
+  /// Prefetches the record of a daughter that will be asked. (Unless it is always inlined, GCC 12
+  /// removes the call.)
   [[gnu::always_inline]] void fetch(unsigned k) const { __builtin_prefetch(at + k); }
 
   [[gnu::always_inline]] bool holds(unsigned k, const Vec3<double>& p, const Direction<double>& v,
@@ -67,7 +68,7 @@ struct BoxDaughters {
   }
 };
 
-/// Any solid, placed in any way; a cache line.
+/// A daughter with any solid, placed in any way; a cache line.
 template <class Solid>
 struct SolidDaughter {
   double x, y, z;          ///< translation in the mother's frame, mm
@@ -76,19 +77,19 @@ struct SolidDaughter {
   unsigned long long offset;
   unsigned volume;
   InnerDaughters inner;
-  bool boxed;                 ///< its solid is costly: its box is tested before
-  bool can_be_left_for_good;  ///< leaves_for_good may say so
+  bool boxed;                 ///< whether its box is tested first, as its solid is costly
+  bool can_be_left_for_good;  ///< whether leaves_for_good may be true
 };
 
 template <class Solid>
 struct SolidDaughters {
   static constexpr bool any = true;
-  static constexpr unsigned listed = 0;  ///< how many are types of their own
+  static constexpr unsigned listed = 0;  ///< how many daughters are types of their own
   const SolidDaughter<Solid>* at;
-  const Vec3<double> (*boxes)[2];  ///< corners of the solids' boxes, with a margin
+  const Vec3<double> (*boxes)[2];  ///< corners of the solids' boxes, with a margin, mm
   unsigned count;
 
-  /// It will be asked.
+  /// Prefetches the record of a daughter that will be asked.
   [[gnu::always_inline]] void fetch(unsigned k) const { __builtin_prefetch(at + k); }
 
   static Vec3<double> turned(const double* r, double x, double y, double z) {
@@ -161,17 +162,17 @@ struct SolidDaughters {
   }
 };
 
-/// Daughters without what is rare: distances may be negative where the ray starts within one
-/// (distance_to_entry), and without that which the ray has left for good. `is_oblique`: the ray is
-/// known to be.
+/// Daughters as the common step asks them, without rare cases. The distance to a daughter that
+/// contains the start may be negative (distance_to_entry), and the daughter that the ray has left
+/// for good is not asked. `is_oblique`: the ray is known to be oblique.
 template <class Daughters, bool is_oblique>
 struct MostlyAhead {
   static constexpr unsigned listed = Daughters::listed;
   const Daughters& all;
   unsigned count;
   unsigned left_for_good;
-  BoxesAhead* boxes_ahead;    ///< for searches that remember them
-  unsigned long long mother;  ///< the touchable, for these
+  BoxesAhead* boxes_ahead;    ///< for searches that remember boxes; may be null
+  unsigned long long mother;  ///< the mother's touchable, for such searches
 
   [[gnu::always_inline]] void fetch(unsigned k) const {
     if constexpr (requires { all.fetch(k); }) all.fetch(k);
@@ -193,7 +194,7 @@ struct MostlyAhead {
   }
 };
 
-/// Whether the ray is known to be oblique by what daughters are asked through.
+/// Whether the type through which daughters are asked guarantees that the ray is oblique.
 template <class Daughters>
 constexpr bool knows_oblique = false;
 template <class Daughters>

@@ -1,4 +1,4 @@
-// Boxes along the axes of one frame, four at once: each lane has the bits of its own kernel
+// Boxes along the axes of one frame, four at once. Each lane has the bits of the kernel for one box
 // (box.h).
 namespace navjit::kernels {
 
@@ -10,13 +10,13 @@ struct FourBoxes {
 inline Doubles larger_of_four(Doubles a, Doubles b) { return a > b ? a : b; }
 inline Doubles smaller_of_four(Doubles a, Doubles b) { return a < b ? a : b; }
 
-/// ascending(p, v) of each.
+/// ascending(p, v) of each lane.
 inline Doubles ascending_four(Doubles p, double v) {
   const unsigned long long sign = __builtin_bit_cast(unsigned long long, v) & 1ULL << 63;
   return __builtin_bit_cast(Doubles, __builtin_bit_cast(Words, p) ^ Words{sign, sign, sign, sign});
 }
 
-/// distance_to_entry of each.
+/// distance_to_entry of each box.
 inline Doubles distances_to_entry(const FourBoxes& s, const Vec3<double>& p,
                                   const Direction<double>& v, double tol) {
   const Doubles x = ascending_four(p.x - s.x, v.x), y = ascending_four(p.y - s.y, v.y),
@@ -34,7 +34,8 @@ inline Doubles distances_to_entry(const FourBoxes& s, const Vec3<double>& p,
   return ((enter < until) & (until > 0)) ? enter : four_of(infinity<double>());
 }
 
-/// Folds daughters into the nearest so far, as one after the other would. `v` is_oblique.
+/// Updates `best` and `hit` with the nearest of the boxes, with the result of asking one after the
+/// other. `v` is oblique.
 template <int n>
 inline void nearest_of_boxes(const FourBoxes (&boxes)[n], const Vec3<double>& p,
                              const Direction<double>& v, double tol, double& best, int& hit) {
@@ -53,8 +54,8 @@ inline void nearest_of_boxes(const FourBoxes (&boxes)[n], const Vec3<double>& p,
   hit = __builtin_ctz(bits);
 }
 
-/// The last of the daughters, but for `blocked`, that contains the point; -1 for none. `v`
-/// is_oblique, and all boxes are wider than the tolerance.
+/// The last of the daughters, other than `blocked`, that contains the point; -1 for none. `v` is
+/// oblique, and all half lengths are larger than the tolerance.
 template <int n>
 inline int last_box_at(const FourBoxes (&boxes)[n], const Vec3<double>& p,
                        const Direction<double>& v, double tol, int blocked) {

@@ -1,6 +1,6 @@
-// A scene partitioned into cells, walked along a ray or looked up at a point. Only a filter: it
-// may offer daughters that are not hit, and never leaves one out that is. What makes it
-// conservative is that daughters were put into cells with a margin far above the rounding of a
+// A scene that is partitioned into cells, which are walked along a ray or looked up at a point. The
+// search only finds candidates: it may offer daughters that are not hit, but never leaves one out
+// that is. For this, daughters are listed in cells with a margin far above the rounding of a
 // position.
 namespace navjit::kernels {
 
@@ -31,8 +31,8 @@ inline unsigned cell_at(const Grid& g, const Vec3<double>& p) {
                  cell_along(p.z, g.origin[2], g.per_mm[2], g.count[2]));
 }
 
-/// Calls visit(daughter) for those whose box may hold the point, last in file order first, until it
-/// returns false.
+/// Calls visit(daughter) for the daughters in the point's cell, in descending file order, until
+/// visit returns false.
 template <class Index, class Visit>
 inline void visit_cell_at(const CellGrid<Index>& g, const Vec3<double>& p, const Visit& visit) {
   const unsigned b = cell_at(g, p);
@@ -50,7 +50,8 @@ struct GridAxis {
 inline double cell_edge(double p, double v, double inverse, double origin, double width,
                         int index) {
   const int edge = v < 0 ? index : index + 1;
-  // Nearly along the edge is along it: on the edge, 0 times infinity would be no number.
+  // A ray along the edge never crosses it. The product would be 0 times infinity, which is NaN, if
+  // the ray were on the edge.
   if (!(absolute(inverse) < infinity<double>())) return infinity<double>();
   return (origin + edge * width - p) * inverse;
 }
@@ -62,8 +63,9 @@ inline GridAxis grid_axis(double p, double v, double inverse, double origin, dou
           cell_edge(p, v, inverse, origin, width, index)};
 }
 
-/// The next cell along one axis. The outermost ones reach to infinity: a ray along the scene's
-/// own face may leave the grid by a bit and still meet daughters that have the face, too.
+/// Goes to the next cell along one axis. The outermost cells reach to infinity, because a ray along
+/// the scene's own face may leave the grid by a rounding error and still meet daughters that have
+/// the same face.
 inline void next_cell(GridAxis& a, double p, double v, double inverse, double origin,
                       double width) {
   if (a.index + a.step == a.end) {
@@ -74,9 +76,9 @@ inline void next_cell(GridAxis& a, double p, double v, double inverse, double or
   }
 }
 
-/// Calls visit(cell, from, to) for the cells along the ray, with the path lengths between which
-/// it is in each, until it has passed `reach()`, a path length that visits may shorten. The last
-/// `to` is infinite. Cells hold what is listed from first[b] to first[b + 1].
+/// Calls visit(cell, from, to) for the cells along the ray, with the path lengths between which the
+/// ray is in the cell, until it has passed `reach()`, a path length that visits may shorten. The
+/// last `to` is infinite. The contents of cell b are listed from first[b] to first[b + 1].
 template <class Grid, class Visit, class Reach>
 inline void walk_grid(const Grid& g, const Vec3<double>& p, const Direction<double>& v,
                       const Visit& visit, const Reach& reach) {
@@ -92,7 +94,7 @@ inline void walk_grid(const Grid& g, const Vec3<double>& p, const Direction<doub
                        (cell_along(p.y + far * v.y, g.origin[1], g.per_mm[1], g.count[1]) == j) &
                        (cell_along(p.z + far * v.z, g.origin[2], g.per_mm[2], g.count[2]) == k));
   if (ends_here) {
-    // Before anything that visits share is worked out.
+    // An empty cell is recognised before the work that all visits share.
     const unsigned b = cell_of(g, i, j, k);
     if (g.first[b] == g.first[b + 1]) return;
   } else {
@@ -115,8 +117,8 @@ inline void walk_grid(const Grid& g, const Vec3<double>& p, const Direction<doub
   }
 }
 
-/// Calls visit(daughter) along the ray for those whose boxes it may meet, cell by cell, until
-/// it has passed `reach()`.
+/// Calls visit(daughter) for the daughters in the cells along the ray, until the ray has passed
+/// `reach()`.
 template <class Index, class Visit, class Reach>
 inline void walk_cells(const CellGrid<Index>& g, const Vec3<double>& p, const Direction<double>& v,
                        const Visit& visit, const Reach& reach) {
@@ -130,13 +132,13 @@ inline void walk_cells(const CellGrid<Index>& g, const Vec3<double>& p, const Di
       reach);
 }
 
-/// Whether the point is in the box, which has to carry a margin.
+/// Whether the point is in the box, which must include a margin.
 inline bool is_in_box(const Vec3<double>& low, const Vec3<double>& high, const Vec3<double>& p) {
   return (p.x >= low.x) & (p.x <= high.x) & (p.y >= low.y) & (p.y <= high.y) & (p.z >= low.z) &
          (p.z <= high.z);
 }
 
-/// Whether the ray may meet the box within [0, reach]. The box has to carry a margin.
+/// Whether the ray may meet the box within [0, reach]. The box must include a margin.
 inline bool may_meet_box(const Vec3<double>& low, const Vec3<double>& high, const Vec3<double>& p,
                          const Direction<double>& v, double reach) {
   double enter = 0, leave = reach;

@@ -1,8 +1,9 @@
-// What navigators do with the navigation stack (navjit/detail/navigation_stack.h). Freestanding.
+// What navigators do with the navigation stack (navjit/detail/navigation_stack.h). This text is
+// freestanding.
 namespace navjit::kernels {
 
-// Canonical composition and application; docs/numerics.md has the rules. The branches vanish where
-// the arguments are constants.
+// Frames are applied and composed by canonical formulas (docs/numerics.md), so that all navigators
+// get the same bits. Compilers remove the branches where the arguments are constants.
 
 inline Vec3<double> to_local(const StackLevel& level, double x, double y, double z) {
   const double dx = x - level.translation[0], dy = y - level.translation[1],
@@ -20,7 +21,7 @@ inline Direction<double> to_local_direction(const StackLevel& level, double u, d
                                 r[6] * u + r[7] * v + r[8] * w);
 }
 
-/// The same for what asks only whether a point is contained.
+/// The same without reciprocals, for callers that only ask whether a point is contained.
 inline Direction<double> to_local_heading(const StackLevel& level, double u, double v, double w) {
   if (level.rotation == nullptr) return make_heading<double>(u, v, w);
   const double* r = level.rotation;
@@ -28,7 +29,7 @@ inline Direction<double> to_local_heading(const StackLevel& level, double u, dou
                               r[6] * u + r[7] * v + r[8] * w);
 }
 
-/// To be called before steps along (u, v, w).
+/// Must be called before steps along (u, v, w).
 inline void set_ray(NavigationStack& stack, double u, double v, double w) {
   RayConstants& ray = stack.ray;
   if (same_bits(ray.given[0], u) && same_bits(ray.given[1], v) && same_bits(ray.given[2], w)) {
@@ -48,9 +49,9 @@ inline void set_ray(NavigationStack& stack, double u, double v, double w) {
   }
 }
 
-/// The daughter of the innermost level that the stack's ray cannot meet again from this point, if
-/// it is known; LeftForGood::none else. To within a quarter of the tolerance the point need not be
-/// that where the daughter was left: what callers compute differs in the last bit.
+/// The daughter of the innermost level that the stack's ray is known not to meet again from this
+/// point; LeftForGood::none if none is known. The point may differ by a quarter of the tolerance
+/// from that where the daughter was left, because callers may compute it with another last bit.
 inline unsigned left_for_good(const NavigationStack& stack, double x, double y, double z,
                               double tol) {
   const LeftForGood& left = stack.left;
@@ -60,8 +61,8 @@ inline unsigned left_for_good(const NavigationStack& stack, double x, double y, 
   return is_here ? left.daughter : LeftForGood::none;
 }
 
-/// turn(), the stack's ray in a frame of the rotation of that number, without doing it again where
-/// the last step was in such a frame, too.
+/// The stack's ray in a frame with the rotation of this number. turn() computes the direction. It
+/// is not called again if the last rotated frame had the same rotation.
 template <class Turn>
 inline const TurnedRay& turned_ray(NavigationStack* stack, unsigned rotation, Turn turn) {
   TurnedRay& turned = stack->turned;
@@ -73,7 +74,7 @@ inline const TurnedRay& turned_ray(NavigationStack* stack, unsigned rotation, Tu
   return turned;
 }
 
-/// Pushes a daughter placed by translation alone.
+/// Pushes a daughter that is placed by translation only.
 inline void push_translated(NavigationStack* stack, unsigned volume, unsigned daughter,
                             unsigned long long offset, double tx, double ty, double tz) {
   const StackLevel& mother = stack->levels[stack->depth];
@@ -94,7 +95,7 @@ inline void push_translated(NavigationStack* stack, unsigned volume, unsigned da
   level.daughter = daughter;
 }
 
-/// Pushes a daughter placed with a rotation.
+/// Pushes a daughter that is placed with a rotation.
 inline void push_rotated(NavigationStack* stack, unsigned volume, unsigned daughter,
                          unsigned long long offset, double tx, double ty, double tz,
                          const double* rotation) {

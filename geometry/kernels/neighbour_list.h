@@ -1,16 +1,18 @@
-// What is known of where a track leaves a daughter: one record, for all navigators.
+// What is known about the places where a track leaves a daughter. All navigators use the same
+// record.
 namespace navjit::kernels {
 
-/// Of a daughter: a box within which tracks leave it, and the neighbours, the only ones that can
-/// contain such a point (navjit::NeighbourLists). A cache line. In single precision the box would
-/// not hold the points on its own faces, where tracks leave it.
+/// The record of one daughter: a box within which tracks leave it, and its neighbours, the only
+/// daughters that can contain a point in this box (navjit::NeighbourLists). It is a cache line. The
+/// box is in double precision: in single precision it would not hold the points on its own faces,
+/// where tracks leave the daughter.
 struct alignas(64) NeighbourList {
   double low[3], high[3];  ///< with the margin, in the mother's frame, mm
-  unsigned first;          ///< among all neighbours that are listed
+  unsigned first;          ///< where its neighbours begin in the list of all neighbours
   unsigned short count;
-  unsigned short mother_contains;  ///< all of the box
-  unsigned block;                  ///< of the neighbours' boxes; no_block: there are none
-  float margin;                    ///< by which the box is the larger, mm
+  unsigned short mother_contains;  ///< whether the mother contains all of the box
+  unsigned block;                  ///< of the neighbours' boxes; no_block if there are none
+  float margin;                    ///< by which the box is larger than the daughter's own, mm
 
   static constexpr unsigned short unlisted = 0xffff;
   static constexpr unsigned no_block = 0xffffffff;
@@ -23,8 +25,8 @@ inline bool is_there(const NeighbourList& a, const Vec3<double>& p) {
          (p.z >= a.low[2]) & (p.z <= a.high[2]);
 }
 
-/// Whether a ray that leaves the daughter here comes out of its box, and is not nearly along the
-/// face: whatever is in the box, it is behind.
+/// Whether a ray that leaves the daughter at this point comes out of the daughter's box, and not
+/// nearly along the face. Then all that is in the box is behind the ray.
 inline bool comes_out_of_box(const NeighbourList& a, const Vec3<double>& p,
                              const Direction<double>& v, double tol) {
   constexpr double least_slope = 1e-3;

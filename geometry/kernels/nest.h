@@ -1,6 +1,7 @@
-// Daughters in layers about an axis or a centre, both radii ascending: what a ray meets next is the
-// next layer inwards, up to where it comes nearest to the axis, and from there outwards. Only a
-// filter; radii carry a margin, and nothing depends on layers being apart.
+// Daughters that surround an axis or a centre as shells, with both radii ascending. The next shell
+// that a ray meets is the next one inwards, up to where the ray is nearest to the axis, and from
+// there the next one outwards. The search only finds candidates. Radii include a margin, and
+// nothing depends on the shells being apart.
 namespace navjit::kernels {
 
 template <class Index>
@@ -8,12 +9,12 @@ struct ShellNest {
   int count;
   const double *near2, *far2;  ///< squared radii by position, mm^2
   const Index* daughter;       ///< by position
-  bool ends;                   ///< whether rays come beyond the ends of all layers:
-  double low, high;            ///< along the axis, with a margin, mm
+  bool ends;                   ///< whether rays come beyond the ends of all shells
+  double low, high;            ///< these ends, along the axis, with a margin, mm
 };
 
-/// Of a ray along an axis, the path lengths between which it is in [low, high], within the given
-/// ones. Not a number where it runs along an end: then that is no limit.
+/// Narrows the path lengths [from, to] of a ray to those at which it is in [low, high] along an
+/// axis. If the ray runs exactly along an end, the path to the end is NaN, and the end is no limit.
 inline void clip_to_ends(double low, double high, double z, double vz, double inverse_z,
                          double& from, double& to) {
   const double t0 = (low - z) * inverse_z, t1 = (high - z) * inverse_z;
@@ -21,7 +22,7 @@ inline void clip_to_ends(double low, double high, double z, double vz, double in
   to = smaller(vz < 0 ? t0 : t1, to);
 }
 
-/// A ray as a layer sees it: its squared radius is r2 + 2 b t + a t^2 after a path t.
+/// A ray as a shell sees it: its squared radius is r2 + 2 b t + a t^2 after a path t.
 struct RadialRay {
   double r2, b, a;
 };
@@ -43,9 +44,9 @@ inline RadialRay radial_ray_from(const RadialRay& ray, double t) {
   return {radius2_after(ray, t), ray.b + t * ray.a, ray.a};
 }
 
-/// Calls visit(daughter) for layers that the ray may meet between `from` and `smaller(reach(),
-/// to)`, path lengths of which visits may shorten the latter, in the order in which it comes to
-/// them. Where a comparison meets what is not a number, the layer is offered.
+/// Calls visit(daughter) for shells that the ray may meet between the paths `from` and
+/// `smaller(reach(), to)`, in the order in which it meets them. Visits may shorten `reach()`. If a
+/// comparison involves NaN, the shell is offered.
 template <class Index, class Visit, class Reach>
 inline void walk_shells(const ShellNest<Index>& s, const RadialRay& whole, double from, double to,
                         const Visit& visit, const Reach& reach) {
@@ -78,7 +79,7 @@ inline void walk_shells(const ShellNest<Index>& s, const RadialRay& whole, doubl
   }
 }
 
-/// Calls visit(daughter) for layers that may hold a point of this squared radius.
+/// Calls visit(daughter) for shells that may hold a point with this squared radius.
 template <class Index, class Visit>
 inline void visit_shells_at(const ShellNest<Index>& s, double r2, const Visit& visit) {
   for (int i = 0; i < s.count && !(s.near2[i] > r2); ++i) {

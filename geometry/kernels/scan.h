@@ -1,12 +1,13 @@
-// Some dozens of daughters, the boxes of all of them looked at before any daughter is asked. What a
-// ray meets cannot be foreseen, and a branch that is foreseen wrongly is dear: here nothing
-// branches on it but whether another daughter is asked.
+// A search for some dozens of daughters. It tests the boxes of all of them before it asks any
+// daughter. Which boxes a ray meets cannot be predicted, and a mispredicted branch is expensive.
+// The only branch that depends on it is whether another daughter is asked.
 namespace navjit::kernels {
 
 typedef unsigned Keys __attribute__((vector_size(32)));
 
-/// Boxes that a ray meets, as numbers in the order of where it enters them: the bits of that path
-/// length, which are ordered as it is, with the number of the box in the place of the last `bits`.
+/// The boxes that a ray meets, as keys in the order in which it enters them. A key is the bits of
+/// the path length to the box, which have the same order as the path lengths, with the number of
+/// the box in place of the last `bits` bits.
 template <unsigned bits>
 struct ScanKeys {
   static constexpr unsigned number_bits = (1U << bits) - 1;
@@ -21,18 +22,18 @@ struct ScanKeys {
     return k[0];
   }
   static unsigned number(unsigned key) { return key & number_bits; }
-  /// At most the path length.
+  /// The path length to the box, rounded down.
   static float enter(unsigned key) { return __builtin_bit_cast(float, key & ~number_bits); }
 };
 
-/// A ray that is held against many blocks of boxes.
+/// A ray that is tested against many blocks of boxes.
 struct ScanRay {
   FloatRay ray;
   Floats leave_all;
   // Rows of a block: where its boxes begin along each axis, then where they end.
   int near_x, near_y, near_z, far_x, far_y, far_z;
 
-  /// `end`: the path length at which it ends.
+  /// `end`: the path length at which the ray ends.
   [[gnu::always_inline]] ScanRay(const Vec3<double>& p, const Direction<double>& v, float end)
       : ray(float_ray(p, v)),
         leave_all(all_lanes(end * path_slack)),
@@ -43,8 +44,8 @@ struct ScanRay {
         far_y(5 - near_y),
         far_z(7 - near_z) {}
 
-  /// Where it enters and leaves the boxes of a block, whose rows begin here; all ones for those
-  /// that it meets.
+  /// The paths to where the ray enters and leaves the boxes of the block whose rows begin at `row`.
+  /// The result has all bits set in the lanes of boxes that the ray meets.
   [[gnu::always_inline]] auto crosses(const Floats* row, Floats& enter, Floats& leave) const {
     enter = larger_lanes((row[near_x] - ray.p[0]) * ray.inverse[0], all_lanes(0));
     enter = larger_lanes((row[near_y] - ray.p[1]) * ray.inverse[1], enter);
@@ -60,8 +61,9 @@ struct ScanRay {
   }
 };
 
-/// The keys of a block's boxes, which have these numbers and stand for these daughters; none for
-/// those that the ray does not meet, and for the daughter `left`. `leave`: where it leaves them.
+/// The keys of the boxes of a block, which have the given numbers and are those of the given
+/// daughters. The key is `none` if the ray does not meet the box, and for the daughter `left`.
+/// `leave` receives the paths to where the ray leaves the boxes.
 template <class Key>
 [[gnu::always_inline]] inline Keys keys_of(const Floats* row, const ScanRay& ray, Keys numbers,
                                            Keys daughters, unsigned left, Floats& leave) {
@@ -71,9 +73,9 @@ template <class Key>
   return met ? key : Key::all(Key::none);
 }
 
-/// Asks the daughters that keys stand for, in their order from the key `next` on, which is the
-/// least of all, until one was met before the ray enters the next box. `in_keys(path)`: the path as
-/// it is counted in the keys, as `end` is.
+/// Asks the daughters that keys stand for, in the order of the keys and beginning with `next`,
+/// which is the least of all, until one is met before the ray enters the next box. `end` is where
+/// the ray ends. `in_keys(path)` is a path from the ray's start as the keys and `end` count it.
 template <class Key, class Nearest, class DaughterOf, class InKeys>
 [[gnu::always_inline]] inline void ask_in_order(const Keys* keys, unsigned count, unsigned next,
                                                 float end, Nearest& nearest,
@@ -89,24 +91,26 @@ template <class Key, class Nearest, class DaughterOf, class InKeys>
     }
     next = Key::least(least);
   }
-  // The ray comes to it when it comes back from what it meets first: by then its record is there.
-  // Whether there is one cannot be foreseen; the first daughter serves as well.
+  // The ray meets the next daughter when it comes back from the first one. By then the record that
+  // is prefetched here has arrived. If there is no next daughter, another one is fetched, which
+  // saves an unpredictable branch.
   if constexpr (requires { nearest.daughters.fetch(0U); }) {
     nearest.daughters.fetch(daughter_of(next != Key::none ? Key::number(next) : 0U));
   }
 }
 
-/// The daughter that the ray has left for good, as far as is known to who asks.
+/// The daughter that the ray has left for good, if the type through which daughters are asked knows
+/// it.
 template <class Daughters>
 [[gnu::always_inline]] inline unsigned left_by_ray(const Daughters& d) {
   if constexpr (requires { d.left_for_good; }) return d.left_for_good;
   return LeftForGood::none;
 }
 
-/// So many boxes at most: a key has their number in its last bits.
+/// The largest number of boxes: a key has the number of a box in its last six bits.
 constexpr unsigned most_scanned = 64;
 
-/// Of the daughters; `blocks` holds their boxes in file order.
+/// The scan of all daughters; `blocks` holds their boxes in file order.
 struct SearchScan {
   using Key = ScanKeys<6>;
   const BoxBlock* blocks;
@@ -131,7 +135,7 @@ struct SearchScan {
                                      const Direction<double>& v, double& best, double limit,
                                      unsigned, double tol) const {
     NearestAhead<Daughters> nearest{d, p, v, best, limit, tol};
-    // Rounded, a number beyond single precision is infinite, which serves as well.
+    // A path beyond single precision is rounded to infinity, which serves as well.
     const float end = static_cast<float>(smaller(limit, best));
     const ScanRay ray(p, v, end);
     const unsigned left = left_by_ray(d);

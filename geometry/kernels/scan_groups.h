@@ -1,21 +1,22 @@
-// Some hundreds or thousands of daughters: a scan (scan.h) of boxes around eight of them that are
-// close together, then of the boxes of those eights that the ray may meet, before any daughter is
-// asked. Of thousands, boxes around eight times eight are looked at before. A straight ray that
-// comes back from a daughter meets the same boxes again: which they are is kept (BoxesAhead).
+// A search for some hundreds or thousands of daughters. A *block* has the boxes of eight daughters
+// that are close together, a *group* has boxes around eight blocks, and a *hall*, which only
+// thousands of daughters have, has boxes around eight groups. The search tests halls, then the
+// groups and then the blocks that the ray may meet, before it asks any daughter. A straight ray
+// that comes back from a daughter meets the same boxes again, so these are kept (BoxesAhead).
 namespace navjit::kernels {
 
-/// So many boxes at most: a key has the number of its block and lane in its last bits.
+/// The largest number of boxes: a key has the number of the block and the lane in its last 14 bits.
 constexpr unsigned most_grouped = 16384;
-/// From so many blocks on, groups have boxes around them. Below, all are looked at.
+/// With at least this number of blocks there are halls. With fewer, all groups are tested.
 constexpr unsigned blocks_with_halls = 129;
 
-/// Keeps a block of boxes, which becomes the last one of those that are kept.
+/// Keeps a block of boxes as number `m`.
 inline void keep_boxes(BoxesAhead& ahead, unsigned m, const Keys& keys, const Floats& leave) {
   __builtin_memcpy(ahead.keys[m], &keys, sizeof keys);
   __builtin_memcpy(ahead.leave[m], &leave, sizeof leave);
 }
 
-/// All boxes that the ray meets from here up to the path `until` are kept.
+/// Notes that the boxes kept are all that the ray meets from `p` up to the path `until`.
 inline void all_are_kept(BoxesAhead& ahead, const void* search, unsigned long long mother,
                          const Vec3<double>& p, float until, unsigned count) {
   ahead.search = search;
@@ -23,16 +24,16 @@ inline void all_are_kept(BoxesAhead& ahead, const void* search, unsigned long lo
   ahead.at[0] = p.x;
   ahead.at[1] = p.y;
   ahead.at[2] = p.z;
-  // Boxes that the ray enters a little later are there, too.
+  // Tests of boxes have some slack, so boxes that the ray enters a little later are kept, too.
   ahead.until = static_cast<double>(until) * (1 + 0x1p-21);
   ahead.count = count;
 }
 
-/// Asks the daughters whose boxes a search found from another point of the ray. False if it is not
-/// known that they are all: then none was asked.
+/// Asks the daughters whose boxes a search found from an earlier point of the ray. Returns false,
+/// and asks no daughter, if the boxes may not be all that the ray meets.
 ///
-/// The point is as good as on the ray that they were found along: boxes are larger than daughters
-/// by far more than what it may be off (docs/numerics.md).
+/// The point may be a little off the ray along which the boxes were found. That is safe, as boxes
+/// are larger than daughters by far more (docs/numerics.md).
 template <class Key, class Nearest, class DaughterOf>
 [[gnu::always_inline]] inline bool ask_boxes_ahead(const BoxesAhead& ahead, const void* search,
                                                    unsigned long long mother, Nearest& nearest,
@@ -62,7 +63,7 @@ template <class Key, class Nearest, class DaughterOf>
   return true;
 }
 
-/// Where boxes may be kept, and for which touchable; null: nowhere.
+/// Where boxes may be kept, or null; and the touchable for which they are kept.
 template <class Daughters>
 [[gnu::always_inline]] inline BoxesAhead* place_for_boxes(const Daughters& d) {
   if constexpr (requires { d.boxes_ahead; }) return d.boxes_ahead;
@@ -77,10 +78,10 @@ template <class Daughters>
 struct SearchGroups {
   using Key = ScanKeys<14>;
   static constexpr bool remembers_boxes = true;
-  NearBoxes boxes;        ///< of the daughters; all blocks are full but the last
+  NearBoxes boxes;        ///< of the daughters; all blocks except the last are full
   const BoxBlock* halls;  ///< lane l of hall h is around group h * box_lanes + l; null: none
 
-  /// Blocks within one hall.
+  /// The number of blocks within one hall.
   static constexpr unsigned in_hall = box_lanes * box_lanes;
 
   template <class Daughters>
@@ -121,7 +122,7 @@ struct SearchGroups {
       }
       ahead->search = nullptr;
     }
-    // Rounded, a number beyond single precision is infinite, which serves as well.
+    // A path beyond single precision is rounded to infinity, which serves as well.
     float end = static_cast<float>(smaller(limit, best));
     const float until = end;
     ScanRay ray(p, v, end);
@@ -135,8 +136,8 @@ struct SearchGroups {
       ask_in_order<Key>(keys, met, Key::least(least), end, nearest, daughter_of,
                         [](double path) { return path; });
     };
-    // Which of a hall's groups and blocks are met are words of bits: what a single group has
-    // cannot be foreseen.
+    // The groups and blocks of a hall that the ray meets are collected as bits of words, because
+    // branches on single groups are unpredictable.
     for (unsigned first = 0; first < boxes.count; first += in_hall) {
       const BoxBlock* groups = boxes.groups + first / box_lanes;
       const auto blocks_in = [&](unsigned group) {
@@ -164,11 +165,12 @@ struct SearchGroups {
         keys[met] = keys_of<Key>(boxes.blocks[m].low, ray, numbers, daughters, left, leave);
         least = Key::smaller_keys(least, keys[met]);
         if (ahead != nullptr && met < BoxesAhead::room) keep_boxes(*ahead, met, keys[met], leave);
-        // Without a branch: which of the blocks have none cannot be foreseen either.
+        // This has no branch, because it is unpredictable which blocks have boxes that the ray
+        // meets.
         met += lanes_of(keys[met] != Key::all(Key::none)) != 0 ? 1U : 0U;
       }
       if (met <= room) continue;
-      // No room for those of another hall.
+      // There is no room for the keys of another hall.
       all_kept = false;
       ask();
       end = static_cast<float>(smaller(limit, best));

@@ -1,19 +1,19 @@
-// How a scene is navigated: the one template of all navigators that are not generic. Its parts are
-// types (frame, mother's solid, daughters, search), its numbers are data: a struct in memory, or
-// constants that fold. Gives the bits of the generic navigator, and leaves to it (a negative
-// result) only what `Rare` says. Steps of length zero are relocated by functions of the context's,
-// with more care than pays here.
+// How a scene is navigated: the one template of all navigators except the generic one. The parts of
+// a scene are types (frame, mother's solid, daughters, search). Its numbers are data: a struct in
+// memory, or constants that are folded into the code. A navigator gives the same bits as the
+// generic one, and leaves to it (by a negative result) only the steps that `Rare` names. Steps of
+// length zero are relocated by functions of the context, with more care than would pay here.
 namespace navjit::kernels {
 
-/// What becomes of steps that are rare: from within a daughter, along faces.
+/// What becomes of steps that are rare: those from within a daughter, and those along faces.
 enum class Rare {
-  out_of_line,  ///< made by code apart from the common step's
-  left_out,     ///< left to the generic navigator: much less code
-  taken,        ///< made by the one code there is, which takes every step
+  out_of_line,  ///< made by code apart from that of the common step
+  left_out,     ///< left to the generic navigator, which saves much code
+  taken,        ///< made by the same code as all other steps
 };
 
-/// Whether a search may ask the daughter that was left last, for nothing: those that ask all at
-/// once, or go on from it, do not.
+/// Whether a search may ask the daughter that was left last although the ray cannot meet it.
+/// Searches that ask all at once, or that go on from this daughter, do not.
 template <class Search>
 constexpr bool asks_what_was_left = true;
 template <class Fours>
@@ -24,27 +24,30 @@ template <const auto& known>
 constexpr bool asks_what_was_left<ConstantSearch<known>> =
     asks_what_was_left<decltype(ConstantSearch<known>::tables)>;
 
-/// Whether a table is there.
+/// Whether a scene has a table. `maybe`: that is known only at run time.
 enum class Has { maybe, yes, no };
 
 struct LeaveByStack;
 struct EnterByTable;
 
-/// The static members are what is assumed where no more is known; scenes of which more is known are
-/// derived from this, with members of their own of the same names.
+/// The parts of a scene. The static members are what holds if no more is known. A scene of which
+/// more is known has a type derived from this one, with members of its own of the same names.
 template <class Frame, class Mother, class Daughters, class Search, class Tolerance = double>
 struct Scene {
   using frame_type = Frame;
   using leave = LeaveByStack;
   using enter = EnterByTable;
   static constexpr Rare rare = Rare::out_of_line;
-  static constexpr bool oblique_only = true;  ///< rays along planes of the frame's axes are rare
+  static constexpr bool oblique_only =
+      true;  ///< rays along the planes of the frame's axes are rare
   static constexpr Has has_lists = Has::maybe, has_boxes = Has::maybe;
-  static constexpr bool shared_moves = false;  ///< relocation is called by others, too
+  static constexpr bool shared_moves =
+      false;  ///< relocation in this scene is called by other scenes, too
   /// A daughter's record may name a stand-in: the first of the volumes that share its scene's code.
   /// The context knows which volume the daughter is.
   static constexpr bool stand_ins = false;
-  static constexpr unsigned long at = 0;  ///< its place in the data of all that it calls
+  static constexpr unsigned long at =
+      0;  ///< where this scene is in the data of all scenes that it calls, bytes
 
   [[no_unique_address]] Tolerance tolerance;
   [[no_unique_address]] Frame frame;
@@ -52,9 +55,9 @@ struct Scene {
   [[no_unique_address]] Daughters daughters;
   [[no_unique_address]] Search search;
   const NeighbourList* lists;  ///< by daughter; null: not used
-  const unsigned* neighbours;  ///< of daughters, as `lists` counts them
-  const BoxBlock* beside;      ///< the boxes of neighbours, likewise
-  NearBoxes boxes;             ///< of daughters, for safety; without blocks every one is asked
+  const unsigned* neighbours;  ///< of all daughters, one list after the other
+  const BoxBlock* beside;      ///< the boxes of neighbours, one list after the other
+  NearBoxes boxes;  ///< of daughters, for safety; if there are none, every daughter is asked
 };
 
 template <class S>
@@ -69,7 +72,7 @@ template <class S>
 [[gnu::always_inline]] inline void go_up(const void* data, NavigationStack* stack,
                                          const Context* context, double x, double y, double z,
                                          unsigned blocked);
-/// The same for several callers.
+/// The same as functions that several callers share.
 template <class S>
 [[gnu::noinline]] void enter_scene(const void* data, NavigationStack* stack, const Context* context,
                                    double x, double y, double z) {
@@ -82,9 +85,10 @@ template <class S>
   go_up<S>(data, stack, context, x, y, z, blocked);
 }
 
-// The innermost level, daughter `left`, has been left: how to relocate in its mother.
+// The next types say how to relocate in the mother after the innermost level, its daughter `left`,
+// has been left.
 
-/// Whatever the mother is.
+/// The mother may be any volume.
 struct LeaveByStack {
   [[gnu::always_inline]] static void go(const void*, NavigationStack* stack, const Context* context,
                                         double x, double y, double z, unsigned left) {
@@ -93,14 +97,14 @@ struct LeaveByStack {
                       static_cast<int>(left));
   }
 };
-/// It is the world that was left.
+/// The world was left.
 struct LeaveWorld {
   [[gnu::always_inline]] static void go(const void*, NavigationStack* stack, const Context*, double,
                                         double, double, unsigned) {
     --stack->depth;
   }
 };
-/// All placements are in one volume.
+/// All placements of the volume are in one mother.
 template <unsigned mother>
 struct LeaveToVolume {
   [[gnu::always_inline]] static void go(const void*, NavigationStack* stack, const Context* context,
@@ -109,7 +113,7 @@ struct LeaveToVolume {
     relocate_in_table(stack, context, mother, x, y, z, static_cast<int>(left));
   }
 };
-/// And its scene's code is beside this.
+/// All placements are in one mother, and the code of the mother's scene is in the same module.
 template <class S>
 struct LeaveToScene {
   [[gnu::always_inline]] static void go(const void* data, NavigationStack* stack,
@@ -120,10 +124,10 @@ struct LeaveToScene {
   }
 };
 
-// Daughter `d`, which is `volume`, was just entered: how to relocate in it. `by_step`: through its
-// surface. `d` itself may name a stand-in.
+// The next types say how to relocate in the daughter `d` after it was entered. Its volume is
+// `volume`; `d.volume` may be that of a stand-in. `by_step`: it was entered through its surface.
 
-/// Whether nothing of the daughter's own can be where it was entered.
+/// Whether none of the daughter's own daughters can be at the point where it was entered.
 template <class Daughter>
 [[gnu::always_inline]] inline bool enters_nothing(const Daughter& d, bool by_step) {
   return by_step ? d.inner != has_surface_daughters : d.inner == no_daughters;
@@ -137,7 +141,7 @@ struct EnterByTable {
     if (!enters_nothing(d, by_step)) relocate_in_table(stack, context, volume, x, y, z, -1);
   }
 };
-/// No daughter has daughters.
+/// No daughter has daughters of its own.
 struct EnterLeaves {
   template <class Daughter>
   [[gnu::always_inline]] static void go(const void*, NavigationStack*, const Context*,
@@ -148,7 +152,8 @@ struct VolumeOfScene {
   static constexpr unsigned volume = number;
   using scene = S;
 };
-/// Some volumes' scenes have their code beside this; `all`: of those that have daughters.
+/// The scenes of some volumes have their code in the same module; `all`: so have all volumes that
+/// have daughters. `leaves`: some volumes have no daughters.
 template <bool leaves, bool all, class First, class... Others>
 struct EnterScenes {
   template <class Daughter>
@@ -176,7 +181,8 @@ template <class S>
                                                   NavigationStack* stack, const Context* context,
                                                   unsigned k, double x, double y, double z,
                                                   bool by_step = false) {
-  // For when the track leaves it again: lists of thousands of daughters are far away.
+  // The list is needed when the track leaves the daughter again. If there are thousands, most lists
+  // are not in the cache.
   if (has_neighbour_lists(s)) __builtin_prefetch(s.lists + k);
   s.daughters.template push<typename S::frame_type>(stack, k);
   unsigned volume = s.daughters.at[k].volume;
@@ -187,8 +193,8 @@ template <class S>
   S::enter::go(data, stack, context, s.daughters.at[k], volume, x, y, z, by_step);
 }
 
-/// The step. `rare`: with all that the kernels can do; else in their short ways, which take no
-/// start within a daughter. Nothing has changed where the result is negative.
+/// Makes a step. `rare`: with all that the kernels can do. Otherwise by their short ways, which do
+/// not accept a start within a daughter. If the result is negative, nothing has changed.
 template <bool rare, class S>
 [[gnu::always_inline]] inline double try_step_in(const void* data, NavigationStack* stack,
                                                  const Context* context, const Vec3<double>& p,
@@ -225,7 +231,7 @@ template <bool rare, class S>
     }
   }
   if (__builtin_expect(!(best > 0), 0)) {
-    // Into a daughter at whose surface the track is already, or from within one.
+    // The ray enters a daughter at whose surface it is already, or it starts within a daughter.
     return Daughters::any ? context->return_at_once(stack, context, x, y, z) : -1.0;
   }
   if (best > limit) {
@@ -247,7 +253,7 @@ template <bool rare, class S>
   return best;
 }
 
-/// Out of line, so that it takes no registers from the common step.
+/// A step in any case. It is out of line, so that it takes no registers from the common step.
 template <class S>
 [[gnu::noinline, gnu::flatten]] double step_with_all_cases(const void* data, NavigationStack* stack,
                                                            const Context* context, double x,
@@ -292,7 +298,7 @@ template <class S>
   if (k >= 0) enter_daughter(data, s, stack, context, static_cast<unsigned>(k), x, y, z);
 }
 
-/// The daughter, other than `blocked`, that holds a point where `blocked` was left; -1 for none.
+/// The daughter, other than `blocked`, that holds a point at which `blocked` was left; -1 for none.
 template <class S>
 [[gnu::always_inline]] inline int find_beside(const S& s, const NeighbourList& list, bool there,
                                               const Vec3<double>& p, const Direction<double>& v,
@@ -334,7 +340,9 @@ template <class S>
     return;
   }
   if constexpr (asks_what_was_left<decltype(s.search)>) {
-    // A level between may have ended elsewhere: what was in it reached beyond.
+    // Only if the last step ended at the surface of `blocked` itself. If it ended at that of a
+    // deeper level, which may reach beyond `blocked` in an invalid geometry, it is not known where
+    // `blocked` ends.
     if (stack->left.from == stack->depth + 1 &&
         (s.daughters.leaves_for_good(blocked, p, tol) ||
          (there && comes_out_of_box(s.lists[blocked], p, v, tol)))) {
@@ -365,7 +373,7 @@ template <class S>
   }
 }
 
-/// Folds daughters from `k` on into a safety.
+/// The smallest of `safety` and the safeties of the daughters from `k` on.
 template <unsigned k, class Daughters>
 [[gnu::always_inline]] inline double safety_to_listed(const Vec3<double>& p, double safety) {
   if constexpr (k < Daughters::listed) {

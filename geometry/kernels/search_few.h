@@ -1,7 +1,8 @@
-// Searches that ask every daughter (see searches.h): one after the other, or four boxes at once.
+// Searches that ask every daughter (see searches.h), either one after the other or four boxes at
+// once.
 namespace navjit::kernels {
 
-/// Every daughter, one after the other: for few.
+/// Asks every daughter, one after the other; for scenes with few daughters.
 struct SearchAll {
   template <class Daughters>
   [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
@@ -35,7 +36,7 @@ struct SearchAll {
   }
 
  private:
-  /// The last of the first `n`.
+  /// The last of the first `n` daughters that holds the point.
   template <unsigned n, class Daughters>
   [[gnu::always_inline]] static int find_listed(const Daughters& d, const Vec3<double>& p,
                                                 const Direction<double>& v, int blocked,
@@ -48,7 +49,7 @@ struct SearchAll {
       return find_listed<n - 1>(d, p, v, blocked, tol);
     }
   }
-  /// Of those from `k` on.
+  /// The nearest of the daughters from `k` on.
   template <unsigned k, class Daughters>
   [[gnu::always_inline]] static void nearest_listed(const Daughters& d, const Vec3<double>& p,
                                                     const Direction<double>& v, double& best,
@@ -64,7 +65,8 @@ struct SearchAll {
   }
 };
 
-/// Out of line, and by numbers: what is seldom needed shall keep nothing in memory.
+/// A find that is out of line and takes numbers, so that this rare case keeps none of the caller's
+/// values in memory.
 template <class Search, class Daughters>
 [[gnu::noinline, gnu::cold]] int find_seldom(const Search& search, const Daughters& d, double x,
                                              double y, double z, double u, double v, double w,
@@ -72,7 +74,8 @@ template <class Search, class Daughters>
   return search.find(d, Vec3<double>{x, y, z}, make_heading<double>(u, v, w), blocked, tol);
 }
 
-/// Boxes along the axes alone, all of them, four at once. `Fours` says where they are.
+/// For scenes in which all daughters are boxes along the axes: tests all of them, four at once.
+/// `Fours` says where the boxes are.
 template <class Fours>
 struct SearchLanes {
   [[no_unique_address]] Fours fours;
@@ -99,7 +102,7 @@ struct SearchLanes {
   }
 };
 
-/// In memory.
+/// The boxes are in memory.
 template <int n>
 struct FoursAt {
   const FourBoxes (*at)[n];

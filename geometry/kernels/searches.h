@@ -1,18 +1,18 @@
-// The searches among a scene's daughters, each a filter (slabs, nest, rings, wires, grid, boxes) in
-// front of the daughters' own kernels:
-//   find(d, p, v, blocked, tol)     the last daughter in file order, other than `blocked`, that
-//                                   holds the point; -1 for none
-//   nearest(d, p, v, best, limit, left, tol)  the first daughter in file order of those that the
-//   ray
-//                                   meets first, before `best`, which becomes the path to it; -1
-//                                   for none. Those beyond `limit` may be left out. `left`: the
-//                                   daughter that the track may have left last, or any number
-// What a search offers never decides: it offers all that can be met, and kernels decide.
+// The searches among a scene's daughters. Each finds candidates (by slabs, nest, rings, wires, grid
+// or boxes) for the daughters' own kernels:
+//   find(d, p, v, blocked, tol)
+//       the last daughter in file order, other than `blocked`, that holds the point; -1 for none
+//   nearest(d, p, v, best, limit, left, tol)
+//       the first daughter in file order of those that the ray meets first, if it meets them before
+//       the path `best`, which becomes the path to them; -1 for none. Daughters beyond the path
+//       `limit` may be left out. `left`: the daughter that the track may have left last, or any
+//       number
+// A search offers all daughters that can be met, and perhaps others. Only the kernels decide.
 namespace navjit::kernels {
 
 struct NoSearch {};
 
-/// Folds the daughters that are offered into the last in file order that holds the point.
+/// Of the daughters that are offered, keeps the last in file order that holds the point.
 template <class Daughters>
 struct LastThatHolds {
   const Daughters& daughters;
@@ -28,7 +28,8 @@ struct LastThatHolds {
   }
 };
 
-/// Folds the daughters that are offered into the one met first; says whether it became this one.
+/// Of the daughters that are offered, keeps the one that the ray meets first. Returns whether the
+/// offered daughter became that one.
 template <class Daughters>
 struct NearestAhead {
   const Daughters& daughters;
@@ -79,7 +80,8 @@ struct SearchSlabs {
     return along_axis({v.inverse_x, v.inverse_y, v.inverse_z}, axis);
   }
 
-  /// `self.search()` is one of these; what it is made from is handed on to what is out of line.
+  /// `self.search()` is a SearchSlabs. The function out of line gets `self`, from which it makes
+  /// the search again.
   template <class Self, class Daughters>
   [[gnu::always_inline]] static int nearest_by(const Self& self, const Daughters& d,
                                                const Vec3<double>& p, const Direction<double>& v,
@@ -88,7 +90,8 @@ struct SearchSlabs {
     const SearchSlabs& s = self.search();
     const double at = along_axis(p, s.axis), along = s.along(v);
     if constexpr (knows_oblique<Daughters>) {
-      // Mostly the first slab is the one; the loop over others would keep registers from it.
+      // Usually the ray meets the first slab. The loop over the others is out of line, as it would
+      // take registers.
       const int i = first_slab<true>(s.slabs, at, along, left);
       if (i == end_of_slabs(s.slabs, along) ||
           slab_is_beyond(s.slabs, i, at, along, s.inverse(v), smaller(limit, best))) {
@@ -161,7 +164,7 @@ struct SearchGrid {
   }
 };
 
-/// The same with boxes around daughters, eight at once.
+/// The same with boxes around daughters, which are tested eight at once.
 template <class Index>
 struct SearchBoxes {
   BlockGrid<Index> grid;
@@ -188,7 +191,8 @@ struct SearchBoxes {
   }
 };
 
-/// Daughters beside a pattern: few by number, more by their boxes.
+/// The daughters that are not in the pattern of a search. A few are listed by number, others by
+/// their boxes.
 template <class Index>
 struct Beside {
   const Index* few;
@@ -212,7 +216,7 @@ struct Beside {
   }
 };
 
-/// Layers about an axis or, with axis 3, about the centre.
+/// Shells about an axis or, if `axis` is 3, about the centre.
 template <class Index>
 struct SearchNest {
   ShellNest<Index> shells;
@@ -299,13 +303,13 @@ struct SearchRings {
   }
 };
 
-/// Parallel wires in rows, of a few directions.
+/// Parallel wires in rows, which have a few directions.
 template <class Index>
 struct SearchWires {
   const WireBundle<Index>* bundles;
   unsigned count;
   Beside<Index> beside;
-  const Index* others;  ///< what is beside the wires, by number
+  const Index* others;  ///< the daughters beside the wires, by number
   unsigned other_count;
   const FloatBox* boxes;  ///< by daughter; null: the generic navigator answers for safety
 
@@ -329,8 +333,8 @@ struct SearchWires {
     for (unsigned n = 0; n < count; ++n) walk_wires(bundles[n], p, v, visit, reach);
     return nearest.hit;
   }
-  /// `safety` or the least of the daughters', as the generic navigator has it: no less than the
-  /// distance to the daughter's box.
+  /// The smallest of `safety` and the safeties of the daughters. As in the generic navigator, that
+  /// of a daughter is no less than the distance to its box.
   template <class Daughters>
   [[gnu::always_inline]] double safety_among(const Daughters& d, const Vec3<double>& p,
                                              double safety) const {

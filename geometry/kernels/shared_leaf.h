@@ -1,15 +1,15 @@
-// Leaves that share code: of each its solid's numbers and its frame are data, and all else is
-// constant, what there is beside them in the module included. Where tracks go from one kind of leaf
-// to another and back, as in a calorimeter, code of each leaf's own would cost more than it gains:
-// which of them is called next the processor does not foresee.
+// Leaves that share code. The numbers of a leaf's solid and its frame are data, and everything else
+// is constant, as is what the module has besides these leaves. Where tracks go from one kind of
+// leaf to another and back, as in a calorimeter, code for each leaf would cost more than it gains:
+// the processor cannot predict which of them is called next.
 namespace navjit::kernels {
 
-/// At the data of such a leaf; its own numbers are behind this.
+/// Where the data of such a leaf begin; the leaf's own numbers follow.
 struct SharedLeafData {
   const void* module;  ///< the data of all scenes of the module
 };
 
-/// As LeaveToScene, out of such a leaf.
+/// The same as LeaveToScene, for such a leaf.
 template <class S>
 struct LeaveSharedLeafTo {
   [[gnu::always_inline]] static void go(const void* data, NavigationStack* stack,
