@@ -1,5 +1,5 @@
-// Boolean solids over any two kernels A and B (booleans again, or solids in a frame of their own).
-// Their distances are in boolean_paths.h.
+// Boolean solids of any two kernels A and B, which may be booleans again, or solids in a frame of
+// their own. Their distances are in boolean_paths.h.
 namespace navjit::kernels {
 
 /// A solid in a frame of its own: local = rotation * (p - translation), rotation row-major.
@@ -81,12 +81,13 @@ Real safety_to_out(const Placed<Real, S>& s, const Vec3<Real>& p) {
 
 // --- Boxed ----------------------------------------------------------------------------------
 
-/// An operand with the box that it is in, which carries a margin above all rounding: a point or
-/// ray well away from the box needs no look at the operand. No answer depends on it.
+/// An operand with a box around it. The box includes a margin above all rounding, so a point or ray
+/// well away from the box needs no test of the operand. Of the answers, only the safeties depend on
+/// the box.
 template <class Real, class Solid>
 struct Boxed {
   Solid solid;
-  int boxed;  ///< 0: the box is not worth the test
+  int boxed;  ///< 0 if the box is not worth the test
   Real low[3], high[3];
 };
 
@@ -97,7 +98,7 @@ bool may_contain(const Boxed<Real, S>& s, const Vec3<Real>& p, Real tol) {
   return (p.x >= s.low[0] - margin) & (p.x <= s.high[0] + margin) & (p.y >= s.low[1] - margin) &
          (p.y <= s.high[1] + margin) & (p.z >= s.low[2] - margin) & (p.z <= s.high[2] + margin);
 }
-/// Within `reach` ahead.
+/// Whether the ray may meet the operand's box within `reach`, a path length.
 template <class Real, class S>
 bool may_meet(const Boxed<Real, S>& s, const Vec3<Real>& p, const Direction<Real>& v, Real reach,
               Real tol) {
@@ -105,7 +106,8 @@ bool may_meet(const Boxed<Real, S>& s, const Vec3<Real>& p, const Direction<Real
   const Real margin = 2 * tol;
   Real enter = 0, leave = reach;
   const auto clip = [&](Real low, Real high, Real at, Real rate, Real inverse) {
-    // Along the slab one is +-infinity times the other; on its very edge nothing is met.
+    // For a ray along the slab both paths are infinite. On the very edge of the margin one is NaN,
+    // which clips nothing.
     const Real t_low = (low - margin - at) * inverse, t_high = (high + margin - at) * inverse;
     enter = larger(rate < 0 ? t_high : t_low, enter);
     leave = smaller(rate < 0 ? t_low : t_high, leave);
@@ -136,8 +138,8 @@ Real distance_to_out(const Boxed<Real, S>& s, const Vec3<Real>& p, const Directi
   return distance_to_out(s.solid, p, v, tol);
 }
 
-/// How far outside of the operand's box the point is, along the axis where that is most: the
-/// operand is no nearer. 0 in the box, and where there is none.
+/// How far outside of the operand's box the point is, along the axis where that is most. The
+/// operand is no nearer. 0 in the box, and if there is no box.
 template <class Solid, class Real>
 Real outside_box(const Solid&, const Vec3<Real>&) {
   return Real(0);
@@ -150,8 +152,8 @@ Real outside_box(const Boxed<Real, S>& s, const Vec3<Real>& p) {
              z = larger(s.low[2] - p.z, p.z - s.high[2]);
   return larger(larger(larger(x, y), z), Real(0));
 }
-/// How deep in the operand's box the point is: from within the operand its surface is no farther.
-/// Infinite where there is no box.
+/// How deep in the operand's box the point is. From within the operand its surface is no farther.
+/// Infinity if there is no box.
 template <class Solid, class Real>
 Real depth_in_box(const Solid&, const Vec3<Real>&) {
   return infinity<Real>();
@@ -165,7 +167,8 @@ Real depth_in_box(const Boxed<Real, S>& s, const Vec3<Real>& p) {
   return smaller(smaller(x, y), z);
 }
 
-// The box is part of these answers, so that operands that are left out for it change none.
+// The box is included in these answers, so that they do not change if an operand is left out
+// because of its box.
 template <class Real, class S>
 Real safety_to_in(const Boxed<Real, S>& s, const Vec3<Real>& p) {
   return larger(safety_to_in(s.solid, p), outside_box(s, p));
@@ -176,12 +179,12 @@ Real safety_to_out(const Boxed<Real, S>& s, const Vec3<Real>& p) {
   return depth > 0 ? smaller(safety_to_out(s.solid, p), depth) : Real(0);
 }
 
-/// `safety`, or that to the way into the operand where that is less.
+/// The smaller of `safety` and the operand's safety_to_in.
 template <class Real, class S>
 Real safety_or_in(const S& s, const Vec3<Real>& p, Real safety) {
   return outside_box(s, p) < safety ? smaller(safety_to_in(s, p), safety) : safety;
 }
-/// `safety`, or that to the way out of the operand where that is more.
+/// The larger of `safety` and the operand's safety_to_out.
 template <class Real, class S>
 Real safety_or_out(const S& s, const Vec3<Real>& p, Real safety) {
   return depth_in_box(s, p) > safety ? larger(safety_to_out(s, p), safety) : safety;
@@ -202,7 +205,7 @@ bool contains(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>& 
 }
 template <class Real, class A, class B>
 Real safety_to_in(const Union<A, B>& s, const Vec3<Real>& p) {
-  // The nearer box first: mostly the other is farther away than what is in it.
+  // The operand with the nearer box is asked first: usually it is nearer than the other box.
   if (outside_box(s.b, p) < outside_box(s.a, p)) {
     return safety_or_in(s.a, p, safety_to_in(s.b, p));
   }
@@ -210,7 +213,7 @@ Real safety_to_in(const Union<A, B>& s, const Vec3<Real>& p) {
 }
 template <class Real, class A, class B>
 Real safety_to_out(const Union<A, B>& s, const Vec3<Real>& p) {
-  // Zero in the operand that the point is not in.
+  // safety_to_out is zero for an operand that does not contain the point.
   return safety_or_out(s.b, p, safety_to_out(s.a, p));
 }
 
@@ -261,8 +264,8 @@ Real safety_to_out(const Subtraction<A, B>& s, const Vec3<Real>& p) {
 }  // namespace navjit::kernels
 
 // Beside navigation.
-// Outward unit normals, of placed and boolean solids those of the operand whose surface the point
-// is on, turned over for what is taken away.
+// Outward unit normals. For placed and boolean solids these are the normals of the operand whose
+// surface the point is on, turned over for an operand that is taken away.
 namespace navjit::kernels {
 
 template <class Real, class S>
@@ -280,15 +283,17 @@ Vec3<Real> normal(const Boxed<Real, S>& s, const Vec3<Real>& p, Real tol) {
   return normal(s.solid, p, tol);
 }
 
-/// Outside by how much, or within (negative): by safeties, which may be less than the distances.
+/// How far a point is outside, or within (negative), by safeties, which may be less than the
+/// distances.
 template <class Solid, class Real>
 Real signed_safety(const Solid& s, const Vec3<Real>& p) {
   return safety_to_in(s, p) - safety_to_out(s, p);
 }
 
-/// On both surfaces, the first operand's normal holds unless it leads into the second, and then the
-/// second's unless that leads into the first. If both do, the operands meet in a common face, and
-/// the point is on its rim: what counts is the second's surface beside it.
+/// If the point is on both surfaces, the first operand's normal counts unless it leads into the
+/// second. Otherwise the second's counts unless it leads into the first. If both do, the operands
+/// meet in a common face, and the point is on the rim of this face. Then the second's surface
+/// beside the rim counts.
 template <class Real, class A, class B>
 Vec3<Real> normal(const Union<A, B>& s, const Vec3<Real>& p, Real tol) {
   const bool on_a = inside(s.a, p, tol) == Side::surface;

@@ -1,14 +1,14 @@
-// Distances of boolean solids. However deep operands are nested, each is asked once for each point
-// of the ray that matters: a union of unions is one set of parts, and what is within some solids
-// and outside of others is one list of conditions. Which shape the tree has changes no answer, but
-// for conditions in another order, which add up the same path in other parts.
+// Distances of boolean solids. However deeply operands are nested, each is asked once for each
+// point of the ray that matters. A union of unions is one set of parts, and a solid within some
+// operands and outside of others is one list of conditions. The shape of the tree changes no
+// answer, except that conditions in another order may add up the same path from other parts.
 namespace navjit::kernels {
 
-/// How often the search along a ray may go on; real booleans need a handful.
+/// How often the search along a ray may go on. Real booleans need a handful.
 constexpr int boolean_search_limit = 256;
 
-/// The point, copied number by number. A copy of all at once loads what was just stored in parts,
-/// and has to wait for each of them.
+/// Copies a point number by number. A copy as a whole would load at once what was just stored in
+/// parts, and would have to wait for these stores.
 template <class Real>
 constexpr Vec3<Real> as_numbers(const Vec3<Real>& p) {
   return {p.x, p.y, p.z};
@@ -16,7 +16,7 @@ constexpr Vec3<Real> as_numbers(const Vec3<Real>& p) {
 
 // --- Parts of a union -----------------------------------------------------------------------
 
-/// The longest way out among the parts that contain the point; 0 if none does.
+/// The longest path out among the parts that contain the point; 0 if none does.
 template <class Real, class S>
 Real furthest_out(const S& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   return contains(s, p, v, tol) ? distance_to_out(s, p, v, tol) : Real(0);
@@ -37,8 +37,8 @@ Real furthest_out(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Rea
   return larger(furthest_out(s.a, p, v, tol), furthest_out(s.b, p, v, tol));
 }
 
-/// `best`, or the way to the nearest part if that is shorter. From within a part the others'
-/// surfaces count all the same.
+/// The smaller of `best` and the path to the nearest part. If the start is in one part, the
+/// surfaces of the others still count.
 template <class Real, class S>
 Real nearest_in(const S& s, const Vec3<Real>& p, const Direction<Real>& v, Real best, Real tol) {
   return smaller(distance_to_in(s, p, v, tol), best);
@@ -63,11 +63,11 @@ Real nearest_in(const Union<A, B>& s, const Vec3<Real>& p, const Direction<Real>
 template <class Real, class S>
 Real distance_to_nearest_part(const S& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   const Real t = nearest_in(s, p, v, infinity<Real>(), tol);
-  // From within one operand, the surface of the other is no way in.
+  // From within one operand, the surface of the other is not a way in.
   if (t < infinity<Real>() && contains(s, p, v, tol)) return distance_from_within(s, p, tol);
   return t;
 }
-/// From part to part until the end of one lies in none.
+/// Goes from part to part until the end of one is in no other part.
 template <class Real, class S>
 Real distance_through_parts(const S& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   Real t = 0;
@@ -93,7 +93,8 @@ Real distance_to_out(const Union<A, B>& s, const Vec3<Real>& p, const Direction<
 
 // --- Within some solids and outside of others -----------------------------------------------
 
-/// The way to where all conditions hold: each that does not moves the point on to where it does.
+/// The search for the first point ahead where all conditions hold. A condition that does not hold
+/// moves the point on to where it does.
 template <class Real>
 struct Approach {
   const Vec3<Real>& start;
@@ -101,18 +102,19 @@ struct Approach {
   Real tol;
   Real t;
   Vec3<Real> at;
-  int next;   ///< number of the condition that is looked at next
-  int moved;  ///< number of the one that moved the point last; -1: none
+  int next;   ///< the number of the condition to be tested next
+  int moved;  ///< the number of the condition that moved the point last; -1: none
   bool done;
 };
 
-/// Whether condition `next` still has to be looked at: the others have held since it last did.
+/// Takes the next condition; returns whether it still has to be tested. It need not be if it moved
+/// the point last, because all others have held since.
 template <class Real>
 bool is_open(Approach<Real>& way) {
   way.done |= way.next++ == way.moved;
   return !way.done;
 }
-/// The condition holds `further` ahead. False if that is nowhere.
+/// The condition holds `further` ahead. Returns false if that is infinite.
 template <class Real>
 bool move_on(Approach<Real>& way, Real further) {
   if (!(further < infinity<Real>())) return false;
@@ -124,13 +126,13 @@ bool move_on(Approach<Real>& way, Real further) {
   return true;
 }
 
-/// To within `s`. False if the ray never comes there.
+/// Moves the point on into `s`. Returns false if the ray never comes there.
 template <class Real, class S>
 bool come_into(const S& s, Approach<Real>& way) {
   if (!is_open(way) || contains(s, way.at, way.v, way.tol)) return true;
   return move_on(way, distance_to_in(s, way.at, way.v, way.tol));
 }
-/// To outside of `s`.
+/// Moves the point on to where it is outside of `s`.
 template <class Real, class S>
 bool come_out_of(const S& s, Approach<Real>& way) {
   if (!is_open(way) || !contains(s, way.at, way.v, way.tol)) return true;

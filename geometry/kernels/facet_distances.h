@@ -10,7 +10,7 @@ constexpr Real dot(const Vec3<Real>& a, const Vec3<Real>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// The square of the distance to the segment a..a+u, for a point at w from a.
+/// The squared distance to the segment from a to a + u, for a point at a + w.
 template <class Real>
 Real segment_distance2(const Vec3<Real>& u, const Vec3<Real>& w) {
   const Real length2 = dot(u, u), along = dot(u, w);
@@ -19,22 +19,22 @@ Real segment_distance2(const Vec3<Real>& u, const Vec3<Real>& w) {
   return dot(off, off);
 }
 
-/// More than the square of the rounding of a triple product: that of a sliver's normal with a way
-/// is mostly rounding.
+/// A bound above the square of the rounding error of a triple product. For the normal of a sliver
+/// and a vector, the triple product is mostly rounding error.
 template <class Real>
 constexpr Real triple_rounding(const Vec3<Real>& u, const Vec3<Real>& v, const Vec3<Real>& w) {
   return Real(1e-28) * dot(u, u) * dot(v, v) * dot(w, w);
 }
 
-/// What is nearest to a point.
+/// The part of a triangle or of the surface that is nearest to a point.
 template <class Real>
 struct NearestFacet {
-  Real distance2;  ///< its square
-  int side;  ///< of the facet that it is within: 1 outside, -1 inside; 0 on an edge, or unclear
+  Real distance2;  ///< the squared distance, mm^2
+  int side;  ///< of the facet that it is within: 1 outside, -1 inside; 0 on an edge, or if unclear
 };
 
-/// The point of a triangle that is nearest; where the triangle's plane alone is farther away than
-/// `limit`, the square of a distance, the result may be infinitely far.
+/// The nearest part of a triangle. If the triangle's plane alone is farther away than `limit`, a
+/// squared distance, the result may be infinitely far.
 template <class Real>
 NearestFacet<Real> nearest_in_facet(const Facets<Real>& s, const Facet& f, const Vec3<Real>& p,
                                     Real limit) {
@@ -44,7 +44,8 @@ NearestFacet<Real> nearest_in_facet(const Facets<Real>& s, const Facet& f, const
   const Vec3<Real> n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
   const Real n2 = dot(n, n), h = dot(n, from_a), rounding = 16 * triple_rounding(u, v, from_a);
   if (h * h > Real(1.0001) * limit * n2 + rounding) return {infinity<Real>(), 0};
-  // Left of an edge: the triple product of edge, way from its start, and normal.
+  // Whether a point is to the left of an edge: the sign of the triple product of the edge, the way
+  // from its start, and the normal.
   const auto left = [&n](const Vec3<Real>& edge, const Vec3<Real>& way) {
     return (edge.y * way.z - edge.z * way.y) * n.x + (edge.z * way.x - edge.x * way.z) * n.y +
                (edge.x * way.y - edge.y * way.x) * n.z >=
@@ -58,7 +59,7 @@ NearestFacet<Real> nearest_in_facet(const Facets<Real>& s, const Facet& f, const
   return {smaller(segment_distance2(w, from_c), least), 0};
 }
 
-/// The square of the distance to a triangle.
+/// The squared distance to a triangle.
 template <class Real>
 Real facet_distance2(const Facets<Real>& s, const Facet& f, const Vec3<Real>& p) {
   return nearest_in_facet(s, f, p, infinity<Real>()).distance2;
@@ -67,8 +68,8 @@ Real facet_distance2(const Facets<Real>& s, const Facet& f, const Vec3<Real>& p)
 /// Is the point within `tol` of the triangle?
 template <class Real>
 bool touches_facet(const Facets<Real>& s, const Facet& f, const Vec3<Real>& p, Real tol) {
-  // Nearly always its plane is much further away than that, and than the rounding of a sliver's
-  // normal.
+  // Nearly always the triangle's plane is farther away than the tolerance by much more than the
+  // rounding of a sliver's normal.
   const Vec3<Real>& a = s.corners[f.a];
   const Vec3<Real> u = difference(s.corners[f.b], a), v = difference(s.corners[f.c], a),
                    w = difference(p, a);
@@ -86,7 +87,7 @@ Real box_distance2(const FacetBox<Real>& b, const Vec3<Real>& p) {
   return x * x + y * y + z * z;
 }
 
-/// Of two that are as near only what both say.
+/// If two facets are equally near, only a side on which both agree is kept.
 template <class Real>
 void take_nearer(NearestFacet<Real>& nearest, const NearestFacet<Real>& facet) {
   if (facet.distance2 < nearest.distance2) {
@@ -96,15 +97,15 @@ void take_nearer(NearestFacet<Real>& nearest, const NearestFacet<Real>& facet) {
   }
 }
 
-/// What of the surface is nearest, or `limit`, the square of a distance, if that is not less. Of
-/// two boxes the nearer one first: what it holds mostly leaves out the other.
+/// The nearest part of the surface, with the distance `limit`, which is squared, if nothing is
+/// nearer. Of two boxes the nearer one comes first: what it holds usually excludes the other.
 template <class Real>
 NearestFacet<Real> nearest_in_surface(const Facets<Real>& s, const Vec3<Real>& p, Real limit) {
   struct Waiting {
     int box;
     Real distance2;
   };
-  Waiting waiting[most_facet_levels];  // of each level above one at the most
+  Waiting waiting[most_facet_levels];  // at most one of each level above
   int count = 0;
   Waiting at{0, box_distance2(s.boxes[0], p)};
   NearestFacet<Real> nearest{limit, 0};
@@ -133,7 +134,7 @@ NearestFacet<Real> nearest_in_surface(const Facets<Real>& s, const Vec3<Real>& p
   }
 }
 
-/// The square of the distance to the surface, or `limit` if that is not less.
+/// The squared distance to the surface, or `limit` if that is smaller.
 template <class Real>
 Real surface_distance2(const Facets<Real>& s, const Vec3<Real>& p, Real limit) {
   return nearest_in_surface(s, p, limit).distance2;

@@ -1,18 +1,19 @@
-// Boxes of a hierarchy around triangles, eight at once, down to leaves of eight triangles.
+// Boxes of a hierarchy around triangles, tested eight at once, down to leaves of eight triangles.
 namespace navjit::kernels {
 
 /// Boxes around leaves and around further groups; empty lanes have low above high.
 template <class Real>
 struct FacetGroup {
   EightOf<Real> x_low, y_low, z_low, x_high, y_high, z_high;
-  EightOf<int> below;  ///< by lane: the number of a group, or -1 - that of a leaf
+  EightOf<int> below;  ///< by lane: the number of a group, or -1 minus the number of a leaf
 };
 
-/// More groups than ever wait: seven on each level, of which there are no more than of boxes.
+/// More than can wait: at most seven groups on each level, and there are at most most_facet_levels
+/// levels.
 constexpr int most_waiting_groups = 256;
 
-/// A ray in all lanes, with the margin that boxes are given: its start is moved on
-/// by it for the faces by which it enters boxes, and back for those by which it leaves them.
+/// A ray in all lanes. The margin of the boxes is applied to its start, which is moved ahead by the
+/// margin for the faces by which it enters boxes, and back for those by which it leaves them.
 struct FacetRay {
   EightLanes before[3], after[3], inverse[3];
   bool down[3];
@@ -30,8 +31,8 @@ inline FacetRay facet_ray(const Vec3<double>& p, const Direction<double>& v, dou
   return ray;
 }
 
-/// The lanes whose boxes the ray may meet, from its start on. Along a plane of the boxes the
-/// reciprocal is infinite: on the very edge 0 times that is no number, and clips nothing.
+/// The lanes whose boxes the ray may meet, from its start on. For a ray along a plane of the boxes
+/// the reciprocal is infinite. Its product with 0, on the very edge, is NaN and clips nothing.
 inline unsigned lanes_met(const FacetGroup<double>& g, const FacetRay& ray) {
   const EightOf<double>* const low[3] = {&g.x_low, &g.y_low, &g.z_low};
   const EightOf<double>* const high[3] = {&g.x_high, &g.y_high, &g.z_high};
@@ -48,8 +49,8 @@ inline unsigned lanes_met(const FacetGroup<double>& g, const FacetRay& ray) {
   return bits_of(__builtin_bit_cast(EightWords, enter <= leave));
 }
 
-/// Calls visit(triangle) for those that the ray's line may cross, in leaves within `margin` of
-/// whose boxes the ray may come. The ray is along `v`.
+/// Calls visit(triangle) for the triangles that the ray's line may cross, in leaves whose boxes the
+/// ray, which is along `v`, may come within `margin` of.
 template <class Visit>
 inline void visit_met(const FacetGroup<double>* groups, const FacetLeaf<double>* leaves,
                       const RayFrame<double>& frame, const Direction<double>& v, double margin,

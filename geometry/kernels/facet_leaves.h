@@ -1,11 +1,11 @@
-// Triangles, eight at once: which of them the line of a ray may cross.
+// Triangles, eight at once, and which of them the line of a ray may cross.
 namespace navjit::kernels {
 
-/// Coordinates along and across a ray: sheared, so that the ray is the axis of t.
+/// Coordinates along and across a ray. They are sheared, so that x = y = 0 along the ray.
 template <class Real>
 struct RayFrame {
   Vec3<Real> start;
-  int axis;  ///< the one that the ray runs along most
+  int axis;  ///< the axis along which the ray moves most
   Real shear_x, shear_y, rate;
 };
 
@@ -27,14 +27,14 @@ struct EightCorners {
   EightOf<Real> x, y, z;
 };
 
-/// Up to eight facets that follow one another; where there is none its corners are in one place.
+/// Up to eight facets that follow one another. In an empty lane all corners are at the same place.
 template <class Real>
 struct FacetLeaf {
   EightCorners<Real> a, b, c;
   int first;
 };
 
-/// Across a ray, from it.
+/// Coordinates across a ray, measured from the ray.
 struct LanesAcross {
   EightLanes x, y;
 };
@@ -42,21 +42,22 @@ inline LanesAcross lanes_across(const EightCorners<double>& corners,
                                 const RayFrame<double>& frame) {
   const EightOf<double>* const by_axis[3] = {&corners.x, &corners.y, &corners.z};
   const double start[3] = {frame.start.x, frame.start.y, frame.start.z};
-  // As turned() has them.
+  // The same order of axes as in turned().
   const int x = frame.axis == 2 ? 0 : frame.axis + 1, y = x == 2 ? 0 : x + 1;
   const EightLanes along = lanes_from(*by_axis[frame.axis]) - start[frame.axis];
   return {lanes_from(*by_axis[x]) - start[x] - frame.shear_x * along,
           lanes_from(*by_axis[y]) - start[y] - frame.shear_y * along};
 }
 
-/// The lanes whose triangles the line may cross: all of which facet_turn() says so, and hardly any
-/// other.
+/// The lanes whose triangles the line may cross. These are all for which facet_turn() says so, and
+/// hardly any others.
 ///
-/// An edge that reaches from one side of y = 0 to the other crosses it at x = (x0 y1 - x1 y0) /
-/// (y1 - y0). What facet_turn() computes for that differs by less than 5u (|x0| + |x1|), u = 2^-53,
-/// and the numerator here by 3u (|x0| + |x1|) (|y0| + |y1|). Where it is further from 0 than 90u
-/// times that, both have the same sign. A triangle is left out if that tells that it crosses y = 0
-/// on one side of the ray only.
+/// An edge that reaches from one side of y = 0 to the other crosses it at x =
+/// (x0 y1 - x1 y0) / (y1 - y0). With u = 2^-53, what facet_turn() computes for x is off by less
+/// than 5u (|x0| + |x1|), and the numerator that is computed here is off by 3u (|x0| + |x1|) (|y0|
+/// + |y1|). If the numerator is farther from 0 than 90u (|x0| + |x1|) (|y0| + |y1|), both have the
+/// same sign. A triangle is left out if these signs tell that it crosses y = 0 on one side of the
+/// ray only.
 inline unsigned lanes_crossed(const FacetLeaf<double>& leaf, const RayFrame<double>& frame) {
   const LanesAcross at[3] = {lanes_across(leaf.a, frame), lanes_across(leaf.b, frame),
                              lanes_across(leaf.c, frame)};

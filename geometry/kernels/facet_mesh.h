@@ -1,4 +1,4 @@
-// Triangles that close on one another, and the boxes around them.
+// A closed surface of triangles, and the boxes around them.
 namespace navjit::kernels {
 
 /// Indices of the corners, anticlockwise seen from outside.
@@ -6,15 +6,16 @@ struct Facet {
   int a, b, c;
 };
 
-/// A box around the facets first .. first + count of a leaf; around what is within, if count is 0.
+/// A box around the facets from `first` to first + count - 1, if it is a leaf; if count is 0,
+/// around the boxes within it.
 template <class Real>
 struct FacetBox {
   Real x_low, y_low, z_low, x_high, y_high, z_high;
   int first, count;
-  int next;  ///< the box that follows those within this one
+  int next;  ///< the box that follows the boxes within this one
 };
 
-/// No path from the box around all goes through more boxes.
+/// The largest number of boxes on the way from the outermost box to a leaf.
 constexpr int most_facet_levels = 32;
 
 template <class Real>

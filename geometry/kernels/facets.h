@@ -1,28 +1,29 @@
-// A body bounded by triangles that close on one another, convex or not, with a hierarchy of boxes
-// around them.
+// A body that is bounded by a closed surface of triangles, convex or not, with a hierarchy of boxes
+// around the triangles.
 //
-// A ray's line is crossed by a triangle as often as the triangle's outline, seen along the line,
-// winds around it. The outline's winding is counted edge by edge, and an edge counts the same for
-// both of its triangles, to the last bit: over a closed surface, entries and exits cancel whatever
-// is rounded, and no line is lost through an edge or a corner.
+// A ray's line crosses a triangle as often as the triangle's outline, seen along the line, winds
+// around it. The winding of an outline is counted edge by edge, and an edge counts the same for
+// both of its triangles, to the last bit. So over a closed surface entries and exits cancel
+// whatever is rounded, and no line is lost through an edge or a corner.
 //
 // A crossing is behind the start if its path is not positive, or if the start is within the
-// tolerance of its triangle. What is not behind is ahead, and tells by itself whether the start is
-// in the body: as many exits ahead as entries, or more.
+// tolerance of the triangle. All other crossings are ahead, and they alone tell whether the start
+// is in the body: it is if there are more exits ahead than entries.
 namespace navjit::kernels {
 
 /// Where an edge crosses the plane y = 0.
 template <class Real>
 struct EdgePoint {
-  int from, to;  ///< ends of the edge, in one and the same order for both triangles
+  int from, to;  ///< ends of the edge, in the same order for both triangles
   Real along;    ///< 0 at `from`, 1 at `to`
   Real x;
 };
 
-/// Does the line cross the facet? +1 into the body, -1 out of it, 0 not; `t` is the path.
+/// Does the line cross the facet? Returns +1 if it crosses into the body, -1 if out of it, and 0 if
+/// not. `t` receives the path.
 template <class Real>
 int facet_turn(const Facets<Real>& s, const RayFrame<Real>& frame, const Facet& f, Real& t) {
-  // Facets of a box that a ray meets are mostly missed: each division waits until it is needed.
+  // A ray misses most facets of a box that it meets, so each division waits until it is needed.
   const int index[3] = {f.a, f.b, f.c};
   const Vec3<Real> d[3] = {turned(difference(s.corners[f.a], frame.start), frame.axis),
                            turned(difference(s.corners[f.b], frame.start), frame.axis),
@@ -34,7 +35,7 @@ int facet_turn(const Facets<Real>& s, const RayFrame<Real>& frame, const Facet& 
   const Real x[3] = {d[0].x - frame.shear_x * d[0].z, d[1].x - frame.shear_x * d[1].z,
                      d[2].x - frame.shear_x * d[2].z};
   if ((x[0] > 0) == (x[1] > 0) && (x[1] > 0) == (x[2] > 0)) {
-    // All to one side; so is all that is between them, but for rounding.
+    // If all corners are to one side, so is all that is between them, except for rounding.
     const Real nearest = smaller(absolute(x[0]), smaller(absolute(x[1]), absolute(x[2])));
     const Real widest = larger(absolute(x[0]), larger(absolute(x[1]), absolute(x[2])));
     if (nearest > Real(1e-14) * widest) return 0;
@@ -58,7 +59,7 @@ int facet_turn(const Facets<Real>& s, const RayFrame<Real>& frame, const Facet& 
   return up_right == (frame.rate > 0) ? -1 : 1;
 }
 
-/// Might the ray, from its start on, come within `margin` of the box?
+/// May the ray, from its start on, come within `margin` of the box?
 template <class Real>
 bool ray_meets(const FacetBox<Real>& box, const Vec3<Real>& p, const Direction<Real>& v,
                Real margin) {
@@ -78,8 +79,8 @@ bool ray_meets(const FacetBox<Real>& box, const Vec3<Real>& p, const Direction<R
   return enter <= leave;
 }
 
-/// Calls visit(facet) for all that the ray may cross: those within `margin` of whose boxes it may
-/// come. The ray is along `v`.
+/// Calls visit(facet) for all facets that the ray, which is along `v`, may cross: those in boxes
+/// that it may come within `margin` of.
 template <class Real, class Visit>
 void visit_met(const Facets<Real>& s, const RayFrame<Real>& frame, const Direction<Real>& v,
                Real margin, const Visit& visit) {
@@ -99,7 +100,7 @@ void visit_met(const Facets<double>& s, const RayFrame<double>& frame, const Dir
   visit_met(s.groups, s.leaves, frame, v, margin, visit);
 }
 
-/// The nearest crossings ahead, in order; those at one path are one.
+/// The nearest crossings ahead, in order. Crossings at the same path are combined into one.
 template <class Real>
 struct Crossings {
   static constexpr int capacity = 8;
@@ -144,7 +145,8 @@ Crossings<Real> crossings_ahead(const Facets<Real>& s, const Vec3<Real>& p,
   c.count = 0;
   c.beyond = infinity<Real>();
   const RayFrame<Real> frame = ray_frame(p, v);
-  // Above what is rounded, so that no triangle is missed that its neighbour counts on.
+  // The margin is above all rounding, since no triangle may be left out on which the count of its
+  // neighbour relies.
   const FacetBox<Real>& all = s.boxes[0];
   const Real size = larger(absolute(p.x), larger(absolute(p.y), absolute(p.z))) +
                     larger(larger(absolute(all.x_low), absolute(all.x_high)),
@@ -183,7 +185,8 @@ template <class Real>
 bool contains(const Facets<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   if (box_distance2(s.boxes[0], p) > tol * tol) return false;
   if (v.x == 0 && v.y == 0 && v.z == 0) {
-    // Asked without a direction: all of the surface belongs to it, and any ray tells the rest.
+    // Asked without a direction, all of the surface belongs to the body. For other points any ray
+    // tells.
     if (surface_distance2(s, p, tol * tol * Real(1.000001)) <= tol * tol) return true;
     const Direction<Real> up = make_direction<Real>(0, 0, 1);
     return crossings_ahead(s, p, up, tol, infinity<Real>()).total < 0;
@@ -218,9 +221,10 @@ Real distance_to_out(const Facets<Real>& s, const Vec3<Real>& p, const Direction
   return c.total < 0 ? path_until(s, p, v, tol, c, false) : Real(0);
 }
 
-/// The distance to the surface from its side `side`, 1 outside and -1 inside; 0 from the other one.
-/// Where the nearest point is within a facet that tells which it is; else a ray does, and where the
-/// facet says that it is the other side, since facets may be within the body.
+/// The distance to the surface from its side `side`, which is 1 outside and -1 inside; 0 for a
+/// point on the other side. If the nearest point of the surface is within a facet, the facet tells
+/// the side. Otherwise a ray does. A ray is also asked if the facet says that the point is on the
+/// other side, since facets may be within the body.
 template <class Real>
 Real safety_from(const Facets<Real>& s, const Vec3<Real>& p, int side) {
   const NearestFacet<Real> nearest = nearest_in_surface(s, p, infinity<Real>());
@@ -244,8 +248,8 @@ Real safety_to_out(const Facets<Real>& s, const Vec3<Real>& p) {
 // Beside navigation.
 namespace navjit::kernels {
 
-/// The facet that the point is nearest to; of those that are so to within the tolerance the
-/// largest, since a sliver's normal means little.
+/// The normal of the facet that is nearest to the point. Of several that are nearest to within the
+/// tolerance, it is the largest, since the normal of a sliver means little.
 template <class Real>
 Vec3<Real> normal(const Facets<Real>& s, const Vec3<Real>& p, Real tol) {
   const Real within = square_root(surface_distance2(s, p, infinity<Real>())) + tol;

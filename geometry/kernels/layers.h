@@ -1,33 +1,33 @@
-// Slabs within slabs (kernels/slabs.h): each slab is a daughter, a group of them, or slabs along
-// another axis. Only a filter, as slabs are: margins make it conservative.
+// Slabs within slabs (slabs.h). Each slab holds a daughter, a group of daughters, or slabs along
+// another axis. The search only finds candidates; slabs include margins so that none is missed.
 namespace navjit::kernels {
 
-/// What is in a slab: the kind is in the two highest bits, the number in the others.
+/// What is in a slab: the two highest bits say of what kind it is, and the others are its number.
 namespace in_slab {
 constexpr unsigned daughter = 0, slabs = 1U << 30, group = 2U << 30, kind = 3U << 30;
 }
 
-/// Daughters that are told apart by boxes alone: their blocks.
+/// The blocks, from `first` to `last` - 1, of daughters that only their boxes tell apart.
 struct LayerGroup {
   unsigned first, last;
 };
 
 template <class Index>
 struct LayerRow {
-  SlabRow<Index> slabs;  ///< `daughter` says what is in each
+  SlabRow<Index> slabs;  ///< `daughter` says what is in each slab, see in_slab
   int axis;
 };
 
 template <class Index>
 struct LayerTree {
-  const LayerRow<Index>* rows;  ///< the first one has all of the scene
+  const LayerRow<Index>* rows;  ///< the first row has all of the scene
   const LayerGroup* groups;
   const BoxBlock* blocks;
   const Index (*in_block)[box_lanes];
 };
 
-/// A ray whose reciprocals are finite: what runs along slabs stays in them, and is not at their
-/// edges, which are margins.
+/// A ray whose reciprocals are limited, so that they are finite. A ray along slabs then stays in
+/// its slab. What happens on the very edge of a slab, which is only a margin, does not matter.
 struct LayerRay {
   double p[3], v[3], inverse[3];
 
@@ -40,7 +40,7 @@ struct LayerRay {
   static double finite(double inverse) { return smaller(larger(inverse, -1e100), 1e100); }
 };
 
-/// Calls visit(daughter) along the ray for those in the row whose slabs it passes between the path
+/// Calls visit(daughter) for the daughters in slabs of the row that the ray passes between the path
 /// lengths `from` and `to`, until it has passed `reach()`, a path length that visits may shorten.
 template <class Index, class Visit, class Reach>
 void walk_layers(const LayerTree<Index>& tree, const LayerRow<Index>& row, const LayerRay& ray,
@@ -71,7 +71,7 @@ void walk_layers(const LayerTree<Index>& tree, const LayerRow<Index>& row, const
   }
 }
 
-/// Calls visit(daughter) for those that may hold the point.
+/// Calls visit(daughter) for the daughters that may hold the point.
 template <class Index, class Visit>
 void visit_layers_at(const LayerTree<Index>& tree, const LayerRow<Index>& row,
                      const Vec3<double>& p, Visit& visit) {
@@ -97,18 +97,19 @@ void visit_layers_at(const LayerTree<Index>& tree, const LayerRow<Index>& row,
   }
 }
 
-/// A point whose safety is asked, and by how much its distances may be rounded, mm.
+/// A point whose safety is asked, and the rounding error that its distances may have, mm.
 struct LayerPoint {
   Vec3<double> p;
   double slack;
 };
 
-/// How far a point is at least from what is in some slabs, by axis: squares.
+/// Squared lower bounds, by axis, of the distance of a point from what is in some slabs, mm^2.
 struct LayersApart {
   double square[3] = {0, 0, 0};
 
   double sum() const { return square[0] + square[1] + square[2]; }
-  /// In one more slab. One of the others may be along the same axis: what is farther counts.
+  /// The same for one slab more. If another of the slabs is along the same axis, the larger
+  /// distance counts.
   LayersApart also(int axis, double distance) const {
     LayersApart both = *this;
     both.square[axis] = larger(square[axis], distance * distance);
@@ -116,9 +117,9 @@ struct LayersApart {
   }
 };
 
-/// `safety` or the least ask(daughter, safety) where that is less, without asking daughters of
-/// slabs that are farther away: of a row the nearest slab first, above or below the point.
-/// `around`: how far it is from the slabs that the row is in.
+/// The smallest of `safety` and ask(daughter, safety) for all daughters. Daughters in slabs that
+/// are farther away are not asked. The nearest slab of a row, above or below the point, comes
+/// first. `around`: the distances of the point from the slabs that contain the row.
 template <class Index, class Ask>
 double safety_among_layers(const LayerTree<Index>& tree, const LayerRow<Index>& row,
                            const LayerPoint& point, const LayersApart& around, double safety,
@@ -156,8 +157,8 @@ double safety_among_layers(const LayerTree<Index>& tree, const LayerRow<Index>& 
 template <class Index>
 struct SearchLayers {
   LayerTree<Index> tree;
-  const FloatBox* boxes;  ///< by daughter, as the generic navigator has them; null: it has none
-  double largest;         ///< coordinate of any box, mm
+  const FloatBox* boxes;  ///< by daughter, as in the generic navigator; null if it has none
+  double largest;         ///< the largest coordinate of any box, mm
 
   template <class Daughters>
   [[gnu::always_inline]] int find(const Daughters& d, const Vec3<double>& p,
@@ -178,8 +179,8 @@ struct SearchLayers {
                 reach);
     return nearest.hit;
   }
-  /// `safety` or the least of the daughters', as the generic navigator has it: no less than the
-  /// distance to the daughter's box, where it has boxes.
+  /// The smallest of `safety` and the safeties of the daughters. As in the generic navigator, that
+  /// of a daughter is no less than the distance to its box, if there are boxes.
   template <class Daughters>
   [[gnu::always_inline]] double safety_among(const Daughters& d, const Vec3<double>& p,
                                              double safety) const {
@@ -193,7 +194,7 @@ struct SearchLayers {
       return bound < least ? smaller(larger(d.away(k, p), bound), least) : least;
     };
     const double far = larger(largest, larger(absolute(p.x), larger(absolute(p.y), absolute(p.z))));
-    // A bound is less than the distance by roundings of coordinates, and of itself.
+    // A bound is less than the distance by the rounding of coordinates, and by its own.
     const LayerPoint point{p, (far + safety) * 0x1p-20};
     return safety_among_layers(tree, tree.rows[0], point, LayersApart{}, safety, ask);
   }

@@ -1,11 +1,11 @@
 // An upright prism: a polygon, convex or not, that does not cross itself, between two faces across
-// z. Seen along z a ray crosses edges, each as often as its ends are on different sides of the ray:
-// a corner counts the same for both of its edges, so that entries and exits always cancel and no
-// ray is lost through a corner (as for `Facets`, of which this is the case in a plane).
+// z. Seen along z, a ray crosses an edge if the edge's ends are on different sides of the ray. A
+// corner counts the same for both of its edges. So entries and exits always cancel, and no ray is
+// lost through a corner. (This is the method of `Facets` in a plane.)
 //
 // A crossing is behind the start if its path is not positive, or if the start is within the
-// tolerance of its edge. What is not behind is ahead, and tells by itself whether the start is in
-// the polygon: as many exits ahead as entries, or more.
+// tolerance of the edge. All other crossings are ahead, and they alone tell whether the start is in
+// the polygon: it is if there are more exits ahead than entries.
 namespace navjit::kernels {
 
 template <class Real>
@@ -13,7 +13,7 @@ struct PlanarCorner {
   Real x, y;
 };
 
-/// Eight corners; where there are fewer, the last one more than once.
+/// Eight corners. Where fewer are left, the last one occurs more than once.
 template <class Real>
 struct CornerGroup {
   EightOf<Real> x, y;
@@ -23,7 +23,7 @@ template <class Real>
 struct Prism {
   const PlanarCorner<Real>* corners;  ///< anticlockwise
   int count;
-  const CornerGroup<Real>* groups;  ///< the same corners
+  const CornerGroup<Real>* groups;  ///< the same corners, in groups of eight
   int group_count;
   Real z_low, z_high;
   Real x_low, x_high, y_low, y_high;  ///< the box around the polygon
@@ -32,7 +32,7 @@ struct Prism {
 template <>
 inline constexpr bool uses_vectors<Prism<double>> = true;
 
-/// The square of the distance of (x, y) from the edge that ends at corner i.
+/// The squared distance of (x, y) from the edge that ends at corner i.
 template <class Real>
 Real edge_distance2(const Prism<Real>& s, int i, Real x, Real y) {
   const PlanarCorner<Real>&a = s.corners[i == 0 ? s.count - 1 : i - 1], &b = s.corners[i];
@@ -44,7 +44,7 @@ Real edge_distance2(const Prism<Real>& s, int i, Real x, Real y) {
   return across * across / length2;
 }
 
-/// The number of the nearest edge, and the square of the distance from it.
+/// The number of the nearest edge, and the squared distance from it.
 template <class Real>
 struct NearestEdge {
   int edge;
@@ -60,12 +60,12 @@ NearestEdge<Real> nearest_edge(const Prism<Real>& s, Real x, Real y) {
   return nearest;
 }
 
-/// The corners before eight corners, of which the first one is the last of `before`.
+/// The corner before each of eight corners. The one before the first is the last of `before`.
 inline EightLanes lanes_before(EightLanes before, EightLanes lanes) {
   return __builtin_shufflevector(before, lanes, 7, 8, 9, 10, 11, 12, 13, 14);
 }
 
-/// The square of the distance from the nearest edge.
+/// The squared distance from the nearest edge.
 template <class Real>
 Real edges_distance2(const Prism<Real>& s, Real x, Real y) {
   return nearest_edge(s, x, y).distance2;
@@ -74,7 +74,7 @@ Real edges_distance2(const Prism<Real>& s, Real x, Real y) {
 inline double edges_distance2(const Prism<double>& s, double x, double y) {
   constexpr EightLanes lane_numbers{0, 1, 2, 3, 4, 5, 6, 7};
   EightLanes nearest = eight_of(infinity<double>());
-  // The corners before those of a group are its own and the last one of the group before.
+  // The corner before the first one of a group is the last one of the group before.
   EightLanes x_before = lanes_from(s.groups[s.group_count - 1].x);
   EightLanes y_before = lanes_from(s.groups[s.group_count - 1].y);
   for (int i = 0; i < s.group_count; ++i) {
@@ -113,8 +113,8 @@ PlanarRay<Real> seen_along_z(const Vec3<Real>& p, const Direction<Real>& v) {
   return {p.x, p.y, parallel ? Real(1) : v.x, parallel ? Real(0) : v.y, parallel};
 }
 
-/// The edge that ends at corner i, if the ray runs along it, within the tolerance of it: there it
-/// is in the solid.
+/// Whether the ray runs along the edge that ends at corner i, within the tolerance of the edge.
+/// Such a ray is in the solid.
 template <class Real>
 bool runs_along(const Prism<Real>& s, int i, const PlanarRay<Real>& ray, Real tol) {
   const PlanarCorner<Real>&a = s.corners[i == 0 ? s.count - 1 : i - 1], &b = s.corners[i];
@@ -123,7 +123,7 @@ bool runs_along(const Prism<Real>& s, int i, const PlanarRay<Real>& ray, Real to
   return absolute(ux * (ray.y - a.y) - uy * (ray.x - a.x)) <= tol * length;
 }
 
-/// For a ray along an edge: the same ray moved into the solid, clear of the tolerance.
+/// The same ray moved into the solid by more than the tolerance, if it runs along an edge.
 template <class Real>
 [[gnu::noinline, gnu::cold]] PlanarRay<Real> moved_inside(const Prism<Real>& s, PlanarRay<Real> ray,
                                                           Real tol) {
@@ -139,23 +139,24 @@ template <class Real>
   return ray;
 }
 
-/// What has more corners is no prism, but facets.
+/// A polygon with more corners is made a solid of facets instead of a prism.
 constexpr int most_corners_of_prism = 128;
 
-/// Crossings ahead. What is taken out is in order, and what is at one path is one.
+/// Crossings ahead. They are taken out in order, and those at the same path together.
 template <class Real>
 struct EdgesAhead {
   int total = 0;  ///< entries less exits
-  /// Corners that are nearly on the ray's line; the last one may be counted several times.
+  /// The number of corners that are nearly on the ray's line. The last corner may be counted
+  /// several times.
   int near = 0;
-  int count = 0;  ///< edges
-  /// By edge, that which ends at corner i: the path to its crossing, infinite if there is none.
+  int count = 0;  ///< the number of edges
+  /// By edge, which ends at corner i: the path to its crossing; infinity if there is none.
   Real t[most_corners_of_prism];
-  /// Bit i, from word to word: the crossing is an exit.
+  /// Bit i, counted on from word to word: whether the crossing is an exit.
   unsigned long long out[most_corners_of_prism / 64];
 };
 
-/// Of crossings.
+/// What is needed of the crossings.
 enum class Keep { total, all };
 
 /// Is the start of the ray within the tolerance of the edge that ends at corner i?
@@ -164,7 +165,8 @@ bool starts_at_edge(const Prism<Real>& s, int i, const PlanarRay<Real>& ray, Rea
   return !(edge_distance2(s, i, ray.x, ray.y) > tol * tol);
 }
 
-/// A corner, from a ray's start, and along and across the ray: left of it `side` is positive.
+/// A corner as seen from a ray's start, and along and across the ray. `side` is positive to the
+/// left of the ray.
 template <class Number>
 struct CornerSeen {
   Number x, y, along, side;
@@ -175,7 +177,8 @@ CornerSeen<Number> seen_along(const PlanarRay<Real>& ray, Number x, Number y) {
   return {from_x, from_y, ray.u * from_x + ray.v * from_y, ray.u * from_y - ray.v * from_x};
 }
 
-/// Corners are near that are as far from the ray's line as `close`, or less.
+/// Finds the crossings ahead. A corner counts as near if its `side` is at most `close` in
+/// magnitude.
 template <Keep keep, class Real>
 EdgesAhead<Real> edges_ahead(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol,
                              Real close) {
@@ -194,7 +197,7 @@ EdgesAhead<Real> edges_ahead(const Prism<Real>& s, const PlanarRay<Real>& ray, R
     if (left == (from.side > 0)) continue;
     const Real path = from.along + (at.along - from.along) * (from.side / (from.side - at.side));
     if (!(path > 0) || starts_at_edge(s, i, ray, tol)) continue;
-    // Leftwards of the ray: what is inside lies behind the edge.
+    // The edge goes to the left of the ray. What is inside lies behind the edge.
     c.total += left ? -1 : 1;
     c.t[i] = path / length2;
     c.out[i / 64] |= static_cast<unsigned long long>(left) << i % 64;
@@ -202,7 +205,7 @@ EdgesAhead<Real> edges_ahead(const Prism<Real>& s, const PlanarRay<Real>& ray, R
   return c;
 }
 
-/// The same, eight edges at once: which of them are crossed no processor foresees.
+/// The same, eight edges at once, since it is unpredictable which of them are crossed.
 template <Keep keep>
 EdgesAhead<double> edges_ahead(const Prism<double>& s, const PlanarRay<double>& ray, double tol,
                                double close) {
@@ -224,7 +227,7 @@ EdgesAhead<double> edges_ahead(const Prism<double>& s, const PlanarRay<double>& 
     const EightWords left = __builtin_bit_cast(EightWords, at.side > 0);
     const EightLanes path =
         from.along + (at.along - from.along) * (from.side / (from.side - at.side));
-    // Where the last corner stands again both are on one side.
+    // Where the last corner occurs again, both ends of the edge are on one side.
     EightWords ahead = (left ^ __builtin_bit_cast(EightWords, from.side > 0)) &
                        __builtin_bit_cast(EightWords, path > 0);
     const EightLanes ux = at.x - from.x, uy = at.y - from.y;
@@ -247,7 +250,8 @@ EdgesAhead<double> edges_ahead(const Prism<double>& s, const PlanarRay<double>& 
   return c;
 }
 
-/// The nearest crossing, with all that are at the same path; infinitely far if there is none.
+/// The nearest crossing, combined with all others at the same path; infinitely far if there is
+/// none.
 template <class Real>
 struct EdgeCrossing {
   Real t;
@@ -287,13 +291,13 @@ inline EdgeCrossing<double> take_nearest(EdgesAhead<double>& c) {
   return nearest;
 }
 
-/// Both ends of an edge that the ray runs along are within this of its line, roughly.
+/// A rough bound on the magnitude of `side` at both ends of an edge that the ray runs along.
 template <class Real>
 Real close_to(const PlanarRay<Real>& ray, Real tol) {
   return 4 * tol * (absolute(ray.u) + absolute(ray.v));
 }
 
-/// What is ahead after the ray has been moved off an edge that it runs along.
+/// The crossings ahead, after the ray has been moved off an edge if it runs along one.
 template <Keep keep, class Real>
 EdgesAhead<Real> edges_ahead_inside(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol) {
   EdgesAhead<Real> c = edges_ahead<keep>(s, ray, tol, close_to(ray, tol));
@@ -311,8 +315,8 @@ bool holds_start(const Prism<Real>& s, const PlanarRay<Real>& ray, Real tol) {
   return edges_ahead_inside<Keep::total>(s, ray, tol).total < 0;
 }
 
-/// Whether the polygon holds the point: told by a ray, of which edges that the point is within
-/// `tol` of are behind.
+/// Whether the polygon holds the point. This is told by a ray, for which edges within `tol` of the
+/// point are behind.
 template <class Real>
 bool is_in_polygon(const Prism<Real>& s, Real x, Real y, Real tol = 0) {
   if (outside_box(s, x, y) > 0) return false;
@@ -334,7 +338,7 @@ bool contains(const Prism<Real>& s, const Vec3<Real>& p, const Direction<Real>& 
   return holds_start(s, seen_along_z(p, v), tol);
 }
 
-/// The path to the first crossing ahead where the polygon ends; infinity if it does not.
+/// The path to the first crossing ahead where the polygon ends; infinity if there is none.
 template <class Real>
 Real path_out_of_polygon(EdgesAhead<Real>& c) {
   int depth = -c.total;
@@ -345,7 +349,7 @@ Real path_out_of_polygon(EdgesAhead<Real>& c) {
   }
 }
 
-/// The first path, `slab.enter` or more and before `slab.until`, where the ray is in the polygon.
+/// The first path, at least `slab.enter` and before `slab.until`, where the ray is in the polygon.
 template <class Real>
 Real path_into_polygon(EdgesAhead<Real>& c, const Span<Real>& slab) {
   int depth = -c.total;
@@ -405,7 +409,7 @@ Real safety_to_out(const Prism<Real>& s, const Vec3<Real>& p) {
 // Beside navigation.
 namespace navjit::kernels {
 
-/// The edge that the point is nearest to, or an end if that is nearer.
+/// The normal of the edge that is nearest to the point, or of an end if that is nearer.
 template <class Real>
 Vec3<Real> normal(const Prism<Real>& s, const Vec3<Real>& p, Real tol) {
   const NearestEdge<Real> near = nearest_edge(s, p.x, p.y);

@@ -1,4 +1,4 @@
-// A solid stretched along the axes, each by a factor of its own.
+// A solid that is stretched along the axes, by a factor for each axis.
 namespace navjit::kernels {
 
 /// local = inverse * p, component by component.
@@ -6,14 +6,14 @@ template <class Real, class Solid>
 struct Scaled {
   Solid solid;
   Real inverse_x, inverse_y, inverse_z;  ///< negative where the axis is reversed
-  Real most;                             ///< the largest of their sizes
+  Real most;                             ///< the largest of their magnitudes
 };
 
 template <class Real, class S>
 Vec3<Real> to_local(const Scaled<Real, S>& s, const Vec3<Real>& p) {
   return {s.inverse_x * p.x, s.inverse_y * p.y, s.inverse_z * p.z};
 }
-/// The local direction, and how much longer paths are there.
+/// The local direction, and the factor by which paths are longer in the local frame.
 template <class Real>
 struct ScaledDirection {
   Direction<Real> v;
@@ -26,7 +26,7 @@ ScaledDirection<Real> to_local(const Scaled<Real, S>& s, const Direction<Real>& 
   return {make_direction<Real>(x / stretch, y / stretch, z / stretch), stretch};
 }
 
-// Across no face is a distance stretched more than by `most`.
+// No distance across a face is stretched by more than `most`.
 
 template <class Real, class S>
 Side inside(const Scaled<Real, S>& s, const Vec3<Real>& p, Real tol) {

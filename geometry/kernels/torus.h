@@ -1,20 +1,21 @@
-// A torus about the z axis, hollow and cut to an azimuthal segment if need be. A tube wider than
-// its circle covers the axis: the solid is still all points within rmax of the circle.
+// A torus about the z axis, which may be hollow and cut to an azimuthal segment. A tube wider than
+// its circle covers the axis; the solid is still all points within rmax of the circle.
 //
-// Along a ray, the squared distance h from the circle in the middle of the tube is convex far from
-// the z axis, concave near it, and convex again beyond: all that is needed to bracket its turning
-// points, and between those every crossing, without solving the quartic. Crossings are then found
-// on h itself, which has none of the cancellation of the quartic's coefficients.
+// Let h be the squared distance of a point of a ray from the circle in the middle of the tube.
+// Along the ray, h is convex far from the z axis, concave near it, and convex again beyond. This
+// suffices to bracket the turning points of h, and between these every crossing, without solving
+// the quartic equation. Crossings are then found from h itself, which has none of the cancellation
+// of the quartic's coefficients.
 namespace navjit::kernels {
 
 template <class Real>
 struct Torus {
   Real rmin, rmax;  ///< of the tube, mm; rmin may be 0
-  Real rtor;        ///< of the circle in its middle
+  Real rtor;        ///< radius of the circle in the middle of the tube, mm
   Wedge<Real> wedge;
 };
 
-/// A ray against the circle of radius `ring` in the plane z = 0.
+/// A ray from `p` along `v`, and the circle of radius `ring` in the plane z = 0.
 template <class Real>
 struct RingForm {
   Real ring;
@@ -22,7 +23,8 @@ struct RingForm {
   Direction<Real> v;
 };
 
-/// How fast a ray moves away from the axis. On it, where that jumps, the rate ahead.
+/// The rate at which a ray moves away from the axis. On the axis, where the rate jumps, the rate
+/// just ahead counts.
 template <class Real>
 Real radial_rate(const RingForm<Real>& q, Real x, Real y, Real rho) {
   return rho > 0 ? (x * q.v.x + y * q.v.y) / rho : square_root(q.v.x * q.v.x + q.v.y * q.v.y);
@@ -35,7 +37,7 @@ Sample<Real> value_at(const RingForm<Real>& q, Real t) {
   const Real rho = square_root(x * x + y * y), across = rho - q.ring;
   return {across * across + z * z, across * radial_rate(q, x, y, rho) + z * q.v.z};
 }
-/// Half the second derivative of h at the start, ahead.
+/// Half the second derivative of h just ahead of the start.
 template <class Real>
 Real curvature(const RingForm<Real>& q) {
   const Real rho = square_root(q.p.x * q.p.x + q.p.y * q.p.y);
@@ -54,8 +56,8 @@ Real cube_root(Real x) {
   return y;
 }
 
-/// Where h turns ahead of the start: falling and rising parts follow one another. The last part
-/// rises to the end.
+/// The turning points of h ahead of the start. Falling and rising parts alternate, and the last
+/// part rises to the end.
 template <class Real>
 struct Turns {
   bool falling;  ///< is the first part falling?
@@ -89,15 +91,15 @@ Turns<Real> turns_ahead(const RingForm<Real>& q, Real reach) {
   const Real slope = value_at(q, Real(0)).slope;
   turns.falling = slope < 0 || (slope == 0 && curvature(q) < 0);
 
-  // The concave part, if any, is where rho < `bend`; two minima lie on its sides if h rises into it
-  // and falls out of it.
+  // The concave part, if there is one, is where rho < `bend`. Two minima lie on its sides if h
+  // rises into it and falls out of it.
   bool two = false;
   Real from = 0, to = 0;
   const Real s = square_root(s2);
   if (s > 0) {
     const Real cross = p.x * v.y - p.y * v.x, nearest = absolute(cross) / s;
     const Real bend = cube_root(q.ring * (cross * cross) / a);
-    const bool through = !(bend > 0);  // the axis, or so near that the square is below all numbers
+    const bool through = !(bend > 0);  // the axis, or so near to it that the square underflows
     if (bend > nearest || through) {
       const Real ratio = through ? Real(0) : nearest / bend;
       const Real part = square_root(larger(1 - ratio * ratio, Real(0)));
@@ -126,14 +128,14 @@ Turns<Real> turns_ahead(const RingForm<Real>& q, Real reach) {
   return turns;
 }
 
-/// Is the start on the axis, as good as it can be told?
+/// Is the start on the axis, to within the tolerance?
 template <class Real>
 bool on_axis(const RingForm<Real>& q, Real tol) {
   return q.p.x * q.p.x + q.p.y * q.p.y <= tol * tol;
 }
 
-/// Whether a ray that heads out is in again within the tolerance, by a step too short to move the
-/// point: past the inner side of the ring, or through a hole that is hardly there.
+/// Whether a ray that heads out is in again within the tolerance. That would be a step too short to
+/// move the point. It happens at the inner side of the ring, and in a hole that hardly exists.
 template <class Real>
 bool comes_back(Real r, const RingForm<Real>& q, const Sample<Real>& at, Real tol) {
   const Real s2 = q.v.x * q.v.x + q.v.y * q.v.y;
@@ -143,9 +145,9 @@ bool comes_back(Real r, const RingForm<Real>& q, const Sample<Real>& at, Real to
          square_root(larger(at.slope * at.slope - bend * c, Real(0))) + at.slope <= -tol * bend;
 }
 
-/// Directional containment in the tube of radius r. A tangent goes where the surface bends; what
-/// would be out again within the tolerance, by a step too short to move the point, leaves at once,
-/// and what would be in again does not leave.
+/// Directional containment in the tube of radius r. A tangent is in if the distance from the circle
+/// decreases along it. A ray that would be out again within the tolerance, by a step too short to
+/// move the point, leaves at once, and a ray that would be in again does not leave.
 template <class Real>
 bool in_ring(Real r, const RingForm<Real>& q, Real tol) {
   const Sample<Real> at = value_at(q, Real(0));
@@ -169,27 +171,28 @@ SpanPair<Real> ring_spans(Real r, const RingForm<Real>& q, const Turns<Real>& tu
   SpanPair<Real> pair = no_spans<Real>();
   bool in = in_ring(r, q, tol), second = false, falling = turns.falling;
   const bool stays = in && !falling && comes_back(r, q, value_at(q, Real(0)), tol);
-  // Heading in, but out again within the tolerance.
+  // The ray heads in, but is out again within the tolerance.
   const bool grazes = !in && falling && value_at(q, Real(0)).value <= (r + tol) * (r + tol);
   Real enter = -infinity<Real>(), from = 0;
   for (int i = 0; i <= turns.count; ++i, falling = !falling) {
     const Real to = i < turns.count ? turns.at[i] : turns.end;
     const bool beyond = i == turns.count || distance(to).value >= 0;
     if (i == 0 && (grazes || stays)) {
-      // What is left of it is not entered, or not left.
+      // The rest of this part is not entered, or not left.
     } else if (!in && !beyond) {
-      // What starts out though within the tube, heading out within the tolerance, enters where it
-      // turns.
+      // A ray that starts within the tolerance of the surface and heads out counts as out, even if
+      // it is in the tube. It enters where h turns.
       enter = falling ? bracketed_zero(distance, from, to, false) : to;
       in = true;
-      // What is left for no more than the tolerance is not left: a hole that is hardly there.
+      // If the ray is out for no more than the tolerance, it does not leave: the hole hardly
+      // exists.
       if (second && enter - pair.first.leave <= tol) {
         enter = pair.first.enter;
         pair = no_spans<Real>();
         second = false;
       }
     } else if (!falling && in && beyond) {
-      // Within the tolerance it may turn before it has got in.
+      // A ray within the tolerance of the surface may turn before it is in.
       const bool passed = i > 0 && distance(from).value >= 0;
       const Real leave = passed ? from : bracketed_zero(distance, from, to, true);
       (second ? pair.second : pair.first) = {enter, leave, leave};
@@ -201,10 +204,11 @@ SpanPair<Real> ring_spans(Real r, const RingForm<Real>& q, const Turns<Real>& tu
   return pair;
 }
 
-/// The path out of the tube of radius r for a ray that is in it and either off its surface or on
-/// its way in. In the tube h bends upwards by no more than at its outer edge: the way to where it
-/// could leave at the earliest is never too long, and a few of those lead to where it does.
-/// Negative if that is a graze, or takes too many. `hole` is the least distance from the axis.
+/// The path out of the tube of radius r, for a ray that is in the tube and either off its surface
+/// or on its way in. In the tube the second derivative of h is no larger than at its outer edge. So
+/// the path to where the ray could leave at the earliest is never too long, and a few such steps
+/// lead to where it does leave. The result is negative if the ray only grazes there, or if it takes
+/// too many steps. `hole` is the least distance of the tube from the axis.
 template <class Real>
 Real ring_exit(Real r, Real hole, const RingForm<Real>& q, Real tol) {
   Sample<Real> at = value_at(q, Real(0));
@@ -219,7 +223,8 @@ Real ring_exit(Real r, Real hole, const RingForm<Real>& q, Real tol) {
     if (!(square > 0)) return Real(-1);
     const Real root = square_root(square);
     const Real step = at.slope > 0 ? -c / (root + at.slope) : (root - at.slope) / most_bend;
-    // Out again for longer than the tolerance: it bends back by no more than at the hole.
+    // The ray must stay out for longer than the tolerance. It bends back by no more than at the
+    // hole.
     const Real to = t + step;
     if (t + step / 4 == t || !(step > 0)) {
       return at.slope > 4 * tol * (a + q.ring / hole) ? larger(to, Real(0)) : Real(-1);
@@ -230,9 +235,9 @@ Real ring_exit(Real r, Real hole, const RingForm<Real>& q, Real tol) {
   return Real(-1);
 }
 
-/// The path to where such a ray comes into a tube of radius r within the other, before `until`;
-/// infinity if it does not. Negative as above. In the wider tube h bends downwards by no more than
-/// at the hole.
+/// The path to where such a ray comes into a tube of radius r within the other one, before `until`;
+/// infinity if it does not. The result is negative in the same cases as for ring_exit. In the wider
+/// tube the second derivative of h is no smaller than at the hole.
 template <class Real>
 Real ring_entry(Real r, Real hole, const RingForm<Real>& q, Real tol, Real until) {
   Sample<Real> at = value_at(q, Real(0));
@@ -246,7 +251,8 @@ Real ring_entry(Real r, Real hole, const RingForm<Real>& q, Real tol, Real until
     const Real c = larger(at.value - r * r, Real(0));
     const Real slope2 = at.slope * at.slope, square = slope2 - least_bend * c;
     const bool falls = at.slope < 0;
-    // A difference of numbers that are nearly equal: a narrow tube, or a graze.
+    // The square is a difference of nearly equal numbers: the tube is narrow, or the ray only
+    // grazes it.
     if (falls && absolute(square) <= slope2 * Real(0x1p-20)) return Real(-1);
     if (least_bend >= 0 && !(falls && square > 0)) return infinity<Real>();
     const Real root = square_root(square);
@@ -262,7 +268,7 @@ Real ring_entry(Real r, Real hole, const RingForm<Real>& q, Real tol, Real until
   return Real(-1);
 }
 
-/// The ray near the torus, and how far along it that is.
+/// The ray from a point near the torus on, and the path to that point.
 template <class Real>
 struct TorusApproach {
   Real shift;
@@ -276,10 +282,10 @@ TorusApproach<Real> approach_torus(const Torus<Real>& s, const Vec3<Real>& p,
   return {shift, {s.rtor, shift > 0 && shift < infinity<Real>() ? advance(p, v, shift) : p, v}};
 }
 
-/// Whether the ray is nowhere in the torus since it is within its hole, or not there at all, all
-/// the way between the planes across z that the torus lies between. Its distance from the axis is
-/// greatest where it crosses one of them. With room to spare for all rounding: most rays that come
-/// near one of many rings, as in a field cage, pass through it.
+/// Whether the ray misses the torus because it is in the hole of the torus, or not there at all,
+/// all the way between the two planes across z that enclose the torus. Its distance from the axis
+/// is greatest where it crosses one of the planes. The test allows for all rounding. It pays
+/// because most rays that come near one of many rings, as in a field cage, pass through the ring.
 template <class Real>
 bool passes_through_hole(const Torus<Real>& s, const RingForm<Real>& q, Real tol) {
   const Real room = s.rmax / 64 + (s.rtor + s.rmax) / 1048576 + 4 * tol;

@@ -1,11 +1,12 @@
 // A trapezoid that turns about the z axis as it rises, at a constant rate, and may be sheared:
 // twisted boxes, trds and traps. Every section across z is a convex quadrangle. Crossings of the
-// sides are found by steps along the ray that no crossing can lie within, given how strongly the
-// sides bend.
+// sides are found by steps along the ray that are so short that no crossing can be within them,
+// given a bound on how strongly the sides bend.
 namespace navjit::kernels {
 
-/// In the frame that turns with the section: (nu + nu1 z) u + (nw + nw1 z) w < c0 + c1 z + c2 z^2,
-/// with (nu, nw) of length 1. The last three are zero for a side that is planar but for the twist.
+/// In the frame that turns with the section, a point is within if
+/// (nu + nu1 z) u + (nw + nw1 z) w < c0 + c1 z + c2 z^2. The length of (nu, nw) is 1. The last
+/// three numbers are zero for a side that is planar except for the twist.
 template <class Real>
 struct TwistedSide {
   Real nu, nw, c0, c1;
@@ -16,11 +17,11 @@ template <class Real>
 struct TwistedTrap {
   Real hz;                ///< half length, mm
   Real rate;              ///< angle per length, rad/mm; at most a quarter turn in all
-  Real shear_x, shear_y;  ///< the middle of the section per length
-  Real hx, hy;            ///< the solid is within |x| <= hx, |y| <= hy
-  Real reach;             ///< no point is further from the middle of its section
+  Real shear_x, shear_y;  ///< how far the middle of the section moves for each mm along z
+  Real hx, hy;            ///< the solid is within |x| <= hx, |y| <= hy, mm
+  Real reach;             ///< no point is farther from the middle of its section, mm
   TwistedSide<Real> right, left, back, front;
-  Real steep = 1;       ///< the most that (nu, nw) of a side grows to near the solid
+  Real steep = 1;       ///< the largest length that (nu, nw) of a side has near the solid
   Real steepening = 0;  ///< the largest of (nu1, nw1)
   Real curve = 0;       ///< the largest |c2|
 };
@@ -46,8 +47,8 @@ Turn<Real> turn_by(Real angle) {
   return {cosine, sine * angle};
 }
 
-/// How far a point is beyond the plane of a side within its section; and its derivatives along z,
-/// across it being (nx, ny).
+/// How far a point is beyond a side within the section at its z, and the derivatives of that
+/// number: (nx, ny) across z, and nz along it.
 template <class Real>
 struct TwistedValue {
   Real value, nx, ny, nz;
@@ -74,7 +75,7 @@ Real rate_along(const TwistedValue<Real>& at, const Direction<Real>& v) {
   return at.nx * v.x + at.ny * v.y + at.nz * v.z;
 }
 
-/// Verdict on one side, given its value.
+/// Directional containment behind one side.
 template <class Real>
 bool within_side(const TwistedValue<Real>& at, const Direction<Real>& v, Real tol) {
   const Real width = tol * gradient(at);
@@ -83,7 +84,7 @@ bool within_side(const TwistedValue<Real>& at, const Direction<Real>& v, Real to
   return nv < 0 || (nv == 0 && at.value <= 0);
 }
 
-/// Bounds on how fast (nx, ny) of a side changes along z, and on how fast that does.
+/// Bounds on the first and the second derivatives of a side's (nx, ny) along z.
 template <class Real>
 struct TwistedRates {
   Real first, second;
@@ -99,14 +100,15 @@ template <class Real>
 struct TwistedRay {
   Vec3<Real> p;
   Direction<Real> v;
-  Real end;    ///< the path up to which to look
-  Real bend;   ///< of values, per length squared
-  Real least;  ///< the shortest step; crossings closer than that to one another are none
+  Real end;    ///< the path up to which crossings are searched
+  Real bend;   ///< the bound
+  Real least;  ///< the shortest step; two crossings closer together than this do not count
 };
 template <class Real>
 TwistedRay<Real> twisted_ray(const TwistedTrap<Real>& s, const Vec3<Real>& p,
                              const Direction<Real>& v) {
-  // Within the box that `approach` goes to, with some room, points are this far from the middle.
+  // Within the box that `approach` goes to, with some room, points are no farther than this from
+  // the middle.
   const Real shear = absolute(s.shear_x) + absolute(s.shear_y);
   const TwistedRates<Real> rates = normal_rates(s);
   const Real room = Real(1) + Real(1) / 32, size = s.hx + s.hy + s.hz;
@@ -122,12 +124,12 @@ TwistedRay<Real> twisted_ray(const TwistedTrap<Real>& s, const Vec3<Real>& p,
           size / (Real(1024) * 1024 * 1024 * 16)};
 }
 
-/// The next crossing of a side after `from`: out of it if the path is within it there, else into
-/// it. Infinity if there is none.
+/// The path to the next crossing of a side after `from`. `within`: the path is behind the side
+/// there, and the crossing leads out; otherwise it leads in. Infinity if there is no crossing.
 template <class Real>
 Real next_crossing(const TwistedTrap<Real>& s, const TwistedSide<Real>& side,
                    const TwistedRay<Real>& ray, Real from, bool within) {
-  // Positive beyond the crossing that is looked for.
+  // This is positive beyond the crossing that is searched.
   const auto f = [&](Real t) {
     const Vec3<Real> q = advance(ray.p, ray.v, t);
     const TwistedValue<Real> at = value_at(s, side, q, turn_by(s.rate * q.z));
@@ -137,7 +139,8 @@ Real next_crossing(const TwistedTrap<Real>& s, const TwistedSide<Real>& side,
   Real t = from;
   Sample<Real> at = f(t);
   while (t < ray.end) {
-    // On the surface, the value may yet have to get to the side that the path is said to be on.
+    // A start on the surface may have the value of the other side than the one that it counts as
+    // on.
     const bool ahead = at.value > 0;
     if (ahead && at.slope >= 0 && t > from) return t;
     const Real size = absolute(at.value), towards = ahead ? -at.slope : at.slope;
@@ -235,8 +238,9 @@ Real distance_to_out(const TwistedTrap<Real>& s, const Vec3<Real>& p, const Dire
   return leave;
 }
 
-/// The largest of the signed distances to the faces, a lower bound on either side: with the
-/// steepest gradient and the strongest bend on the way.
+/// The largest of the signed distances to the faces; in magnitude a lower bound on either side. The
+/// value of a side cannot reach zero sooner, even with the steepest gradient and the largest second
+/// derivative.
 template <class Real>
 Real surface_distance(const TwistedTrap<Real>& s, const Vec3<Real>& p) {
   Real d = absolute(p.z) - s.hz;

@@ -1,9 +1,9 @@
-// A segment of a tube twisted about the z axis so that lines along z become hyperbolas' rulings:
-// its round faces are hyperboloids, its sides saddles, and its ends flat.
+// A segment of a tube that is twisted about the z axis, so that lines along z become rulings of
+// hyperboloids. Its round faces are hyperboloids, its sides are saddles, and its ends are flat.
 namespace navjit::kernels {
 
-/// The half-plane side through the axis with outward normal n at z = 0, turned by the angle whose
-/// tangent is kappa * z: n.p - kappa z (n x p) < 0 within.
+/// The side that is a half-plane through the axis with outward normal n at z = 0, and is turned by
+/// the angle whose tangent is kappa * z. The value n.p + kappa z (n x p) is negative within.
 template <class Real>
 struct Saddle {
   Real nx, ny;
@@ -25,13 +25,13 @@ QuadraticForm<Real> form_at(const Saddle<Real>& f, const Vec3<Real>& p, const Di
 
 template <class Real>
 struct TwistedTube {
-  Real reach;          ///< no point is further from the axis, mm
+  Real reach;          ///< no point is farther from the axis, mm
   Real z_low, z_high;  ///< faces across z
   Quadric<Real> outer, inner;
   Saddle<Real> start, end;
 };
 
-/// The largest of the signed distances to the faces, a lower bound on either side.
+/// The largest of the signed distances to the faces; in magnitude a lower bound on either side.
 template <class Real>
 Real surface_distance(const TwistedTube<Real>& s, const Vec3<Real>& p) {
   Real d = larger(p.z - s.z_high, s.z_low - p.z);

@@ -1,21 +1,23 @@
 // Parallel wires (tubes, bars, fibres) side by side, in one row or in a few above one another, at
-// any angle to the mother's axes. Seen along the wires, a ray passes a row of discs: what it comes
-// near to is an interval of the row, mostly of one wire or of none. Only a filter: discs carry a
-// margin far above what a position is rounded by, and what their middles deviate from the row.
+// any angle to the mother's axes. Seen along the wires, a ray passes a row of discs. The discs that
+// it comes near to are in an interval of the row, which usually has one wire or none. The search
+// only finds candidates. Discs include a margin far above the rounding of a position and above the
+// deviation of their middles from the row.
 namespace navjit::kernels {
 
-/// Coordinates across the wires: u along the row, n along its normal.
+/// Coordinates across the wires are u along the row and n along the row's normal.
 template <class Index>
 struct WireRow {
   double at;              ///< n of the row's middle, mm
   double half_u, half_n;  ///< a rectangle that holds every wire of the row about its place, mm
-  double radius;          ///< and a circle, mm
+  double radius;          ///< a circle that holds every wire about its place, mm
   int count;
   const double* u;        ///< of the wires' middles, ascending, mm
   const Index* daughter;  ///< by position
   double origin, per_mm;  ///< cells along the row
   int cells;
-  /// By cell, and one more: the first position whose middle is in that cell or beyond it.
+  /// By cell, with one entry more than cells: the first position whose middle is in that cell or
+  /// beyond it.
   const Index* first;
 };
 
@@ -24,11 +26,11 @@ template <class Index>
 struct WireBundle {
   double across[3], normal[3], along[3];  ///< unit vectors of u, n, and of the wires
   unsigned count;
-  const WireRow<Index>* rows;  ///< ascending in n, apart from one another or not
-  bool ends;                   ///< whether rays come beyond the ends of all wires:
-  double low, high;            ///< along the wires, with a margin, mm
-  /// Whether no wire's safety_to_in is less than the distance from its circle; else from its
-  /// rectangle, by the larger of u and n.
+  const WireRow<Index>* rows;  ///< ascending in n; they may overlap
+  bool ends;                   ///< whether rays come beyond the ends of all wires
+  double low, high;            ///< these ends, along the wires, with a margin, mm
+  /// Whether the safety_to_in of every wire is at least the distance from its circle. If not, it is
+  /// at least the distance from its rectangle, along u or n, whichever is larger.
   bool round;
 };
 
@@ -36,7 +38,8 @@ inline double dot_row(const double (&a)[3], double x, double y, double z) {
   return a[0] * x + a[1] * y + a[2] * z;
 }
 
-/// The first position of the row that is at `u` or beyond it, or one before.
+/// The first position in the cell of `u` or beyond this cell. No earlier position is at `u` or
+/// beyond it.
 template <class Index>
 inline int first_wire_from(const WireRow<Index>& row, double u) {
   return static_cast<int>(row.first[cell_along(u, row.origin, row.per_mm, row.cells)]);
@@ -45,10 +48,11 @@ inline int first_wire_from(const WireRow<Index>& row, double u) {
 /// A ray seen along the wires.
 struct RayAcross {
   double u, n, vu, vn;
-  bool flat;       ///< along the row, to within the margin over a path as long as the scene
-  double inverse;  ///< of vn; 0 where flat
-  double slope;    ///< by how much it moves along the row for what it moves across, >= 0
-  double norm;     ///< of (1, slope), or up to 8% more
+  bool flat;  ///< whether it runs along the row, to within the margin over a path as long as the
+              ///< scene
+  double inverse;  ///< 1 / vn; 0 if flat
+  double slope;    ///< how far it moves along the row for each mm across the row, >= 0
+  double norm;     ///< the length of (1, slope), or up to 9% more
 };
 
 template <class Index>
@@ -66,8 +70,8 @@ inline RayAcross ray_across(const WireBundle<Index>& b, const Vec3<double>& p,
   return ray;
 }
 
-/// Calls visit(daughter) for those of one row that the ray may meet between the path lengths `from`
-/// and `end()`, which visits may shorten, in the order of their places along the ray.
+/// Calls visit(daughter) for the wires of one row that the ray may meet between the path lengths
+/// `from` and `end()`, which visits may shorten, in the order of their places along the ray.
 template <class Index, class Visit, class End>
 inline void walk_wire_row(const WireRow<Index>& row, const RayAcross& ray, double from,
                           const Visit& visit, End end) {
@@ -78,12 +82,13 @@ inline void walk_wire_row(const WireRow<Index>& row, const RayAcross& ray, doubl
     low = smaller(ray.u + from * ray.vu, ray.u + to * ray.vu) - row.half_u;
     high = larger(ray.u + from * ray.vu, ray.u + to * ray.vu) + row.half_u;
   } else {
-    // While it is in the row's thickness.
+    // The part of the ray within the thickness of the row.
     const double at = dn * ray.inverse, thick = row.half_n * absolute(ray.inverse);
     if (at + thick < from || at - thick > to) return;
     const double u0 = ray.u + larger(at - thick, from) * ray.vu,
                  u1 = ray.u + smaller(at + thick, to) * ray.vu;
-    // The line passes a disc nearer than its radius, and a rectangle nearer than its corners.
+    // The line passes the middle of a disc that it meets within the radius, and the middle of a
+    // rectangle within the distance of the corners.
     const double middle = ray.u + at * ray.vu;
     const double reach = smaller(row.radius * ray.norm, row.half_u + row.half_n * ray.slope);
     low = larger(smaller(u0, u1) - row.half_u, middle - reach);
@@ -106,8 +111,8 @@ inline void walk_wire_row(const WireRow<Index>& row, const RayAcross& ray, doubl
   }
 }
 
-/// Calls visit(daughter) for those that the ray may meet within `reach()`, a path length that
-/// visits may shorten, row by row as it comes to them.
+/// Calls visit(daughter) for the wires that the ray may meet within `reach()`, a path length that
+/// visits may shorten, row by row in the order in which the ray comes to them.
 template <class Index, class Visit, class Reach>
 inline void walk_wires(const WireBundle<Index>& b, const Vec3<double>& p,
                        const Direction<double>& v, const Visit& visit, const Reach& reach) {
@@ -124,7 +129,7 @@ inline void walk_wires(const WireBundle<Index>& b, const Vec3<double>& p,
   }
 }
 
-/// Calls visit(daughter) for those that may hold the point.
+/// Calls visit(daughter) for the wires that may hold the point.
 template <class Index, class Visit>
 inline void visit_wires_at(const WireBundle<Index>& b, const Vec3<double>& p, const Visit& visit) {
   const double u = dot_row(b.across, p.x, p.y, p.z), n = dot_row(b.normal, p.x, p.y, p.z);
@@ -138,8 +143,8 @@ inline void visit_wires_at(const WireBundle<Index>& b, const Vec3<double>& p, co
   }
 }
 
-/// `safety` or the least ask(daughter, safety) where that is less, without asking wires that are
-/// farther away than that.
+/// The smallest of `safety` and ask(daughter, safety) for all wires. Wires that are farther away
+/// are not asked.
 template <class Index, class Ask>
 inline double safety_among_wires(const WireBundle<Index>& b, const Vec3<double>& p, double safety,
                                  const Ask& ask) {
@@ -148,7 +153,8 @@ inline double safety_among_wires(const WireBundle<Index>& b, const Vec3<double>&
     const WireRow<Index>& row = b.rows[m];
     const double dn = absolute(row.at - n);
     if (dn - row.half_n > safety) continue;
-    // Whether this wire and those beyond it are too far away.
+    // Asks a wire unless it is too far away. Returns false if the wires beyond it are too far away
+    // as well.
     const auto nearest = [&](int i, double du) {
       if (du - row.half_u > safety) return false;
       const double far = safety + row.radius;
@@ -166,12 +172,13 @@ inline double safety_among_wires(const WireBundle<Index>& b, const Vec3<double>&
   return safety;
 }
 
-/// The box around a daughter as the generic navigator has it.
+/// The box around a daughter, as in the generic navigator, mm.
 struct FloatBox {
   float low[3], high[3];
 };
 
-/// A point's distance from a box, as the generic navigator has it (BoxDistances), bit by bit.
+/// A point's distance from a box, mm, with the same bits as in the generic navigator
+/// (BoxDistances).
 struct BoxDistance {
   float below[3], above[3];
 
