@@ -15,20 +15,20 @@ namespace {
 
 /// Which functions a module has for a volume.
 struct Parts {
-  bool step = false;     ///< hot: step and both relocations, exported
+  bool step = false;     ///< for hot volumes: step and both relocations, exported
   bool enter = false;    ///< downward relocation
   bool reenter = false;  ///< relocation out of a daughter
 };
 
-/// At most this many scenes beside the hot ones have their relocation in the module; that of others
-/// is left to the table.
+/// At most this many scenes besides the hot ones have their relocation in the module. The others
+/// are relocated in through the dispatch table.
 constexpr std::size_t most_neighbours = 24;
-/// The same of scenes of more different solids (solids_of) than this: all of them would be inlined,
-/// which takes longer to compile than the hot scenes themselves.
+/// Scenes with more different solids (solids_of) than this are not among them. All these solids
+/// would be inlined, which takes longer to compile than the hot scenes themselves.
 constexpr std::size_t most_solids = 8;
 
-/// Plans made once each, of the first of equal volumes for all of them: several hot scenes have the
-/// same neighbours.
+/// Plans, each made once, since several hot scenes have the same neighbours. The first of equal
+/// volumes is planned for all of them.
 class Plans {
  public:
   Plans(const Geometry& geometry, const WorldFacts& facts) : geometry_(geometry), facts_(facts) {}
@@ -53,7 +53,7 @@ std::map<VolumeId, Parts> choose_parts(const Geometry& geometry, const WorldFact
   std::map<VolumeId, Parts> parts;
   for (const VolumeId v : hot) {
     const bool has_daughters = !geometry.scene(v).daughters.empty();
-    // Of volumes with equal structure the first stands for all.
+    // The first of equal volumes stands for all of them.
     parts[facts.first_equal[v]] = {true, has_daughters, has_daughters};
   }
   std::size_t neighbours = 0;
@@ -69,10 +69,10 @@ std::map<VolumeId, Parts> choose_parts(const Geometry& geometry, const WorldFact
     }
   };
   for (const VolumeId v : hot) {
-    // Where a track goes from a hot scene: out into the mother, and down into daughters.
+    // The scenes to which a track goes from a hot scene: the mother, and daughters.
     const VolumeId first = facts.first_equal[v];
     if (const auto mother = facts.of_equals[first].mothers) add(*mother, &Parts::reenter);
-    VolumeId last = v;  // placements of one volume mostly follow each other
+    VolumeId last = v;  // placements of one volume mostly follow one another
     for (const Daughter& d : geometry.scene(v).daughters) {
       if (d.volume == last || geometry.scene(d.volume).daughters.empty()) continue;
       add(d.volume, &Parts::enter);
@@ -96,7 +96,7 @@ class ModuleData {
     std::memcpy(bytes_.data() + at, tables.data, tables.bytes);
     return at;
   }
-  /// The same for a leaf that shares code: its tables lie behind a SharedLeafData, whose offset is
+  /// The same for a leaf that shares code. Its tables lie behind a SharedLeafData, whose offset is
   /// returned.
   std::size_t add_shared(const SceneTables& tables) {
     const std::size_t at = begin(sizeof(kernels::SharedLeafData) + tables.bytes);
@@ -104,7 +104,7 @@ class ModuleData {
     shared_.push_back(at);
     return at;
   }
-  /// Puts them into the arena.
+  /// Puts all tables into the arena.
   const void* place(Arena& arena) const {
     auto* lines =
         arena.array<TableLine>((bytes_.size() + sizeof(TableLine) - 1) / sizeof(TableLine));
@@ -128,7 +128,7 @@ class ModuleData {
   std::vector<std::size_t> shared_;
 };
 
-/// For each leaf that shares code, the first leaf that it shares with.
+/// For each leaf that shares code, the first leaf of its group.
 std::map<VolumeId, VolumeId> find_shared(const Geometry& geometry, const WorldFacts& facts,
                                          const std::map<VolumeId, Parts>& parts, Plans& plans,
                                          const Neighbours& neighbours) {

@@ -14,7 +14,7 @@ void add_kernel(std::string& text, std::string_view kernel, bool small) {
   text += (small ? inlined : "") + std::string(kernel_text(kernel)) + (small ? as_it_is : "");
 }
 
-/// Whether it is a kernel of solids that most detectors have.
+/// Whether the kernel is that of solids that most detectors have.
 bool is_common(std::string_view kernel) {
   return kernel == "convex" || kernel == "box" || kernel == "wedge" || kernel == "tube";
 }
@@ -56,8 +56,8 @@ std::string module_text(const std::string& title, const Shapes& shapes, const st
                         const std::string& functions) {
   std::string text = common_text();
   for (const std::string_view kernel : kernel_order()) {
-    // Constants fold only into kernels that are inlined; the large ones would be inlined into each
-    // other again and again.
+    // Constants are folded only into kernels that are inlined. Large kernels are not inlined,
+    // because they would be inlined into one another again and again.
     if (!is_common(kernel) && shapes.kernels().contains(std::string(kernel))) {
       add_kernel(text, kernel, inlines_everywhere(kernel));
     }

@@ -1,4 +1,4 @@
-// What the texts of all modules have around their scenes.
+// The text that all modules have around their scenes.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace navjit::codegen {
 
-/// The exported functions of an entry, for the scene of that type.
+/// The exported functions of an entry, whose scene has the type `scene`.
 std::string entry_functions(const Entry& entry, const std::string& scene);
 
-/// What the texts of all modules begin with: the kernels of scenes and of common solids. A compiler
-/// may keep it parsed (jit::CompileOptions::preamble).
+/// The beginning of all modules: the kernels of scenes and of common solids. A compiler may keep it
+/// parsed (jit::CompileOptions::preamble).
 const std::string& common_text();
 
 /// A whole module: the common text, the other kernels for these shapes, the title as a comment,

@@ -13,11 +13,11 @@
 namespace navjit::codegen {
 namespace {
 
-/// At most this many daughters are spelled out, each with numbers of its own.
+/// At most this many daughters become types of their own, each with its own numbers as constants.
 constexpr std::size_t most_listed = 8;
 
-/// Each class is a branch and code of its own: with more of them than this, solids of one type
-/// share theirs.
+/// Each class is a branch and code of its own. If there would be more classes than this, solids of
+/// one type share a class.
 constexpr std::size_t most_classes = 24;
 
 /// If a scene's daughters are made of no more solids than this, all are inlined where they are
@@ -36,7 +36,7 @@ PartClass of_plan(const DaughterClass& c, Shapes& shapes) {
   return part;
 }
 
-/// Classes of daughters whose solids are of one type, with all numbers in tables.
+/// Classes of daughters whose solids have the same type, with all numbers in tables.
 std::vector<PartClass> by_type(const Scene& scene, Shapes& shapes) {
   std::vector<PartClass> classes;
   std::map<std::pair<std::string, bool>, std::size_t> known;
@@ -58,9 +58,9 @@ std::vector<PartClass> by_type(const Scene& scene, Shapes& shapes) {
   return classes;
 }
 
-/// Compilers inline a solid's kernels wherever a daughter is asked. Where daughters are made of
-/// many solids that was most of the code and of the time to compile it; there, booleans become
-/// functions of their own.
+/// Compilers inline a solid's kernels wherever a daughter is asked. If the daughters are made of
+/// many solids, this is most of the code and most of the time to compile it. In this case booleans
+/// become functions that are not inlined.
 void set_apart(const Scene& scene, SceneParts& parts) {
   const auto solids = [&](const PartClass& c) {
     return solids_in(scene.daughters[c.members[0]].solid);
@@ -71,8 +71,8 @@ void set_apart(const Scene& scene, SceneParts& parts) {
   for (PartClass& c : parts.classes) c.apart = solids(c) > 1;
 }
 
-/// Stands for what is constant in generated code and takes no place in its objects. The number
-/// makes each a type of its own: two empty members of one type would take place.
+/// Stands for a part that is constant in generated code and takes no space in its objects. The
+/// number makes each a type of its own, because two empty members of one type would take space.
 template <int>
 struct Nothing {};
 
@@ -197,7 +197,7 @@ SceneTables with_search(const Source& source, const SceneParts& parts) {
   return of(kernels::NoSearch{});
 }
 
-/// The tables of a leaf that shares code: its own numbers alone. They lie behind a SharedLeafData.
+/// The tables of a leaf that shares code: only its own numbers, which lie behind a SharedLeafData.
 template <class Frame, class Mother>
 SceneTables make_leaf(const Source& source, const SceneParts& parts) {
   using kernels::NoSearch;

@@ -1,5 +1,5 @@
-// The parts of a scene whose navigator is generated: what of it becomes types and constants, and
-// the tables that its code is handed.
+// The parts of a scene for which code is generated: which of its numbers become types and
+// constants, and the tables that the code is given.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ namespace navjit::codegen {
 
 /// What the numbers of a scene become in generated code.
 enum class Numbers : std::uint8_t {
-  constants,  ///< constants, but for large tables
-  tables,     ///< all are in tables: the code is that of a structure
-  own_solid,  ///< its solid and its frame are in tables, all else is constant: leaves that share
-              ///< code
+  constants,  ///< constants, except for large tables
+  tables,     ///< tables: the code is that of a structure
+  own_solid,  ///< the scene's solid and frame are in tables, and all else is constant; for leaves
+              ///< that share code
 };
 
 /// Daughters that are tested by the same code.
@@ -24,26 +24,26 @@ struct PartClass {
   From from = From::constant;
   std::string type;  ///< of the solid
   bool rotated = false, box_first = false;
-  bool apart = false;                  ///< its kernels are functions of their own
+  bool apart = false;                  ///< its kernels are not inlined
   std::vector<std::uint32_t> members;  ///< ascending
 };
 
 struct SceneParts {
   Numbers numbers = Numbers::constants;
   bool mother_in_table = false;
-  bool mother_beside = false;  ///< its numbers are in the object itself
-  bool listed = false;         ///< each daughter is a class, and none is in a table
-  bool boxes_beside = false;   ///< some class has its boxes in the table of daughters
+  bool mother_beside = false;  ///< the numbers of the scene's solid are in its own record
+  bool listed = false;         ///< each daughter is a class, and no daughter is in a table
+  bool boxes_beside = false;   ///< there is a class whose boxes are in the table of daughters
   std::vector<PartClass> classes;
 };
 
-/// Decides what of a scene is in types and constants, and what in tables. `shapes` spells the
-/// types.
+/// Decides which numbers of a scene are in types and constants, and which are in tables. `shapes`
+/// spells the types.
 SceneParts parts_of_scene(const Geometry& geometry, const ScenePlan& plan, Numbers numbers,
                           Shapes& shapes);
 
-/// The tables of a scene: an object of its Scene's layout, in which constants take no place. What
-/// generated code asserts of it is beside.
+/// The tables of a scene: an object that has the layout of its Scene, in which constants take no
+/// space. The other members are what generated code states about it.
 struct SceneTables {
   const void* data = nullptr;
   std::size_t bytes = 0;

@@ -12,8 +12,8 @@
 namespace navjit::codegen {
 namespace {
 
-/// A scene with more different daughters than this, leaves not counted, enters them through the
-/// table.
+/// If a scene has daughters of more different volumes than this, leaves not counted, it enters all
+/// of them through the dispatch table.
 constexpr std::size_t most_entered = 24;
 
 struct Writer {
@@ -30,7 +30,7 @@ struct Writer {
 
   /// The full name of a constant of this scene.
   std::string own(const std::string& what) const { return what + "_of_" + name; }
-  /// `dimension`: "[2]" of an array.
+  /// Defines a constant and returns its name. `dimension` is that of an array, for instance "[2]".
   std::string define(const std::string& type, const std::string& what, const std::string& value,
                      const std::string& dimension = "") {
     text += "constexpr " + type + " " + own(what) + dimension + value + ";\n";
@@ -39,7 +39,7 @@ struct Writer {
   bool constants() const { return parts.numbers == Numbers::constants; }
   bool of_structure() const { return parts.numbers == Numbers::tables; }
   bool stand_ins() const { return constants() && facts.of_equals[plan.volume].stand_ins; }
-  /// The volume that code takes a daughter for: its stand-in, where the scene has these.
+  /// The volume as which the code knows a daughter: its stand-in, if the scene has stand-ins.
   VolumeId known_as(VolumeId daughter) const {
     return stand_ins() ? facts.first_equal[daughter] : daughter;
   }
@@ -93,7 +93,7 @@ std::string places_of(const Writer& w, const std::vector<std::uint32_t>& members
          number(same_volume ? first.volume : 0U) + "}";
 }
 
-/// Half lengths that all boxes of a class share, as an initialiser.
+/// The half lengths that all boxes of a class share, as an initialiser.
 std::string shared_box(const Writer& w, const PartClass& c) {
   const auto half = [&](std::uint32_t k, std::size_t axis) {
     const auto& box = *static_cast<const kernels::Box<double>*>(w.scene.daughters[k].solid.shape);
@@ -144,7 +144,7 @@ std::string class_of(Writer& w, std::size_t number_of_class) {
   return "DaughterClass<" + solid + ", " + place + ", " + bounds + ">";
 }
 
-/// The records of daughters that are listed: all that it takes to push one onto the stack.
+/// The records of listed daughters: all that is needed to push one onto the stack.
 std::string listed_places(Writer& w) {
   std::string records;
   const auto inner = inner_of_daughters(w.geometry, w.scene);
@@ -201,7 +201,7 @@ std::string search_of(Writer& w) {
          ">";
 }
 
-/// The type that says where a track goes that leaves the scene.
+/// The type that says how to relocate a track that leaves the scene.
 std::string leave_of(const Writer& w) {
   if (w.of_structure()) return "LeaveByStack";
   if (w.plan.volume == w.geometry.world().top) return "LeaveWorld";
@@ -213,7 +213,7 @@ std::string leave_of(const Writer& w) {
   return "LeaveToVolume<" + number(*w.plan.only_mother) + ">";
 }
 
-/// The same for a track that enters a daughter.
+/// The type that says how to relocate a track that enters a daughter.
 std::string enter_of(const Writer& w) {
   if (w.of_structure()) return "EnterByTable";
   std::set<VolumeId> volumes;
@@ -234,7 +234,7 @@ std::string enter_of(const Writer& w) {
          ">";
 }
 
-/// Neighbour lists as constants, where there are few.
+/// Neighbour lists as constants, if the daughters are listed.
 std::string listed_neighbours(Writer& w) {
   const NeighbourLists& from = w.scene.neighbour_lists;
   if (!w.parts.listed || from.of.empty()) return {};
@@ -246,7 +246,7 @@ std::string listed_neighbours(Writer& w) {
   }
   const std::string of = w.define("NeighbourList", "lists", "{" + text + "}", "[]");
   std::vector<unsigned> neighbours(from.neighbours.begin(), from.neighbours.end());
-  neighbours.push_back(0);  // there are no arrays of nothing
+  neighbours.push_back(0);  // arrays must not be empty
   text.clear();
   for (const unsigned k : neighbours) text += (text.empty() ? "{" : ", ") + number(k);
   return "  static constexpr const NeighbourList* lists = " + of +
@@ -275,7 +275,8 @@ std::string scene_types(const Geometry& geometry, const WorldFacts& facts, const
   w.text += "struct " + name + " : Scene<" + frame + ", " + mother + ",\n  " + daughters + ",\n  " +
             search + ", " + (w.of_structure() ? "double" : "Tolerance") + "> {\n" + lists;
   w.text += "  using leave = " + leave_of(w) + ";\n  using enter = " + enter_of(w) + ";\n";
-  // Code of a structure serves scenes with many rare steps as well: it takes these, out of line.
+  // Code of a structure also serves scenes in which rare steps are frequent, so it makes them, out
+  // of line.
   w.text += std::string("  static constexpr Rare rare = Rare::") +
             (w.of_structure()     ? "out_of_line"
              : plan.bail_out_rare ? "left_out"

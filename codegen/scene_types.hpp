@@ -1,5 +1,5 @@
-// A scene as text: the types that its parts are, and the numbers that are constants. How it is
-// navigated is the kernels' (geometry/kernels/scene.h).
+// A scene as text: the types of its parts, and the numbers that are constants. How it is navigated
+// is defined by geometry/kernels/scene.h.
 #pragma once
 
 #include <set>
@@ -10,18 +10,18 @@
 
 namespace navjit::codegen {
 
-/// Volumes (each the first of its equals) whose relocation is in the same module and is called
-/// directly.
+/// Volumes whose relocation is in the same module and is called directly. Each is the first of its
+/// equals.
 struct Neighbours {
-  std::set<VolumeId> enter;    ///< downward
-  std::set<VolumeId> reenter;  ///< out of a daughter
+  std::set<VolumeId> enter;    ///< into them, from a mother
+  std::set<VolumeId> reenter;  ///< back into them, out of a daughter
 };
 
 /// The name of a volume's type.
 std::string scene_name(VolumeId volume);
 
-/// Definitions, in namespace navjit::kernels, of a type that is called `name`. `at`: where its
-/// tables are in the data that the module is handed.
+/// The definition, in namespace navjit::kernels, of a type with the given name. `at` is the offset
+/// of the scene's tables in the module's data.
 std::string scene_types(const Geometry& geometry, const WorldFacts& facts, const ScenePlan& plan,
                         const SceneParts& parts, const SceneTables& tables,
                         const Neighbours& neighbours, std::size_t at, const std::string& name,

@@ -1,4 +1,4 @@
-// The types of searches as text, and their numbers without their tables.
+// The types of searches as text, and their numbers except for tables.
 #pragma once
 
 #include <string>

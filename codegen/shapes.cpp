@@ -14,7 +14,7 @@ namespace {
 
 using kernels::AnySolid;
 
-/// Writes the fields of a shape as an initialiser; arrays become constants of their own.
+/// Writes the fields of a shape as an initialiser. Arrays become constants of their own.
 struct LiteralWriter {
   std::string& definitions;
   int& arrays;

@@ -1,4 +1,4 @@
-// Solids as C++: their type, their constants, and the kernels they need.
+// Solids as C++: their types, their constants, and the kernels that they need.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ namespace navjit::codegen {
 class Shapes {
  public:
   Shapes() = default;
-  /// `alone`: the solids have functions of their own and are no parts of a scene (apart_in()).
+  /// `alone`: the solids get functions of their own and are not parts of a scene (apart_in()).
   explicit Shapes(bool alone) : alone_(alone) {}
 
   /// The name of a constant that holds the shape; defines it on first use.
@@ -38,7 +38,7 @@ class Shapes {
   std::string definitions_;
   int arrays_ = 0;
   bool alone_ = false;
-  Apart apart_ = Apart::large;  ///< in the solid at hand
+  Apart apart_ = Apart::large;  ///< for the solid that is being written
 };
 
 }  // namespace navjit::codegen

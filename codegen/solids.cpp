@@ -21,8 +21,8 @@ std::string function(const std::string& type, const std::string& name, bool with
 }  // namespace
 
 SolidTypes types_in(const kernels::AnySolid<double>& solid) {
-  // Each type by its kind and those of its operands, so that deep chains take no more than their
-  // length.
+  // A type is known by its kind and the types of its operands, so that deep chains take a time in
+  // proportion to their length.
   std::map<std::array<std::size_t, 5>, std::size_t> numbers;
   SolidTypes types;
   const auto number = [&](const auto& again, const kernels::AnySolid<double>& s) -> std::size_t {

@@ -1,6 +1,6 @@
-// Code for solids alone, which scenes that are bound to data call: otherwise booleans of several
-// solids are asked through a switch for each of their operands. One solid serves all scenes that
-// have it, and costs a fraction of what compiling each of these would.
+// Code for single solids, which scenes that are bound to data call. Without it, a boolean of
+// several solids is asked through a switch for each operand. The code of one solid serves all
+// scenes that have the solid, and costs a fraction of what compiling each of these scenes would.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,11 @@
 
 namespace navjit::codegen {
 
-/// The functions of one solid in a module (kernels::SolidCode); extern "C" symbols.
+/// The functions of one solid in a module (kernels::SolidCode), which are extern "C" symbols.
 struct SolidEntry {
   std::string contains, distance_to_in, distance_to_out;
-  std::string safety_to_in, safety_to_out;  ///< empty where safety has no code
-  const void* data = nullptr;  ///< what they are handed: numbers that are not constants
+  std::string safety_to_in, safety_to_out;  ///< empty if there is no code for the safety
+  const void* data = nullptr;  ///< the functions' `data`: numbers that are not constants
 };
 
 struct SolidModule {
@@ -30,15 +30,16 @@ struct SolidModule {
 /// Whether the solid is made of several, so that code for it has fewer branches than the library's.
 bool gains_from_code(const kernels::AnySolid<double>& solid);
 
-/// What the code of a solid is made of, which is what it costs to compile: types that occur again
-/// share their functions.
+/// What the code of a solid consists of, which determines the cost of compiling it. Types that
+/// occur again share their functions.
 struct SolidTypes {
-  std::size_t composed = 0;  ///< different types of booleans in it, itself among them
-  std::size_t plain = 0;     ///< different kinds of solids, but for boxes
+  std::size_t composed = 0;  ///< different types of booleans in it, including itself
+  std::size_t plain = 0;     ///< different kinds of solids, except boxes
 };
 SolidTypes types_in(const kernels::AnySolid<double>& solid);
 
-/// Generates the code of these solids. `tolerance` is a constant in it, mm.
+/// Generates the code of these solids. `tolerance` (mm) is a constant in the code. `with_safety`:
+/// includes the safeties.
 SolidModule generate_solids(std::span<const kernels::AnySolid<double>> solids, double tolerance,
                             bool with_safety);
 

@@ -11,8 +11,8 @@
 namespace navjit::codegen {
 namespace {
 
-/// Each type of daughters' solids is a branch and code of its own: with more of them the library's
-/// switch over kinds serves as well. A guess.
+/// Each type of daughters' solids is a branch and code of its own. If there are more types than
+/// this, the library's switch over kinds is as good. A guess.
 constexpr std::size_t most_types = 16;
 
 bool is_known_to_library(SolidKind kind) {

@@ -8,7 +8,7 @@ namespace navjit::codegen {
 std::string number(double value) {
   if (std::isinf(value)) return value > 0 ? "__builtin_inf()" : "-__builtin_inf()";
   if (std::isnan(value)) return "__builtin_nan(\"\")";
-  // In any locale of the program.
+  // to_chars does not depend on the program's locale.
   char text[40];
   const auto written =
       std::to_chars(text, text + sizeof text, std::abs(value), std::chars_format::hex);

@@ -13,7 +13,7 @@ inline std::string number(int value) { return std::to_string(value); }
 inline std::string number(unsigned value) { return std::to_string(value); }
 inline std::string number(unsigned long long value) { return std::to_string(value) + "ULL"; }
 inline std::string number(bool value) { return value ? "true" : "false"; }
-/// Numbers as an initialiser; none are needed where all are zero.
+/// Numbers as an initialiser, which is empty if all are zero.
 template <class Values>
 std::string list(const Values& values) {
   std::string text;
@@ -25,7 +25,7 @@ std::string list(const Values& values) {
   }
   return zero ? "{}" : text + "}";
 }
-/// A name from a file made harmless: letters, digits and underscores, at most 60 characters.
+/// A name from a file, made harmless: only letters, digits and underscores, at most 60 characters.
 std::string identifier(std::string_view name);
 
 }  // namespace navjit::codegen

@@ -11,8 +11,8 @@ namespace {
 
 using kernels::AnySolid;
 
-/// Appends objects one after the other, each filled up to a multiple of eight bytes. That is the
-/// layout of the types in generated code, in which all that follows an object is aligned to eight
+/// Appends objects one after the other, each padded to a multiple of eight bytes. This is the
+/// layout of the types in generated code, where all that follows an object is aligned to eight
 /// bytes.
 struct Bytes {
   std::vector<double> words{};
@@ -58,8 +58,8 @@ void add(Bytes& bytes, const AnySolid<double>& solid) {
   });
 }
 
-/// Whether one of the solids that it is made of has more code than a box, a trd or the simple round
-/// ones.
+/// Whether one of the solids that the solid is made of has more code than a box, a trd, or a simple
+/// round solid.
 bool has_much_code(const AnySolid<double>& solid) {
   return kernels::visit(solid, [&](const auto& shape) {
     if constexpr (requires { shape.a.boxed; }) {

@@ -1,5 +1,5 @@
-// Solids as the types that generated code has for them: booleans of any solids become booleans of
-// just these, with the same numbers.
+// Solids as the types that generated code has for them. A boolean of solids of any kind becomes a
+// boolean of exactly these types, with the same numbers.
 #pragma once
 
 #include <cstdint>
@@ -9,36 +9,36 @@
 
 namespace navjit::codegen {
 
-/// Whether the operand of a boolean keeps the box around it. A box that is moved and not turned is
-/// no dearer than the test of its box, and keeps none.
+/// Whether the operand of a boolean keeps the box around it. A box that is moved but not rotated
+/// does not, because it costs no more than the test of its box.
 bool keeps_box(const kernels::AnyOperand<double>& operand);
 
 /// Whether solids of this kind are made of other solids.
 bool is_composed(SolidKind kind);
 
-/// The solid's numbers as an object of its Shapes::type. Where that is the solid's own, it is the
-/// solid itself, else a copy in the arena.
+/// The solid's numbers as an object of its Shapes::type. If the solid already has that type, this
+/// is the solid itself, otherwise a copy in the arena.
 const void* typed_shape(const kernels::AnySolid<double>& solid, Arena& arena);
 
-/// How many solids it is composed of; one if it is not.
+/// How many solids the solid is composed of; 1 for one that is not composed.
 std::size_t solids_in(const kernels::AnySolid<double>& solid);
 
-/// Which operands of a boolean have kernels that are functions of their own. Each kernel of a
-/// boolean calls several of its operands': inlined in one another, they would be multiplied with
-/// each level.
+/// Which operands of a boolean have kernels that are not inlined. Each kernel of a boolean calls
+/// several kernels of its operands. If all were inlined in one another, their number would multiply
+/// with each level.
 enum class Apart : std::uint8_t {
-  large,  ///< those of three solids and more
-  all,    ///< all but boxes; those of one type share functions
+  large,  ///< operands of three solids or more
+  all,    ///< all except boxes; operands of one type share functions
 };
 bool is_apart(const kernels::AnySolid<double>& operand, Apart which);
 
-/// Which operands are apart in a solid that is compiled alone: if it is made of more than eight
-/// solids, or of more than four with one that is much code itself, compiling it inlined takes
-/// longer than that gains (docs/experiments.md).
+/// Which operands are not inlined in a solid that is compiled alone. It is all of them if the solid
+/// is made of more than eight solids, or of more than four of which one has much code itself:
+/// compiling it inlined takes longer than that gains (docs/experiments.md).
 Apart apart_in(const kernels::AnySolid<double>& solid);
 
-/// Whether there are so many numbers in a solid that they are not made constants: the compiler
-/// would take longer than folding gains.
+/// Whether a solid has so many numbers that they are not made constants. The compiler would take
+/// longer than constants gain.
 bool is_large(const kernels::AnySolid<double>& solid);
 
 }  // namespace navjit::codegen

@@ -1,4 +1,4 @@
-// The memory of scenes' numbers: all in one place, freed together.
+// The memory for the numbers of scenes, which is freed as a whole.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace navjit::codegen {
 
-/// Hands out arrays and structs that live as long as it does. Nothing in it has a destructor.
+/// Hands out arrays and structs that live as long as the arena. None of them has a destructor.
 class Arena {
  public:
   Arena() = default;
@@ -21,7 +21,7 @@ class Arena {
   Value* array(std::size_t count) {
     static_assert(std::is_trivially_destructible_v<Value>);
     if (count == 0) return nullptr;
-    // Small arrays share cache lines with what was made just before.
+    // Small arrays share cache lines with the arrays made just before.
     const std::size_t bytes = count * sizeof(Value);
     const std::size_t align = std::max<std::size_t>(alignof(Value), bytes >= 64 ? 64 : 1);
     auto* values = static_cast<Value*>(memory_.allocate(bytes, align));

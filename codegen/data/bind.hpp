@@ -1,5 +1,5 @@
-// Binding to data: a navigator that was compiled ahead with the library, for all scenes of one
-// structure, and the numbers of one scene beside it. Ready at once, without a compiler.
+// Binding to data: a navigator that was compiled with the library for all scenes of one structure,
+// and the numbers of one scene beside it. It is ready at once and needs no compiler.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@
 
 namespace navjit::codegen {
 
-/// Every scene has one: where no instance fits its solids, one that takes any solid does.
-/// Record and numbers are in the arena, and use the Geometry, and `code` if solids of the scene
-/// have any: all have to live longer.
+/// Binds a scene to data, which is always possible: if no instance fits its solids, there is one
+/// for solids of any kind. The entry and the numbers are in the arena. They refer to the Geometry,
+/// and to `code` for solids of the scene that have code. All three must outlive the entry.
 const kernels::DispatchEntry* bind_to_data(const Geometry& geometry, const ScenePlan& plan,
                                            Arena& arena, const CodeOfSolids* code = nullptr);
 

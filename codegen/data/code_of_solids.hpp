@@ -7,7 +7,7 @@
 
 namespace navjit::codegen {
 
-/// By the solid's shape: equal solids may be several shapes, with the same code.
+/// Code by the solid's shape. Equal solids may be several shapes, which have the same code.
 using CodeOfSolids = std::map<const void*, const kernels::SolidCode*>;
 
 }  // namespace navjit::codegen

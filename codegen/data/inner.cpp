@@ -9,7 +9,7 @@
 namespace navjit::codegen {
 namespace {
 
-/// The distances from the z axis between which the placed solid's points are.
+/// The range of distances from the z axis of a placed solid's points, mm.
 struct Radii {
   double least, most;
 };
@@ -27,7 +27,7 @@ Radii radii_of(const Solid& solid, const Transformation& t) {
   return {std::hypot(near_x, near_y), std::hypot(x, y)};
 }
 
-/// Whether all of the placed solid is deeper in the mother than the margin. False where it is not
+/// Whether all of the placed solid is deeper in the mother than the margin; false if that is not
 /// known.
 bool is_deep(const Solid& mother, const Solid& solid, const Transformation& t, double margin) {
   const Extent box = placed_extent(solid, t);
@@ -49,7 +49,7 @@ kernels::InnerDaughters inner_of(const Geometry& geometry, VolumeId volume) {
   const World& world = geometry.world();
   const LogicalVolume& v = world.volumes[volume];
   if (v.daughters.empty()) return kernels::no_daughters;
-  // Far above the error of a computed distance to a surface.
+  // The margin is far above the error of a computed distance to a surface.
   const double margin = 1e-5 * largest_coordinate(v.solid.extent) + 10 * geometry.tolerance();
   const bool deep =
       std::all_of(v.daughters.begin(), v.daughters.end(), [&](const Placement& placement) {

@@ -1,4 +1,4 @@
-// What a track may meet inside a daughter that it has just entered.
+// The daughters that a track may meet inside a daughter that it has just entered.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,10 @@
 
 namespace navjit::codegen {
 
-/// Whether the volume has daughters that a track may meet at once when it enters.
+/// Whether the volume has daughters, and whether a track may be in one of them as soon as it enters
+/// the volume.
 kernels::InnerDaughters inner_of(const Geometry& geometry, VolumeId volume);
-/// The same by daughter of a scene. Thousands may be of one volume, which is looked at once.
+/// The same for each daughter of a scene. Thousands may be of one volume, which is examined once.
 std::vector<kernels::InnerDaughters> inner_of_daughters(const Geometry& geometry,
                                                         const Scene& scene);
 

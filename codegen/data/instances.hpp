@@ -1,5 +1,5 @@
-// The instances of the scene template that the library has. One frame is one file, so that they are
-// compiled side by side.
+// The instances of the scene template that the library has. There is one file for each kind of
+// frame, so that they are compiled in parallel.
 #pragma once
 
 #include "codegen/data/bind.hpp"
@@ -40,8 +40,8 @@ template <class S>
 
 kernels::SafetyFunction generic_safety();
 
-/// Whether a search computes the safety whatever the plan says of it: this search may be bound in
-/// the place of the one that the plan was made with.
+/// Whether a search computes the safety whatever the plan says, because it may be bound in the
+/// place of the search for which the plan was made.
 template <class Search>
 constexpr bool has_safety = false;
 template <class Index>
@@ -50,7 +50,7 @@ constexpr bool has_safety<kernels::SearchLayers<Index>> = true;
 template <class Frame, class Mother, class Daughters, class Search>
 const kernels::DispatchEntry* bind(const Source& source) {
   using S = kernels::Scene<Frame, Mother, Daughters, Search>;
-  /// The record and the numbers that it is for, one after the other.
+  /// The entry and the numbers that it refers to, one after the other.
   struct Record {
     kernels::DispatchEntry entry;
     S scene;

@@ -8,8 +8,8 @@
 namespace navjit::codegen {
 namespace {
 
-/// Boxes around daughters, inflated by the margin and by twice what single precision loses of a
-/// position.
+/// Boxes around daughters, inflated by the margin and by twice the rounding error of a position in
+/// single precision.
 std::vector<Extent> boxes_in_single_precision(const Source& source) {
   const World& world = source.geometry.world();
   const Extent& extent = world.volumes[source.plan.volume].solid.extent;
@@ -24,7 +24,7 @@ std::vector<Extent> boxes_in_single_precision(const Source& source) {
   return boxes;
 }
 
-/// Tables that many rows have in common are made once.
+/// Tables that several rows have in common are stored once.
 struct Shared {
   Arena& arena;
   std::map<std::vector<double>, const double*> numbers{};

@@ -37,7 +37,7 @@ using Moved = kernels::Placed<double, Solid>;
 template <class Solid>
 using Apart = kernels::SolidApart<Solid>;
 using MovedTube = Boxed<Moved<Tube>>;
-/// A box that is turned as well, and keeps the box around it (keeps_box()).
+/// A box that is turned as well as moved, and keeps the box around it (keeps_box()).
 using TurnedBox = Boxed<Moved<Box>>;
 using TwoBoxes = Union<Moved<Box>, Moved<Box>>;
 
@@ -48,7 +48,7 @@ List<A..., B...> operator+(List<A...>, List<B...>);
 template <class... Lists>
 using Joined = decltype((List<>{} + ... + Lists{}));
 
-/// Solids that are not made of others. Boxes are asked without a call.
+/// Solids that are not composed of others. Boxes are missing because they are asked without a call.
 using Plain = List<Tube, Cone, Trd, Trap, Hull, Prism, Orb, Sphere, Polyhedra, Polycone,
                    QuadricSolid, Torus, Arb8>;
 template <class Solid, class... Listed>
@@ -56,7 +56,7 @@ constexpr bool is_listed(List<Listed...>) {
   return (std::is_same_v<Solid, Listed> || ...);
 }
 
-// Most solids that are made of several have holes that are boxes or tubes, somewhere:
+// Most composed solids have holes that are boxes or tubes.
 
 template <class Solid>
 using OneHole =
@@ -73,15 +73,14 @@ using TwoHoles = Joined<HoleAndAnother<Solid, Box>, HoleAndAnother<Solid, Moved<
                         HoleAndAnother<Solid, TurnedBox>, HoleAndAnother<Solid, Boxed<Tube>>,
                         HoleAndAnother<Solid, MovedTube>>;
 
-/// Organs of phantoms, and phototubes.
+/// These occur in the organs of phantoms and in phototubes.
 using Ellipsoids =
     List<Subtraction<QuadricSolid, Boxed<QuadricSolid>>,
          Subtraction<QuadricSolid, Boxed<Moved<QuadricSolid>>>,
          Union<Boxed<QuadricSolid>, Boxed<Moved<QuadricSolid>>>,
          Union<Boxed<QuadricSolid>, MovedTube>, Union<Boxed<Tube>, Boxed<Moved<QuadricSolid>>>>;
 
-/// Structures that occur in several detectors which have nothing to do with one another
-/// (docs/experiments.md).
+/// Structures that occur in several unrelated detectors (docs/experiments.md).
 using Others = List<
     // Two solids.
     Subtraction<Box, Boxed<Moved<Polycone>>>,  //
@@ -177,10 +176,11 @@ struct NameOf<Moved<Solid>> {
   static std::string get() { return "Placed<double, " + NameOf<Solid>::get() + ">"; }
 };
 
-/// The most solids that any of the structures is made of.
+/// The largest number of solids that one of the structures is composed of.
 constexpr std::size_t most_solids = 5;
 
-/// A solid's code and numbers side by side: who calls one reads the other.
+/// A solid's code and its numbers side by side, because a caller of the code also reads the
+/// numbers.
 template <class Solid>
 struct Numbered {
   SolidCode code;
@@ -219,7 +219,7 @@ const SolidCode* bind(const AnySolid<double>& solid, double tolerance, Arena& ar
   Arena passing;
   std::memcpy(&bound->solid, typed_shape(solid, passing), sizeof(Solid));
   bound->tolerance = tolerance;
-  // For solids made of several AnySolid has a form of its own, and not these types.
+  // AnySolid has composed solids in another form than these types.
   const bool is_plain = !is_composed(solid.kind);
   bound->code = {{solid.kind, is_plain ? &bound->solid : solid.shape},
                  contains_numbered<Solid>,

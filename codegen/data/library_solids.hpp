@@ -1,5 +1,5 @@
-// Plain solids, and solids made of several whose structure is common: their code is compiled with
-// the library, so that scenes that are bound to data have it at once, and no compiler is needed.
+// Plain solids, and composed solids whose structure is common. Their code is compiled with the
+// library, so that scenes that are bound to data have it at once and without a compiler.
 #pragma once
 
 #include <string>
@@ -15,16 +15,15 @@ namespace navjit::codegen {
 const kernels::SolidCode* library_code(const kernels::AnySolid<double>& solid, double tolerance,
                                        Arena& arena);
 
-/// The same for a solid that is not made of others, of the commonest kinds but boxes; null for
-/// those that have none.
+/// The same for a plain solid of one of the commonest kinds, except boxes; null for other solids.
 const kernels::SolidCode* plain_code(const kernels::AnySolid<double>& solid, double tolerance,
                                      Arena& arena);
 
-/// Whether the library has code for it.
+/// Whether library_code() has code for the solid.
 bool is_in_library(const kernels::AnySolid<double>& solid);
 
-/// The structures that it has code for: types of namespace navjit::kernels, as Shapes::type() has
-/// them.
+/// The structures for which library_code() has code, as types of namespace navjit::kernels in the
+/// spelling of Shapes::type().
 std::vector<std::string> library_structures();
 
 }  // namespace navjit::codegen

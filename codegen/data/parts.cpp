@@ -1,4 +1,5 @@
-// Frames, mothers, daughters and their neighbours. What finds daughters is in searches.cpp.
+// Makes frames, mothers and daughters, and says whether neighbour lists are used. The searches are
+// in searches.cpp.
 #include "codegen/data/parts.hpp"
 
 #include <map>
@@ -19,7 +20,7 @@ const Shape& shape_of(const kernels::AnySolid<double>& solid) {
   return *static_cast<const Shape*>(solid.shape);
 }
 
-/// The solid; a box or a tube as a copy, whose numbers lie beside those of the scene.
+/// The solid. A box or a tube is copied, so that its numbers lie beside those of the scene.
 kernels::AnySolid<double> nearby(const Source& source, const kernels::AnySolid<double>& solid) {
   return kernels::visit(solid, [&](const auto& shape) -> kernels::AnySolid<double> {
     using Shape = std::decay_t<decltype(shape)>;
@@ -47,7 +48,7 @@ QuickSolid quick_solid(const Source& source, const kernels::AnySolid<double>& so
 }  // namespace
 
 Extent box_with_margin(const Geometry& geometry, const Daughter& daughter) {
-  // Far more than any rounding, far less than any dimension.
+  // The margin is far above any rounding and far below any dimension.
   const Extent& e = geometry.world().volumes[daughter.volume].solid.extent;
   const double tolerance = geometry.tolerance();
   const double scale = std::max(1.0, largest_coordinate(e));
@@ -116,7 +117,7 @@ void make_solids(const Source& source, SolidDaughters<Solid>& daughters) {
   const auto inner = inner_of_daughters(source.geometry, source.scene);
   navjit::Vec3(*boxes)[2] = nullptr;
   Rotations rotations(source.arena);
-  // Solids of equal numbers are one in the packed scenes.
+  // Equal solids are stored once in the packed scenes.
   const PackedDaughter* const packed = source.geometry.packed(source.plan.volume).daughters;
   std::map<const void*, Solid> solids;
   for (std::size_t k = 0; k < from.size(); ++k) {

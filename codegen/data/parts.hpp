@@ -1,4 +1,4 @@
-// The parts of a data-bound scene, made from its plan.
+// The parts of a scene that is bound to data, made from its plan.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ template <int n>
 using Lanes = kernels::SearchLanes<kernels::FoursAt<n>>;
 using TubeDaughters = kernels::SolidDaughters<kernels::KnownSolid<kernels::Tube<double>>>;
 
-/// The daughters whose boxes the ray meets, by the generic navigator's hierarchy.
+/// Finds the daughters whose boxes the ray meets, by the hierarchy of the generic navigator.
 struct SearchTree {
   const bvh::BoxTree* tree;
 
@@ -45,14 +45,14 @@ struct SearchTree {
   }
 };
 
-/// What parts are made from.
+/// The input from which parts are made.
 struct Source {
   const Geometry& geometry;
   const ScenePlan& plan;
   const Scene& scene;
   Arena& arena;
-  const CodeOfSolids* code = nullptr;  ///< null: no solid has any
-  /// By volume: the stand-in that tables have in its place; null: each volume stands for itself.
+  const CodeOfSolids* code = nullptr;  ///< null: no solid has code
+  /// By volume, the stand-in that tables have in its place. If null, each volume stands for itself.
   const std::vector<VolumeId>* stand_ins = nullptr;
 };
 
@@ -82,24 +82,24 @@ void make(const Source& source, kernels::SearchNest<Index>& search);
 void make(const Source& source, kernels::SearchRings<Index>& search);
 void make(const Source& source, kernels::SearchWires<Index>& search);
 
-/// Eight boxes; those for which there is none (null) are empty.
+/// A block of eight boxes. Lanes for which `box` returns null are empty.
 kernels::BoxBlock block_of(const std::function<const Extent*(std::size_t lane)>& box);
-/// Boxes, along the axes, in lanes of four; those for which there is none are empty.
+/// Boxes along the axes, in lanes of four. Lanes without a box are empty.
 void fill_fours(std::span<const Daughter> daughters, std::span<kernels::FourBoxes> fours);
-/// Boxes of all daughters, by daughter, as the generic navigator has them.
+/// The boxes of all daughters, by daughter, as in the generic navigator.
 const kernels::FloatBox* make_float_boxes(const Source& source);
-/// Boxes of all daughters, for safety.
+/// The boxes of all daughters, for safeties.
 kernels::NearBoxes make_near_boxes(std::span<const Extent> boxes, Arena& arena);
 
 /// The box of a daughter's solid, in its own frame, with a margin.
 Extent box_with_margin(const Geometry& geometry, const Daughter& daughter);
 
-/// Whether neighbour lists are read where a track leaves a daughter. Lists that are in no cache are
-/// slower than searches by arithmetic, whose tables are small: rows of slabs that are alike are
-/// stored once.
+/// Whether neighbour lists are read when a track leaves a daughter. Lists that are in no cache are
+/// slower than searches by arithmetic, whose tables are small, since slabs store equal rows once.
 bool reads_neighbour_lists(const Source& source);
 
-/// What all kinds of scenes have: neighbour lists, which are the generic navigator's, and boxes.
+/// Makes what scenes of all kinds have: neighbour lists, which belong to the generic navigator, and
+/// boxes.
 template <class Scene>
 void make_shared_tables(const Source& source, Scene& scene) {
   if (reads_neighbour_lists(source)) {

@@ -1,4 +1,4 @@
-// Solids of data-bound scenes that may be of any kind.
+// Solids of any kind in scenes that are bound to data.
 #pragma once
 
 #include "geometry/navigation/scene.hpp"
@@ -6,9 +6,9 @@
 
 namespace navjit::kernels {
 
-/// Code that was compiled for one solid. The tolerance is a constant of it, and so are the solid's
-/// numbers unless they are `data`. It gives the bits of the solid's own kernels, which answer where
-/// there is no code for the safety.
+/// Code that was compiled for one solid. The tolerance is a constant in it, and so are the solid's
+/// numbers unless they are in `data`. It gives the same bits as the solid's own kernels, which are
+/// called for safeties if there is no code for these.
 struct SolidCode {
   AnySolid<double> solid;
   bool (*contains)(const void* data, const Vec3<double>&, const Direction<double>&);
@@ -20,7 +20,8 @@ struct SolidCode {
   const void* data;
 };
 
-// Out of line: a switch over all kinds is much code, and instances inline all that they see.
+// These are out of line, because a switch over all kinds is much code, and instances inline all
+// that they see.
 bool contains_any(const AnySolid<double>& s, const Vec3<double>& p, const Direction<double>& v,
                   double tol);
 double distance_to_in_any(const AnySolid<double>& s, const Vec3<double>& p,
@@ -30,27 +31,27 @@ double distance_to_out_any(const AnySolid<double>& s, const Vec3<double>& p,
 double safety_to_in_any(const AnySolid<double>& s, const Vec3<double>& p);
 double safety_to_out_any(const AnySolid<double>& s, const Vec3<double>& p);
 
-/// Any solid. Boxes, the commonest, are asked first, then those with code of their own, then all
-/// others.
+/// A solid of any kind. Boxes, which are the most frequent, are tested for first, then solids with
+/// code, then all others.
 struct QuickSolid {
   SolidKind kind;
   bool has_code;
-  const void* shape;  ///< of its kind; its SolidCode, if it has that
+  const void* shape;  ///< of its kind, or its SolidCode if it has code
 
   bool is_box() const { return kind == SolidKind::box; }
   const Box<double>& box() const { return *static_cast<const Box<double>*>(shape); }
   const SolidCode& code() const { return *static_cast<const SolidCode*>(shape); }
-  AnySolid<double> any() const { return {kind, shape}; }  ///< unless it has code
+  AnySolid<double> any() const { return {kind, shape}; }  ///< only if it has no code
 };
 static_assert(sizeof(QuickSolid) == sizeof(AnySolid<double>));
 
 inline QuickSolid quick(const AnySolid<double>& solid) { return {solid.kind, false, solid.shape}; }
-/// `code`: of that solid, which is no box.
+/// `code` is that of this solid, which must not be a box.
 inline QuickSolid quick(const AnySolid<double>& solid, const SolidCode* code) {
   return {solid.kind, true, code};
 }
 
-/// For solids of a kind that may be left for good.
+/// Must be called only for solids of a kind that may be left for good.
 inline bool is_left_for_good(const QuickSolid& s, const Vec3<double>& p, double tol) {
   const void* const shape = s.has_code ? s.code().solid.shape : s.shape;
   if (s.kind == SolidKind::tube) {

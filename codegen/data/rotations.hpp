@@ -1,4 +1,4 @@
-// The rotations of a scene's daughters, beside its other numbers.
+// The rotations of a scene's daughters, stored with the scene's other numbers.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace navjit::codegen {
 
-/// Equal rotations are stored once: thousands of daughters have few different ones, and one for
-/// each daughter would be two cache lines more to wait for at each that a ray is held against.
+/// Stores equal rotations once. Thousands of daughters have few different rotations. A rotation for
+/// each daughter would mean to wait for two more cache lines whenever a ray is tested against one.
 class Rotations {
  public:
   explicit Rotations(Arena& arena) : arena_(arena) {}

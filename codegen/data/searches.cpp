@@ -1,4 +1,4 @@
-// What finds the daughters that a ray may meet, and those that are near.
+// Makes the searches for daughters that a ray may meet, and the boxes of daughters for safeties.
 #include <functional>
 #include <limits>
 
@@ -38,7 +38,8 @@ void fill_grid(const Grid& grid, KernelGrid& kernel) {
   }
 }
 
-/// Up to this many daughters beside a pattern are asked one by one, more of them by their boxes.
+/// Up to this many daughters beside a pattern are asked one by one. If there are more, their boxes
+/// are tested first.
 constexpr std::size_t few_others = 2;
 
 Beside<Index> make_beside(const Source& source, const std::vector<std::uint32_t>& others) {
@@ -173,7 +174,7 @@ void make(const Source& source, SearchScan& search) {
 
 namespace {
 
-/// Boxes around groups of blocks, in blocks themselves.
+/// Makes blocks of boxes around groups of blocks.
 const BoxBlock* make_halls(const NearBoxes& boxes, Arena& arena) {
   std::vector<Extent> around;
   for (unsigned g = 0; g * box_lanes < boxes.count; ++g) {
@@ -328,7 +329,7 @@ NearBoxes make_near_boxes(std::span<const Extent> boxes, Arena& arena) {
         [&](std::size_t lane) { return lane < members.size() ? &boxes[members[lane]] : nullptr; });
     around[b] = boxes[members[0]];
     for (std::size_t lane = 0; lane < box_lanes; ++lane) {
-      // Where there is no box, any daughter will do.
+      // Lanes without a box may have any daughter.
       daughters[b][lane] = members[lane < members.size() ? lane : 0];
       around[b] = merged(around[b], boxes[daughters[b][lane]]);
     }
