@@ -16,8 +16,8 @@
 namespace navjit::jit {
 namespace {
 
-/// One for the process, because exit() ends all of it. Never destroyed, since threads may use it to
-/// the last.
+/// There is one for the process, because exit() ends the whole process. It is never destroyed,
+/// since threads may use it to the last.
 struct Registry {
   std::mutex mutex;
   std::condition_variable gone;
@@ -62,38 +62,39 @@ bool Activity::any() {
 
 namespace {
 
-/// An object of each thread: at exit() it waits for the activities, at the end of its thread alone
-/// for nothing.
+/// An object of each thread. In exit() it waits for the activities; if only its thread ends, it
+/// does not wait.
 struct WaitWhenDestroyed {
   ~WaitWhenDestroyed() {
     if (Activity::any() && (gettid() == getpid() || is_exiting())) wait_for_activities();
   }
 };
 
-/// The least time between two registrations by outlast_static_objects(), and how many there are at
-/// the most: long compilations would otherwise make millions of them.
+/// The least time between two registrations by outlast_static_objects(), and their largest number.
+/// Without these limits long compilations would make millions of them.
 constexpr auto between_calls = std::chrono::microseconds(200);
 constexpr int most_calls = 1 << 15;
 
-/// Bytes: more than glibc needs to note the destructor of a thread's object, and too many for its
-/// cache of freed memory in each thread, from which it could not take them for that.
+/// Bytes: more than glibc needs to register the destructor of a thread-local object, and too many
+/// to end up in its per-thread cache of freed memory, from which that registration could not take
+/// them.
 constexpr std::size_t more_than_noted = 4096;
 
 }  // namespace
 
 void outlast_by_this_thread() {
-  // glibc ends the process if it has no memory to note the destructor below. So memory is taken and
-  // given back first, which throws if there is none.
+  // glibc ends the process if it has no memory to register the destructor below. So as much memory
+  // is allocated and freed first, which throws if there is none.
   static thread_local bool tried = false;
   if (!tried) ::operator delete(::operator new(more_than_noted));
   tried = true;
   [[maybe_unused]] static thread_local const WaitWhenDestroyed at_its_end;
 }
 
-// Functions given to atexit are called in reverse, static objects destroyed in between: those of
-// LLVM that were made before this call outlive the wait. Objects of the thread that calls exit()
-// are destroyed before all of these: so it waits before anything of LLVM goes, whenever that was
-// made.
+// Functions given to atexit() are called in reverse order, and static objects are destroyed in
+// between. So static objects of LLVM that were made before this call are destroyed after the wait.
+// Thread-local objects of the thread that calls exit() are destroyed before all of these, so the
+// one of this thread waits before anything of LLVM is destroyed, whenever that was made.
 void outlast_activities() {
   std::atexit(wait_for_activities);
   outlast_by_this_thread();

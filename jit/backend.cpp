@@ -32,9 +32,9 @@ llvm::OptimizationLevel pipeline_level(int level) {
   }
 }
 
-/// Asked by the code generator before each pass that it could do without: the one place where it
-/// can be told to stop. It makes one function after the other, so those that it has not begun can
-/// be emptied.
+/// The code generator asks this before each pass that it could do without. This is the only place
+/// where it can be told to stop. It compiles one function after the other, so functions that it has
+/// not begun can be emptied.
 class StopGate : public llvm::OptPassGate {
  public:
   StopGate(llvm::Module& module, const Bound& bound) : module_(module), bound_(bound) {}
@@ -43,7 +43,7 @@ class StopGate : public llvm::OptPassGate {
   bool shouldRunPass(llvm::StringRef, llvm::StringRef unit) override {
     outlast_static_objects();
     if (!bound_.is_reached()) return true;
-    // "function (NAME)"
+    // The unit is named "function (NAME)".
     if (!emptied_ && unit.consume_front("function (") && unit.consume_back(")")) {
       if (const llvm::Function* current = module_.getFunction(unit)) {
         for (auto next = std::next(current->getIterator()); next != module_.end(); ++next) {
@@ -61,7 +61,7 @@ class StopGate : public llvm::OptPassGate {
   bool emptied_ = false;
 };
 
-/// What the pipeline of passes works with.
+/// The objects that the pipeline of passes works with.
 struct Optimiser {
   llvm::PassInstrumentationCallbacks callbacks;
   llvm::TargetLibraryInfoImpl library;
@@ -76,7 +76,7 @@ struct Optimiser {
       : library(machine.getTargetTriple()), builder(&machine, tuning, std::nullopt, &callbacks) {}
 };
 
-/// What the code generator works with.
+/// The objects that the code generator works with.
 struct Emitter {
   llvm::SmallVector<char, 0> bytes;
   llvm::raw_svector_ostream stream{bytes};
@@ -105,7 +105,7 @@ void make_floating_point_strict(llvm::Module& module) {
 void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level, const Bound& bound) {
   llvm::PipelineTuningOptions tuning;
   tuning.LoopVectorization = level >= 2;
-  // Packing neighbouring numbers into vectors made navigators slower, and compiling them too
+  // Packing neighbouring numbers into vectors made navigators slower, and compilation too
   // (docs/experiments.md).
   tuning.SLPVectorization = false;
   leave_wreck(std::make_unique<Optimiser>(machine, tuning), [&](Optimiser& o) {

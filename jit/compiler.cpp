@@ -39,7 +39,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// What the passes and the code generator have to say. Without a handler LLVM prints and exits.
+/// The messages of passes and code generator. Without a handler LLVM prints them and exits.
 struct BackendDiagnostics {
   std::string errors;
   std::string warnings;
@@ -88,8 +88,8 @@ struct Compiler::Impl {
   std::shared_ptr<llvm::TargetMachine> machine;
   std::string description;
 
-  /// To be called when an exception went through the code generator, which must never be destroyed
-  /// then.
+  /// Must be called when an exception went through the code generator, which must never be
+  /// destroyed afterwards.
   void leave_machine() noexcept { std::construct_at(&left_behind.machine, machine); }
 
   Expected<Object> compile(std::string_view source, const std::string& unit_name,
@@ -108,7 +108,7 @@ struct Compiler::Impl {
     ~LeftBehind() {}
   } left_behind;
 
-  /// What a compilation makes on its way.
+  /// The objects that a compilation makes on its way.
   struct Work {
     BackendDiagnostics diagnostics;
     llvm::LLVMContext context;

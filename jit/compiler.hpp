@@ -25,12 +25,14 @@ struct CompileOptions {
   /// source lines. The debugger finds the source if `unit_name` is the path of a file holding it.
   bool debug_info = false;
   /// Whole declarations, to the end of a line, with which sources may begin. From the second such
-  /// source on it is kept parsed, which needs the same `unit_name` for all of them. The code is the
-  /// same.
+  /// source on the preamble is kept parsed, if all these sources have the same `unit_name`. The
+  /// code is the same.
   std::string preamble = {};
-  /// Longer sources are refused: parsing cannot be interrupted, so this is what bounds it.
+  /// Longer sources are refused. Parsing cannot be interrupted, so its time can only be bounded in
+  /// this way.
   std::size_t max_source_bytes = std::size_t{8} << 20;
-  /// Processor time, ms: what takes longer is given up, at the pass or the function that it is at.
+  /// Processor time, ms. A compilation that takes longer is given up after the current pass or
+  /// function.
   double most_ms = std::numeric_limits<double>::infinity();
 };
 
@@ -39,12 +41,12 @@ struct CompileReport {
   double frontend_ms = 0;      ///< Parsing, semantic analysis and generation of IR.
   double optimise_ms = 0;      ///< The IR pass pipeline.
   double codegen_ms = 0;       ///< Instruction selection to object bytes.
-  bool kept_preamble = false;  ///< The source began with it, and it was parsed before.
+  bool kept_preamble = false;  ///< The source began with the preamble, which was already parsed.
   std::size_t code_bytes = 0;  ///< Machine code in the object, without constants and symbols.
 };
 
-/// A relocatable ELF object: holds no addresses, so it may be stored and linked in another process
-/// on a machine that has the processor features it was compiled for.
+/// A relocatable ELF object. It holds no addresses, so it may be stored, and linked in another
+/// process on a machine that has the processor features for which it was compiled.
 struct Object {
   std::vector<char> bytes;
   CompileReport report;
@@ -59,12 +61,12 @@ struct Object {
 /// `#include`. Globals must be initialised by constants. Functions to be looked up after linking
 /// are best declared `extern "C"`.
 ///
-/// One compilation at a time per `Compiler`; distinct objects may be used from distinct threads
-/// concurrently. Moved-from objects may only be destroyed or assigned to.
+/// A `Compiler` does one compilation at a time. Different ones may be used by different threads at
+/// the same time. A `Compiler` that was moved from may only be destroyed or assigned to.
 class Compiler {
  public:
-  /// Fails for an optimisation level out of range and for a processor or a feature that LLVM does
-  /// not know.
+  /// Fails for an optimisation level that is out of range, and for a processor or a feature that
+  /// LLVM does not know.
   static Expected<Compiler> create(const CompileOptions& options);
 
   Compiler(Compiler&&) noexcept;
@@ -76,21 +78,22 @@ class Compiler {
   /// Fails, with the diagnostics and their line numbers in `source`, if the source is not valid,
   /// too long, has an expression of more than 32768 tokens, defines no function visible from
   /// outside, or needs initialisation at load time; also if `unit_name` begins with '-' or contains
-  /// control characters. Source is trusted otherwise: it can be written to take any time.
+  /// control characters. For the rest, the source is trusted; it can be written to take any time.
   /// Errors are returned, never printed or thrown; only an internal error of LLVM ends the process.
   /// Runs on a thread of its own, so that neither the depth nor the size of the caller's stack
   /// matters; returns when it is done.
   ///
-  /// Where memory or threads give out it fails as `exhausted`, and what was in the making is left
-  /// behind, since LLVM cannot be taken down in the middle of its work: the `Compiler` may only be
-  /// destroyed then.
-  /// Once `stop` is requested it fails as `stopped` as soon as it can: after the parsing, or after
-  /// the pass or the function that the code generator is at. It fails in the same way, not as
-  /// `stopped`, once it has taken CompileOptions::most_ms.
+  /// If memory or threads run out, it fails as `exhausted`, and the state of the compilation is
+  /// never freed, since LLVM cannot be taken down in the middle of its work. The `Compiler` may
+  /// then only be destroyed.
+  /// Once `stop` is requested it fails as `stopped` as soon as it can: after parsing, or after the
+  /// current pass or the current function of the code generator. Once it has taken
+  /// CompileOptions::most_ms it fails in the same way, but not as `stopped`.
   Expected<Object> compile(std::string_view source, std::string_view unit_name,
                            const std::stop_token& stop = {});
 
-  /// Processor time that it has taken so far, s; those that are under way included. Thread-safe.
+  /// The processor time of all compilations so far, s, including one that is under way.
+  /// Thread-safe.
   double processor_seconds() const;
 
   /// Everything but the source that determines the code: see the function of the same name.
@@ -106,16 +109,17 @@ class Compiler {
 Expected<Object> compile(std::string_view source, std::string_view unit_name,
                          const CompileOptions& options);
 
-/// A line of text that differs whenever the same source could compile to different code: versions
-/// of compiler and code generator, triple, processor, features, flags, optimisation level. Made to
-/// be part of a cache key. Does not check that processor and features exist. Thread-safe.
+/// A line of text that differs whenever the same source could compile to different code. It has the
+/// versions of compiler and code generator, triple, processor, features, flags and optimisation
+/// level, and is made to be part of a cache key. Does not check that processor and features exist.
+/// Thread-safe.
 std::string target_description(const CompileOptions& options);
 
-/// False in a program that was linked without Clang and LLVM: every `Compiler` and `Linker` fails
-/// to be made then.
+/// False in a program that was linked without Clang and LLVM. In such a program, creating a
+/// `Compiler` or a `Linker` always fails.
 bool has_compiler();
 
-/// What the host's processor can do beside its architecture's baseline: LLVM's names of features,
+/// LLVM's names of the features that the host's processor has beyond its architecture's baseline,
 /// sorted. Thread-safe.
 std::vector<std::string> host_features();
 

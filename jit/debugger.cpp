@@ -13,7 +13,7 @@ namespace {
 enum Action : std::uint32_t { no_action = 0, register_action = 1, unregister_action = 2 };
 
 std::mutex& descriptor_mutex() {
-  // The descriptor is one per process, whatever the number of linkers.
+  // There is one descriptor in the process, whatever the number of linkers.
   static std::mutex mutex;
   return mutex;
 }
@@ -26,7 +26,7 @@ void notify(jit_code_entry* entry, Action action) {
   __jit_debug_descriptor.action_flag = no_action;
 }
 
-/// Writes the addresses into the section headers, from where the debugger takes them.
+/// Writes the addresses into the section headers, where the debugger looks for them.
 void place_sections(std::vector<char>& object,
                     const std::map<std::string, std::uint64_t>& section_addresses) {
   Elf64_Ehdr header;

@@ -1,12 +1,12 @@
-// Whether a thread is on its way out of the whole process, or only at its own end.
+// Whether a thread is ending the whole process, or only itself.
 #pragma once
 
 namespace navjit::jit {
 
-/// Whether the calling thread is inside exit(), be it by a return from main. False where that
-/// cannot be known: in programs that are linked with the C library statically. It walks up the
-/// stack, and is for destructors of objects of a thread, which exit() calls as the end of the
-/// thread does.
+/// Whether the calling thread is inside exit(), also by a return from main. False if this cannot be
+/// known: in programs that are linked statically with the C library. It walks up the call stack. It
+/// is for destructors of thread-local objects, which are called both by exit() and at the end of
+/// the thread.
 bool is_exiting() noexcept;
 
 }  // namespace navjit::jit

@@ -62,8 +62,8 @@ class KeepModule : public clang::ASTFrontendAction {
   std::unique_ptr<llvm::Module> module_;
 };
 
-/// Prints errors apart from warnings, each with its notes: a reader of only the beginning has to
-/// see why a unit was refused, however many warnings came before.
+/// Prints errors apart from warnings, each with its notes. Even someone who reads only the
+/// beginning must see why a unit was refused, however many warnings came before.
 class SplitPrinter : public clang::DiagnosticConsumer {
  public:
   explicit SplitPrinter(clang::DiagnosticOptions* options)
@@ -96,7 +96,8 @@ class SplitPrinter : public clang::DiagnosticConsumer {
   bool in_error_ = false;
 };
 
-/// What parsing works with. The instance uses the members before it until it is destroyed.
+/// The objects that parsing works with. The instance uses the members before it until it is
+/// destroyed.
 struct Frontend {
   llvm::IntrusiveRefCntPtr<clang::DiagnosticOptions> diagnostic_options{
       new clang::DiagnosticOptions()};
@@ -116,7 +117,7 @@ std::vector<std::string> target_flags(const Target& target) {
   return flags;
 }
 
-/// False, with diagnostics, if flags are not understood.
+/// Returns false, with diagnostics, if flags are not understood.
 bool fill_invocation(clang::CompilerInvocation& invocation, const std::string& unit_name,
                      const std::vector<std::string>& flags, const Target& target,
                      clang::DiagnosticsEngine& diagnostics) {
@@ -135,8 +136,8 @@ bool fill_invocation(clang::CompilerInvocation& invocation, const std::string& u
 }  // namespace
 
 std::vector<std::string> frontend_flags(const CompileOptions& options) {
-  // Options of the compiler proper, not of the driver: what the driver would turn on and is not
-  // listed (exceptions, errno for mathematical functions) is off.
+  // These are options of the compiler proper, not of the driver. What the driver would turn on but
+  // is not listed here (exceptions, errno for mathematical functions) is off.
   std::vector<std::string> flags = {"-x",
                                     "c++",
                                     "-std=c++20",
@@ -169,7 +170,7 @@ Expected<ParsedUnit> parse(std::string_view source, std::string_view unit_name,
                            Preamble& preamble, llvm::LLVMContext& context) {
   const std::string name(unit_name);
   return leave_wreck(std::make_unique<Frontend>(context), [&](Frontend& f) -> Expected<ParsedUnit> {
-    // The source is the only file there is to include.
+    // The source is the only file that can be included.
     llvm::IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem> memory(
         new llvm::vfs::InMemoryFileSystem());
     if (const std::error_code error = memory->setCurrentWorkingDirectory("/")) {
@@ -179,14 +180,14 @@ Expected<ParsedUnit> parse(std::string_view source, std::string_view unit_name,
         name, 0,
         llvm::MemoryBuffer::getMemBufferCopy(llvm::StringRef(source.data(), source.size()), name));
     f.instance.createDiagnostics(&f.printer, /*ShouldOwnClient=*/false);
-    // The count of errors would go to stderr otherwise.
+    // Otherwise the number of errors would be printed on stderr.
     f.instance.setVerboseOutputStream(std::make_unique<llvm::raw_null_ostream>());
 
     if (!fill_invocation(f.instance.getInvocation(), name, flags, target,
                          f.instance.getDiagnostics())) {
       return Failure{"compiler flags not understood:\n" + f.printer.all()};
     }
-    outlast_static_objects();  // the table of flags is one
+    outlast_static_objects();  // the table of flags is a static object
     llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> files(memory);
     const bool kept = preamble.use(source, f.instance.getInvocation(), files);
     f.instance.createFileManager(files);

@@ -27,8 +27,9 @@ namespace {
 namespace jitlink = llvm::jitlink;
 namespace orc = llvm::orc;
 
-/// What code may call outside itself: what the code generator emits calls to of its own accord,
-/// and mathematical functions. All have a float variant with the suffix f, except the first group.
+/// The functions outside itself that code may call: those that the code generator calls of its own
+/// accord, and mathematical functions. All have a float variant with the suffix f, except the first
+/// group.
 constexpr const char* memory_functions[] = {"memcpy", "memmove", "memset", "memcmp", "bcmp"};
 constexpr const char* math_functions[] = {
     "acos",      "asin",  "atan",   "atan2",  "cbrt",      "ceil",    "copysign",  "cos",   "cosh",
@@ -37,17 +38,17 @@ constexpr const char* math_functions[] = {
     "log2",      "lrint", "modf",   "lround", "nearbyint", "pow",     "remainder", "rint",  "round",
     "roundeven", "sin",   "sincos", "sinh",   "sqrt",      "tan",     "tanh",      "trunc"};
 
-/// Where one link put things.
+/// Where a link placed code and data.
 struct Placement {
   std::map<std::string, std::uint64_t> section_addresses;
   std::vector<detail::FunctionRange> functions;
   std::size_t code_bytes = 0, mapped_bytes = 0;
 };
 
-/// Takes notes of each finished link.
+/// Records where each finished link placed code and data.
 class PlacementRecorder : public orc::ObjectLinkingLayer::Plugin {
  public:
-  /// Where to write the notes; null to take none. Not to be called during a link.
+  /// Where to record; null to record nothing. Must not be called during a link.
   void set_destination(Placement* destination) { destination_ = destination; }
 
   void modifyPassConfig(orc::MaterializationResponsibility&, jitlink::LinkGraph&,
@@ -71,8 +72,8 @@ class PlacementRecorder : public orc::ObjectLinkingLayer::Plugin {
   void notifyTransferringResources(orc::JITDylib&, orc::ResourceKey, orc::ResourceKey) override {}
 
  private:
-  /// Keeps the symbols of local functions. These are called by their section's symbol, so their own
-  /// would be removed, and profilers would not know their names.
+  /// Keeps the symbols of local functions. These functions are called by their section's symbol. So
+  /// their own symbols would be removed, and profilers would not know their names.
   static void keep_functions(jitlink::LinkGraph& graph) {
     for (jitlink::Symbol* symbol : graph.defined_symbols()) {
       if (symbol->hasName() && symbol->isCallable()) symbol->setLive(true);
@@ -99,7 +100,7 @@ class PlacementRecorder : public orc::ObjectLinkingLayer::Plugin {
   Placement* destination_ = nullptr;
 };
 
-/// Refuses what is no ELF object for this machine before the linker proper looks at it.
+/// Refuses bytes that are not an ELF object for this machine before the linker proper reads them.
 std::optional<Failure> not_linkable(llvm::MemoryBufferRef bytes) {
   auto file = llvm::object::ObjectFile::createELFObjectFile(bytes);
   if (!file) return Failure{"not an object file: " + llvm::toString(file.takeError())};
@@ -117,7 +118,7 @@ std::optional<Failure> not_linkable(llvm::MemoryBufferRef bytes) {
 /// Shared by the linker and all code it made, so that either may be destroyed first.
 struct Linker::Impl {
   LinkerOptions options;
-  std::mutex mutex;  // guards all below
+  std::mutex mutex;  // guards all members below
   std::optional<orc::ExecutionSession> session;
   std::optional<orc::ObjectLinkingLayer> layer;
   std::shared_ptr<PlacementRecorder> recorder = std::make_shared<PlacementRecorder>();
@@ -160,7 +161,7 @@ struct Linker::Impl {
     return process->define(orc::absoluteSymbols(std::move(symbols)));
   }
 
-  /// Links into `dylib`; the mutex is held.
+  /// Links into `dylib`. The mutex must be held.
   llvm::Expected<orc::SymbolMap> link_into(orc::JITDylib& dylib, llvm::MemoryBufferRef bytes,
                                            Placement& placement) {
     dylib.addToLinkOrder(*process);
@@ -189,7 +190,7 @@ struct Linker::Impl {
 
   void remove_locked(orc::JITDylib& dylib) {
     llvm::consumeError(session->removeJITDylib(dylib));
-    // Names of symbols that are gone stay in the pool until told to go.
+    // Names of removed symbols stay in the pool until this call.
     session->getSymbolStringPool()->clearDeadEntries();
   }
 };
@@ -202,7 +203,7 @@ struct Code::Impl {
   std::unique_ptr<detail::DebuggerRegistration> debugger;
 
   ~Impl() {
-    debugger.reset();  // nobody may look at the code once it is gone
+    debugger.reset();  // the debugger must not read the code once it is freed
     if (dylib != nullptr) linker->remove(*dylib);
   }
 };

@@ -17,8 +17,8 @@ struct LinkerOptions {
   /// with `CompileOptions::debug_info`. Breakpoints in code have to be deleted before the code is
   /// freed: GDB restores the bytes under them even if other code has taken the address.
   bool debugger = true;
-  /// Append function addresses to /tmp/perf-PID.map, which perf reads. Entries are never withdrawn,
-  /// so addresses reused after code was freed are named twice.
+  /// Append function addresses to /tmp/perf-PID.map, which perf reads. Entries are never removed,
+  /// so addresses that are reused after code was freed have two names.
   bool perf_map = false;
 };
 
@@ -29,9 +29,9 @@ struct LinkReport {
   std::size_t mapped_bytes = 0;  ///< Code and data in memory, before rounding up to pages.
 };
 
-/// Linked, executable code. Owns its memory: addresses obtained from it dangle once it is
-/// destroyed, and no thread may be running in it then. May outlive the `Linker` it came from.
-/// Lookups are thread-safe.
+/// Linked, executable code. It owns its memory: addresses obtained from it are invalid once it is
+/// destroyed, and no thread may be running in it then. It may outlive its `Linker`. Lookups are
+/// thread-safe.
 class Code {
  public:
   Code(Code&&) noexcept;
@@ -65,9 +65,9 @@ class Code {
 
 /// Turns objects into executable code in this process.
 ///
-/// Each object is linked alone: it sees no symbols of other objects, and of the process only the C
-/// library's memory functions (memcpy, memmove, memset, memcmp, bcmp) and mathematical functions.
-/// Thread-safe; links on one `Linker` take turns.
+/// Each object is linked alone. It sees no symbols of other objects, and of the process it sees
+/// only the C library's memory functions (memcpy, memmove, memset, memcmp, bcmp) and mathematical
+/// functions. Thread-safe; only one link at a time is made on one `Linker`.
 class Linker {
  public:
   /// Fails if the process cannot host a linker, for example on an unsupported architecture.
@@ -78,8 +78,8 @@ class Linker {
   ~Linker();
 
   /// Links one object; `object` need not outlive the call. Fails if the bytes are not an object for
-  /// this machine's architecture or refer to a symbol that is not allowed. Only structure is
-  /// checked: bytes from outside the process must be known to be what a `Compiler` made.
+  /// this machine's architecture or refer to a symbol that is not allowed. Only the structure is
+  /// checked: the caller must know that bytes from outside the process were made by a `Compiler`.
   Expected<Code> link(const Object& object);
 
  private:

@@ -6,7 +6,7 @@
 
 namespace navjit::jit {
 
-/// One for the process, because fork() copies all of it. Never destroyed.
+/// There is one for the process, because fork() copies the whole process. It is never destroyed.
 struct AllOverFork {
   std::mutex mutex;
   std::list<OverFork*> each;

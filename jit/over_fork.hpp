@@ -1,5 +1,5 @@
-// Locks in the child of a fork(). It has a copy of the thread that forked, and of no other: what
-// another thread had locked would stay locked there for ever.
+// Locks in the child of a fork(). The child has a copy of the thread that called fork(), and of no
+// other. A lock that another thread held would stay locked in the child for ever.
 #pragma once
 
 #include <functional>
@@ -9,12 +9,12 @@
 
 namespace navjit::jit {
 
-/// While one exists, fork() locks all of these first, in their order, and both processes unlock
-/// them: so what they guard is whole in the child, too. Thread-safe.
+/// While one exists, fork() first locks all of its mutexes in their order, and both processes
+/// unlock them. So the data that they guard is consistent in the child, too. Thread-safe.
 class OverFork {
  public:
-  /// Whoever locks several of them at once does so in this order. `in_child` is called there while
-  /// they are locked. Throws std::bad_alloc.
+  /// Code that locks several of these mutexes must do so in this order. `in_child` is called in the
+  /// child while they are locked. Throws std::bad_alloc.
   explicit OverFork(std::vector<std::mutex*> locks, std::function<void()> in_child = {});
   OverFork(const OverFork&) = delete;
   OverFork& operator=(const OverFork&) = delete;

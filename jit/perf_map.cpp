@@ -17,10 +17,11 @@ void append_to_perf_map(const std::vector<FunctionRange>& functions) {
     text += numbers + function.name + '\n';
   }
   const std::string path = "/tmp/perf-" + std::to_string(getpid()) + ".map";
-  // The directory is shared and the name foreseeable: do not follow a link somebody else placed.
+  // The directory is shared and the name is predictable, so a link that somebody else placed must
+  // not be followed.
   const int file = open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
   if (file < 0) return;
-  // One write in append mode, so that concurrent links do not interleave.
+  // This is one write in append mode, so that concurrent links do not interleave.
   [[maybe_unused]] const ssize_t written = write(file, text.data(), text.size());
   close(file);
 }

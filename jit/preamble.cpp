@@ -17,7 +17,7 @@ struct OutlastStaticObjects : clang::PreambleCallbacks {
   void HandleTopLevelDecl(clang::DeclGroupRef) override { outlast_static_objects(); }
 };
 
-/// Nothing if there are errors in the text.
+/// Returns nothing if there are errors in the text.
 std::optional<clang::PrecompiledPreamble> parse_text(
     const std::string& text, const clang::CompilerInvocation& invocation,
     const llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem>& files) {
@@ -31,7 +31,7 @@ std::optional<clang::PrecompiledPreamble> parse_text(
       {static_cast<unsigned>(text.size()), /*PreambleEndsAtStartOfLine=*/true}, *diagnostics, files,
       std::make_shared<clang::PCHContainerOperations>(), /*StoreInMemory=*/true,
       /*StoragePath=*/"", callbacks);
-  // A preamble with errors would be kept as it is, and later sources would not report the errors.
+  // A preamble with errors would be kept, and later sources would not report the errors.
   if (!parsed || diagnostics->hasErrorOccurred()) return std::nullopt;
   return std::move(*parsed);
 }
@@ -47,7 +47,7 @@ bool Preamble::use(std::string_view source, clang::CompilerInvocation& invocatio
     parsed_ = parse_text(text_, invocation, files);
   }
   sources_ = 3;
-  // Clang knows where its declarations are by the file's name.
+  // Clang finds the preamble's declarations by the name of the file.
   if (!parsed_ || unit_name != unit_name_) return false;
   auto buffer = llvm::MemoryBuffer::getMemBufferCopy(llvm::StringRef(source.data(), source.size()),
                                                      unit_name);

@@ -9,7 +9,7 @@
 namespace navjit::jit::detail {
 namespace {
 
-// The parser takes up to 5.5 KiB of stack per token, of the 256 MiB it is given.
+// The parser takes up to 5.5 KiB of stack for each token. It has 256 MiB.
 constexpr unsigned max_tokens = 32768;
 
 bool ends_expression(const clang::Token& token) {

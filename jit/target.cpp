@@ -32,7 +32,7 @@ std::string joined(const std::vector<std::string>& parts) {
   return text;
 }
 
-/// LLVM only prints a warning for names it does not know, so they are looked up beforehand.
+/// For names that it does not know LLVM only prints a warning, so they are looked up beforehand.
 std::optional<Failure> unknown_name(const llvm::Target& backend, const Target& target) {
   const std::unique_ptr<llvm::MCSubtargetInfo> known(
       backend.createMCSubtargetInfo(target.triple, "", ""));
@@ -51,7 +51,7 @@ std::optional<Failure> unknown_name(const llvm::Target& backend, const Target& t
       return Failure{"unknown processor feature '" + feature + "' (want +name or -name)"};
     }
   }
-  // Without these the code generator gives up on code for 64 bits by ending the process.
+  // Without these features the code generator ends the process when it compiles code for 64 bits.
   if (llvm::Triple(target.triple).getArch() == llvm::Triple::x86_64) {
     const std::unique_ptr<llvm::MCSubtargetInfo> subtarget(
         backend.createMCSubtargetInfo(target.triple, target.cpu, joined(target.features)));
@@ -80,8 +80,8 @@ llvm::CodeGenOptLevel codegen_level(int optimisation) {
 }  // namespace
 
 void initialise_native_target() {
-  // LLVM's registry of targets is process-wide and not synchronised. So is its handler for want of
-  // memory: without one it ends the process.
+  // LLVM's registry of targets is process-wide and not synchronised. So is its handler for
+  // exhausted memory; without a handler LLVM ends the process.
   static std::once_flag once;
   std::call_once(once, [] {
     llvm::install_bad_alloc_error_handler([](void*, const char*, bool) { throw std::bad_alloc(); });
@@ -99,12 +99,12 @@ Target resolve_target(const CompileOptions& options) {
     target.cpu = llvm::sys::getHostCPUName().str();
     // A virtual machine may hide features that the processor's name implies.
     for (const auto& feature : llvm::sys::getHostCPUFeatures()) {
-      // Processors that have it have AVX-512 as well, and Clang warns of the two together.
+      // Processors that have this feature also have AVX-512, and Clang warns of the combination.
       if (feature.first() == "avx10.1-256") continue;
       target.features.emplace_back(1, feature.second ? '+' : '-');
       target.features.back() += feature.first();
     }
-    // The map is unordered; the features have to describe the target in one way only.
+    // The map is unordered, but the description of a target must be unique.
     std::sort(target.features.begin(), target.features.end());
   }
   target.features.insert(target.features.end(), options.features.begin(), options.features.end());
@@ -140,7 +140,7 @@ std::string target_description(const CompileOptions& options) {
 bool has_compiler() { return true; }
 
 std::vector<std::string> host_features() {
-  // Without these there is no code for 64 bits.
+  // Code for 64 bits always requires these.
   constexpr std::array baseline{"64bit", "cmov", "cx8", "fxsr", "mmx", "sse", "sse2", "x87"};
   std::vector<std::string> features;
   for (const std::string& feature : detail::resolve_target({}).features) {

@@ -1,4 +1,5 @@
-// The interface of compiler and linker in programs without Clang and LLVM: nothing can be made.
+// The interface of compiler and linker in programs without Clang and LLVM, where neither can be
+// created.
 #include "jit/compiler.hpp"
 #include "jit/linker.hpp"
 

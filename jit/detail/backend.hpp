@@ -14,16 +14,16 @@ class TargetMachine;
 
 namespace navjit::jit::detail {
 
-/// Takes back every licence to deviate from strict floating point that pragmas and attributes in
-/// the source gave: contraction, reassociation, disregard of NaN, infinity and the sign of zero.
+/// Removes all deviations from strict floating point that pragmas and attributes in the source
+/// allowed: contraction, reassociation, and disregard of NaN, infinity and the sign of zero.
 void make_floating_point_strict(llvm::Module& module);
 
-/// Runs the standard pipeline of passes for `level` (0 to 3) on `module`. Once its bound is reached
-/// it passes over what is left to be done, and `module` is of no further use.
+/// Runs the standard pipeline of passes for `level` (0 to 3) on `module`. Once the bound is
+/// reached, the remaining passes are skipped, and `module` must not be used any more.
 void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level, const Bound& bound);
 
-/// Generates a relocatable object; leaves `module` lowered and of no further use. Once its bound is
-/// reached it leaves out the functions that it has not begun, and fails.
+/// Generates a relocatable object. Afterwards `module` is lowered and must not be used any more.
+/// Once the bound is reached, functions that have not been begun are left out, and the call fails.
 Expected<std::vector<char>> emit_object(llvm::Module& module, llvm::TargetMachine& machine,
                                         const Bound& bound);
 

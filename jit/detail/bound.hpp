@@ -1,4 +1,4 @@
-// When a compilation is to be given up.
+// When a compilation must be given up.
 #pragma once
 
 #include <stop_token>
@@ -10,19 +10,19 @@
 
 namespace navjit::jit::detail {
 
-/// Reached once a stop is requested, or once it is too late. For one thread: its processor time
-/// counts from the construction on.
+/// Is reached once a stop is requested, or once the thread has taken too much processor time since
+/// the construction. For use by one thread.
 class Bound {
  public:
   Bound(std::stop_token stop, double most_ms)
       : stop_(std::move(stop)), most_ms_(most_ms), end_ms_(now_ms() + most_ms) {}
 
-  /// Once true it stays so.
+  /// Once this is true it stays true.
   bool is_reached() const {
     late_ = late_ || now_ms() > end_ms_;
     return late_ || stop_.stop_requested();
   }
-  /// What a compilation fails with then.
+  /// The failure of a compilation whose bound was reached.
   Failure failure() const {
     if (stop_.stop_requested()) return stopped();
     return {.message = "takes more than " + std::to_string(static_cast<long>(most_ms_)) +

@@ -17,7 +17,7 @@ class Module;
 
 namespace navjit::jit::detail {
 
-/// What parsing left: a module in `context`, owned by the caller, and the text of any warnings.
+/// The result of parsing: a module in `context`, and the text of any warnings.
 struct ParsedUnit {
   std::shared_ptr<llvm::Module> module;
   std::string warnings;
@@ -28,8 +28,8 @@ struct ParsedUnit {
 /// floating point, and what `options` says.
 std::vector<std::string> frontend_flags(const CompileOptions& options);
 
-/// Parses `source` to unoptimised IR, or its rest if it begins with the preamble. Fails with the
-/// diagnostics if there were errors. The result must be destroyed before `context`.
+/// Parses `source` to unoptimised IR, or only its rest if it begins with the preamble. Fails with
+/// the diagnostics if there are errors. The result must be destroyed before `context`.
 Expected<ParsedUnit> parse(std::string_view source, std::string_view unit_name,
                            const std::vector<std::string>& flags, const Target& target,
                            Preamble& preamble, llvm::LLVMContext& context);

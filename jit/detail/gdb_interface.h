@@ -1,4 +1,4 @@
-// The list of generated code that GDB reads. Layout and names are those it looks for; LLVM's
+// The list of generated code that GDB reads. GDB requires this layout and these names. LLVM's
 // library defines the two symbols.
 #pragma once
 

@@ -4,9 +4,9 @@
 
 namespace navjit::jit::detail {
 
-/// Calls work(*state) and destroys the state after it. LLVM and Clang are not made for exceptions:
-/// one that passes through them, for want of memory, leaves behind what nobody can take down any
-/// more. Then the state stays where it is, for good.
+/// Calls work(*state) and then destroys the state. LLVM and Clang are not made for exceptions. If
+/// one passes through them, because memory is exhausted, the state that it leaves behind cannot be
+/// destroyed. The state is then never freed.
 template <class State, class Work>
 auto leave_wreck(std::unique_ptr<State> state, Work&& work) {
   try {

@@ -14,24 +14,26 @@ class CompilerInvocation;
 
 namespace navjit::jit::detail {
 
-/// Text that many sources begin with, parsed once. Clang keeps its declarations in memory, as it
-/// would in a precompiled header, and reads those that a source uses. Where parsing fails there is
-/// no preamble: each source is parsed as a whole then, with whatever diagnostics that has.
+/// Text with which many sources begin, and which is parsed once. Clang keeps its declarations in
+/// memory, as in a precompiled header, and reads those that a source uses. If the text cannot be
+/// parsed there is no preamble: then each source is parsed as a whole and gives its own
+/// diagnostics.
 class Preamble {
  public:
   explicit Preamble(std::string text) : text_(std::move(text)) {}
 
-  /// If the source begins with the text, `invocation`, which is set up for it, and `files` are
-  /// changed so that only the rest is parsed. The first such source is parsed as a whole all the
-  /// same: whoever compiles but one need not wait for more. The second has the text parsed first.
-  /// Returns whether only the rest of this source is to be parsed.
+  /// If the source begins with the text, `invocation`, which must be set up for the source, and
+  /// `files` are changed so that only the rest is parsed. The first such source is still parsed as
+  /// a whole, so that a program which compiles only one source need not wait for more. For the
+  /// second one the text is parsed first. Returns whether only the rest of this source will be
+  /// parsed.
   bool use(std::string_view source, clang::CompilerInvocation& invocation,
            llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem>& files);
 
  private:
   std::string text_;
-  int sources_ = 0;        ///< how many began with it, counted up to three
-  std::string unit_name_;  ///< of the unit that it is parsed for
+  int sources_ = 0;        ///< how many sources began with the text, counted up to three
+  std::string unit_name_;  ///< of the unit for which the text was parsed
   std::optional<clang::PrecompiledPreamble> parsed_{};
 };
 

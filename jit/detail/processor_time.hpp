@@ -7,10 +7,10 @@
 
 namespace navjit::jit::detail {
 
-/// Processor time, s, of threads that come and go. For any thread.
+/// The total processor time, s, of threads that come and go. Thread-safe.
 class ProcessorTime {
  public:
-  /// The time of threads that have ended, and of the one that is watched as long as it exists.
+  /// The time of threads that have ended, and of the thread that is watched, if there is one.
   double seconds() const {
     const clockid_t clock = watched_.load();
     return gone_.load() + (clock == nobody ? 0 : read(clock));
@@ -18,7 +18,7 @@ class ProcessorTime {
 
   static double of_this_thread() { return read(CLOCK_THREAD_CPUTIME_ID); }
 
-  /// While it exists its thread is the one that is watched. The thread must have done nothing
+  /// While it exists its thread is the one that is watched. The thread must not have done any work
   /// before.
   class Watched {
    public:
@@ -38,9 +38,9 @@ class ProcessorTime {
   };
 
  private:
-  static constexpr clockid_t nobody = CLOCK_REALTIME;  // no thread's
+  static constexpr clockid_t nobody = CLOCK_REALTIME;  // does not belong to a thread
 
-  /// 0 if the thread is no more.
+  /// The time of the clock, s; 0 if its thread has ended.
   static double read(clockid_t clock) {
     timespec time{};
     if (clock_gettime(clock, &time) != 0) return 0;

@@ -7,9 +7,9 @@
 
 namespace navjit::jit::detail {
 
-/// Refuses source that would exhaust the stack of the compiler, which recurses with the length of
-/// an expression where it does not with the nesting of brackets (that it limits itself). Looks at
-/// the text as written, so macros can defeat it: a safeguard against accidents, not attacks.
+/// Refuses source that would exhaust the stack of the compiler. The compiler recurses with the
+/// length of an expression; it limits only the nesting of brackets itself. This looks at the text
+/// as written, so macros can defeat it. It protects against accidents, not against attacks.
 std::optional<Failure> too_deep(std::string_view source, std::string_view unit_name);
 
 }  // namespace navjit::jit::detail

@@ -13,7 +13,7 @@ class TargetMachine;
 
 namespace navjit::jit::detail {
 
-/// A target with nothing left to be looked up from the host.
+/// A target of which everything is known that depends on the host.
 struct Target {
   std::string triple;
   std::string cpu;
@@ -27,7 +27,7 @@ void initialise_native_target();
 Target resolve_target(const CompileOptions& options);
 
 /// A code generator for `target`, without floating-point contraction. Fails if LLVM does not know
-/// the processor or a feature. The caller owns the result; it is for one thread at a time.
+/// the processor or a feature. Only one thread at a time may use the result.
 Expected<std::shared_ptr<llvm::TargetMachine>> make_target_machine(const Target& target,
                                                                    int optimisation);
 
