@@ -1,5 +1,5 @@
-// Scenes of structures that the library has no instance for get code that is compiled once for each
-// structure. Private to runtime/.
+// Gives code to scenes of structures for which the library has no instance. It is compiled once for
+// each structure. Private to runtime/.
 #pragma once
 
 #include <optional>
@@ -17,11 +17,11 @@ struct DueStructure {
   std::vector<codegen::Module> scenes{};
   double compile_ms = 0;  ///< expected
   double spent_ns = 0;    ///< spent in steps and relocations in the scenes
-  double paid = 0;        ///< how many times that has paid for compiling it
+  double paid = 0;        ///< how many times that time has paid for compiling the structure
 };
 
-/// The structure with the most time spent in its scenes for its expected compile time; nothing if
-/// that has not paid for compiling it.
+/// The structure with the largest ratio of the time spent in its scenes to its expected compile
+/// time; nothing if the time spent has not paid for compiling it.
 std::optional<DueStructure> due_structure(Specialisation& spec);
 /// The same over all scenes of the tree, however little time was spent in them.
 std::optional<DueStructure> any_structure(Specialisation& spec);

@@ -1,11 +1,11 @@
-// Scenes held to the error that a user allows. Private to runtime/.
+// Keeps scenes within the error that a user allows. Private to runtime/.
 #pragma once
 
 #include "runtime/specialisation.hpp"
 
 namespace navjit {
 
-/// Holds scenes that made steps to options.budget, which is given.
+/// Keeps scenes that made steps within options.budget, which must be given.
 void hold_to_budget(Specialisation& spec);
 
 }  // namespace navjit

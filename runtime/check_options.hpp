@@ -1,12 +1,13 @@
-// What a Runtime can be told, and what it cannot. Private to runtime/.
+// Checks the options of a Runtime. Private to runtime/.
 #pragma once
 
 #include "navjit/options.hpp"
 
 namespace navjit {
 
-/// The options, with what depends on the moment settled: a relative cache directory is that of now.
-/// Throws UsageError, naming the option, if a number makes no sense.
+/// The options, with all that depends on the present moment settled: a relative cache directory is
+/// that of the present working directory. Throws UsageError, naming the option, if a number makes
+/// no sense.
 RuntimeOptions checked(RuntimeOptions options);
 
 }  // namespace navjit

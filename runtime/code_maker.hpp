@@ -1,4 +1,5 @@
-// Source in, linked code out: from the cache where it is there, else compiled. Private to runtime/.
+// Makes linked code from source: from the cache if it is there, otherwise by compiling. Private to
+// runtime/.
 #pragma once
 
 #include <spdlog/fwd.h>
@@ -17,9 +18,9 @@
 
 namespace navjit {
 
-/// For one thread at a time. The compiler is made when it is first needed: a run that finds
-/// everything in the cache never makes one. The cache is never a reason to fail; what goes wrong
-/// with it is one line in the log for each kind of trouble.
+/// For one thread at a time. The compiler is made when it is first needed, so a run that finds
+/// everything in the cache never makes one. The cache is never a reason to fail: trouble with it is
+/// reported in one line of the log for each kind.
 class CodeMaker {
  public:
   CodeMaker(const SpecialiserOptions& options, const Cache& cache,
@@ -32,15 +33,15 @@ class CodeMaker {
 
   /// Code for this source from the cache; nothing if it is not there.
   std::optional<Made> find(std::string_view source);
-  /// Fails as stopped, soon, once that is requested.
+  /// Fails as stopped soon after a stop is requested.
   Expected<Made> compile(std::string_view source, const std::stop_token& stop);
-  /// Makes the compiler, before one thread compiles and another asks for its time.
+  /// Makes the compiler. Must be called before one thread compiles and another asks for its time.
   void make_compiler() { compiler(); }
-  /// Processor time that compiling has taken so far, s. For any thread, once the compiler is made.
+  /// Processor time of all compilations so far, s. Any thread may ask, once the compiler is made.
   double processor_seconds() const { return compiler_ ? compiler_->processor_seconds() : 0; }
-  /// Puts what was compiled from this source into the cache.
+  /// Puts the object that was compiled from this source into the cache.
   void keep(std::string_view source, std::string_view label, const jit::Object& object);
-  /// Code from the cache was no good: it shall not be found again.
+  /// Makes sure that faulty code for this source is not found in the cache again.
   void reject(std::string_view source);
 
   bool has_cache() const { return static_cast<bool>(cache_place_); }
@@ -48,7 +49,7 @@ class CodeMaker {
   std::optional<std::string> recall(std::string_view name);
   void remember(std::string_view name, std::string_view label, std::string_view text);
 
-  /// Why nothing can be compiled, or nothing linked, in this process; empty as long as it can.
+  /// Why nothing can be compiled, or linked, in this process; empty as long as it can.
   const std::string& no_compiler() const { return no_compiler_; }
   const std::string& no_linker() const { return no_linker_; }
 
@@ -64,7 +65,7 @@ class CodeMaker {
   jit::CompileOptions compile_options_;
   jit::LinkerOptions linker_options_;
   Cache cache_place_;
-  std::string target_;  ///< what determines code beside the source
+  std::string target_;  ///< what determines the code besides the source
   std::optional<cache::ObjectCache> cache_;
   std::optional<jit::Linker> linker_;
   std::optional<jit::Compiler> compiler_;

@@ -1,5 +1,5 @@
 // What is compiled next: a solid, a structure, or scenes. Private to runtime/; docs/decisions.md
-// has the reasons.
+// gives the reasons.
 #pragma once
 
 #include "runtime/specialisation.hpp"

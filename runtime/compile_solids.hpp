@@ -1,4 +1,4 @@
-// Code for hot solids that are made of several, wherever they occur. Private to runtime/.
+// Code for hot solids that are composed of several, wherever they occur. Private to runtime/.
 #pragma once
 
 #include <set>
@@ -12,9 +12,9 @@ namespace navjit {
 double solids_paid(Specialisation& spec);
 
 /// Compiles the solids with the most time spent in them for their expected compile time, verifies
-/// them, and has the scenes that hold them bound to data again, with their code. The best comes
-/// first; others go along only if they have paid at least `least` times. Returns false if the run
-/// has ended, or if nothing can be compiled any more.
+/// them, and lets the scenes that hold them be bound to data again, with the code. The best solid
+/// comes first; others are included only if they have paid at least `least` times. Returns false if
+/// the run has ended, or if nothing can be compiled any more.
 bool compile_solids(Specialisation& spec, double least);
 
 /// Before a run: compiles the solids of all volumes except those in `but`, the ones that occur most

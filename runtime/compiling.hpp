@@ -9,8 +9,8 @@
 
 namespace navjit {
 
-/// While this object lives its scenes have the status `compiling`. They keep it if the run ends
-/// before.
+/// While this object exists its scenes have the status `compiling`. They keep this status if the
+/// run ends first.
 class Compiling {
  public:
   Compiling(Specialisation& spec, const std::set<VolumeId>& volumes);

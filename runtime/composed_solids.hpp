@@ -1,5 +1,4 @@
-// The solids of a detector that are made of several, and the scenes that hold them. Private to
-// runtime/.
+// The composed solids of a detector, and the scenes that hold them. Private to runtime/.
 #pragma once
 
 #include <vector>
@@ -9,7 +8,7 @@
 
 namespace navjit {
 
-/// A solid that is made of several. Equal solids of the detector are one ComposedSolid.
+/// A solid that is composed of several. Equal solids of the detector are one ComposedSolid.
 struct ComposedSolid {
   kernels::AnySolid<double> solid{};
   Extent extent{};
@@ -21,10 +20,10 @@ struct ComposedSolid {
   std::vector<In> scenes{};
   double compile_ms = 0;    ///< expected
   bool in_library = false;  ///< The library has code for it already.
-  bool tried = false;       ///< compiled, or not to be
+  bool tried = false;       ///< compiled, or decided against
 };
 
-/// All of them that code may be made for, in volumes that are in the detector's tree.
+/// All composed solids for which code may be made, in volumes that are in the detector's tree.
 std::vector<ComposedSolid> find_composed_solids(const Geometry& geometry, const WorldFacts& facts);
 
 }  // namespace navjit

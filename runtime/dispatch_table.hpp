@@ -1,4 +1,4 @@
-// The dispatch table: per volume one atomic pointer to one immutable record.
+// The dispatch table: for each volume, one atomic pointer to an immutable dispatch entry.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@
 
 namespace navjit {
 
-/// Readers take no lock (kernels::dispatch_entry_of); one writer at a time.
+/// Readers take no lock (kernels::dispatch_entry_of). Only one thread may write at a time.
 class DispatchTable {
  public:
   /// Every volume starts with the generic navigator.
@@ -21,13 +21,14 @@ class DispatchTable {
   const kernels::DispatchEntry* at(VolumeId volume) const {
     return entries_[volume].load(std::memory_order_acquire);
   }
-  /// Installs a record for a volume; `owner` keeps record and code alive while they are in use.
+  /// Installs an entry for a volume; `owner` keeps the entry and its code alive while they are in
+  /// use.
   void install(VolumeId volume, const kernels::DispatchEntry* record,
                std::shared_ptr<const void> owner);
-  /// Kept alive as long as the table.
+  /// Keeps `owner` alive as long as the table.
   void keep(std::shared_ptr<const void> owner);
-  /// Shows a navigator of the volume for now: the installed one, or one that something else keeps
-  /// alive.
+  /// Shows a navigator of the volume for the time being. It is the installed one, or one that has
+  /// another owner.
   void show(VolumeId volume, const kernels::DispatchEntry* record) {
     entries_[volume].store(record, std::memory_order_release);
   }
@@ -37,14 +38,14 @@ class DispatchTable {
   /// it has the generic one.
   double specialised_since(VolumeId volume) const;
 
-  /// A thread that will navigate with this table announces itself.
+  /// A thread that will navigate with this table must register itself.
   std::shared_ptr<ReadSide> add_thread();
   void remove_thread(const std::shared_ptr<ReadSide>& thread);
 
-  /// Frees replaced code that no thread can be in; returns how many records still wait.
+  /// Frees replaced code that no thread can be using; returns how many entries still wait.
   std::size_t reclaim();
 
-  /// The mutex that guards it, which has to be locked over a fork().
+  /// The table's mutex, which has to be locked during a fork().
   std::mutex& mutex() const { return mutex_; }
 
  private:

@@ -1,4 +1,4 @@
-// Faults to be tried on purpose. For tests alone.
+// Faults that can be provoked on purpose. Only for tests.
 #pragma once
 
 #include <functional>
@@ -13,17 +13,17 @@ namespace navjit {
 struct Faults {
   std::function<void(std::string& source)> edit_source{};
   bool fail_verification = false;
-  /// Called on the compiling thread before each compilation, as if it were part of it: it may take
-  /// its time, and throw.
+  /// Called on the compiling thread before each compilation, as if it were part of the compilation.
+  /// It may take long, and may throw.
   std::function<void()> compiling{};
   bool skip_verification = false;  ///< code that fails verification is installed, and stays
   bool skip_replay = false;        ///< code that is slow on recorded states is installed
-  bool pass_trials = false;        ///< what is on trial by itself stays, whatever the trial says
-  bool lose_trials = false;        ///< what is on trial by itself goes, whatever the trial says
+  bool pass_trials = false;        ///< single scenes on trial always keep their candidate
+  bool lose_trials = false;        ///< single scenes on trial always lose their candidate
   /// Factor on the measured times of all navigators other than the generic one.
   double specialised_lasts = 1;
   std::optional<Candidates>
-      fastest{};  ///< the search that counts as the fastest, where it is tried
+      fastest{};  ///< the search that counts as the fastest in scenes where it is tried
 };
 
 }  // namespace navjit

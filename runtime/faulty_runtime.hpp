@@ -1,4 +1,4 @@
-// A Runtime in which things go wrong on purpose. For tests alone.
+// A Runtime in which things go wrong on purpose. Only for tests.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What navigating threads counted and recorded, taken over by the specialiser. Private to runtime/.
+// Takes over what navigating threads counted and recorded. Private to runtime/.
 #pragma once
 
 #include "runtime/specialisation.hpp"
@@ -8,7 +8,7 @@ namespace navjit {
 /// Takes over counts and samples from all profiles.
 void gather(Specialisation& spec);
 
-/// Execution counts, from what was gathered last.
+/// Updates the execution counts from what was gathered last.
 void update_execution_counts(Specialisation& spec);
 
 }  // namespace navjit

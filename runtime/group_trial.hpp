@@ -11,42 +11,42 @@
 
 namespace navjit {
 
-/// What is tried together, and against what.
+/// What is tried together, and against what it is tried.
 enum class Group : std::uint8_t {
-  code,      ///< what was compiled, against what is bound to data
-  all,       ///< all that is not generic, against the generic navigator
-  unproved,  ///< what is bound to data and narrowly lost its own trial, against what is installed
+  code,      ///< compiled code, against navigators that are bound to data
+  all,       ///< all navigators that are not generic, against the generic one
+  unproved,  ///< bound to data and narrowly lost its own trial, against what is installed
 };
 
-/// Volumes that are switched together. Not for several threads.
+/// Volumes that are switched together. Not thread-safe.
 struct GroupTrial {
-  std::vector<VolumeId> members{};  ///< none: nothing is tried
+  std::vector<VolumeId> members{};  ///< if empty, nothing is tried
   Group group = Group::code;
   double began = 0;    ///< s of navigation
   bool shown = true;   ///< whether the present stretch has the side that is tried
-  unsigned looks = 0;  ///< at the profile, since it began
+  unsigned looks = 0;  ///< how often the profile was looked at since the trial began
   double steps_before = 0, ns_before = 0;  ///< of the whole run, when the present stretch began
   TickSum all{};                           ///< steps, and the time that they took, ns
   TickSum with{}, without{};               ///< of the present pair of stretches
-  PairedDifference lost{};                 ///< by the side that is tried, ns a step
+  PairedDifference lost{};                 ///< what the side that is tried loses, ns a step
 
   bool open() const { return !members.empty(); }
 };
 
-/// To be called when a stretch is over. `steps` and `ns`: steps of the run so far, and the
+/// Must be called at the end of a stretch. `steps` and `ns` are the steps of the run so far and the
 /// processor time of the navigating threads, ns. (Timing single steps would mislead: the processor
 /// predicts the branches of a timed step less well than those of others, and the more code there is
-/// the worse.) `lasts`: a factor on the time, for tests.
+/// the worse it predicts.) `lasts` is a factor on the time, for tests.
 void record(GroupTrial& group, double steps, double ns, double lasts = 1);
-/// A stretch begins.
+/// Must be called at the beginning of a stretch.
 void begin_stretch(GroupTrial& group, double steps, double ns);
 
-/// To be called when a pair of stretches is over: the verdict by what is known at time `now`, s of
-/// navigation. A group goes only if its loss is hardly chance; an unproved group stays only if it
-/// is the faster side.
+/// Must be called at the end of a pair of stretches. The verdict from what is known at the time
+/// `now`, s of navigation. A group is taken out only if its loss is hardly by chance; an unproved
+/// group stays only if it is the faster side.
 Verdict decide(GroupTrial& group, double now);
 
-/// What the trials of single scenes found together: the share of the time that their winners save.
+/// The result of all trials of single scenes together: the share of the time that the winners save.
 /// Each trial counts by the steps and relocations in its volume, `executions`.
 double saved_share(const std::map<VolumeId, Trial>& trials, const std::vector<double>& executions);
 
@@ -59,7 +59,7 @@ struct Member {
 /// timed steps each, and are judged again and again, some of them do.
 bool hardly_lost(const Trial& trial);
 
-/// Those with the least executions: what is left when the hottest, which have `share` of all
+/// The members with the fewest executions: those left when the hottest, which have `share` of all
 /// executions, are taken away.
 std::vector<VolumeId> rarest(std::vector<Member> members, double share);
 

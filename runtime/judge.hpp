@@ -1,4 +1,4 @@
-// The run itself judges what is installed (trials.hpp). Private to runtime/.
+// Lets the run itself judge installed navigators (trials.hpp). Private to runtime/.
 #pragma once
 
 #include "runtime/specialisation.hpp"
@@ -11,18 +11,18 @@ namespace navjit {
 void try_out(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry* candidate,
              const std::shared_ptr<const void>& owner, bool to_be_proved = false);
 
-/// Forgets the volume's trial, and what else would be tried or shown there.
+/// Forgets the volume's trial, and all other navigators that would be tried or shown there.
 void forget_trial(Specialisation& spec, VolumeId volume);
 
-/// A stretch of a trial is over: decides what can be decided, and switches what is open to its
-/// other side.
+/// Must be called at the end of a stretch of trials. Decides what can be decided, and switches the
+/// open trials to their other sides.
 void judge(Specialisation& spec);
 
 /// Decides all open trials by what is known, at the end of a run.
 void judge_finally(Specialisation& spec);
 
 /// Shows the candidates of all open trials, so that nothing is slow while the specialiser does
-/// other things.
+/// something else.
 void show_candidates(Specialisation& spec);
 
 }  // namespace navjit

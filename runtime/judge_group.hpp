@@ -1,18 +1,19 @@
-// All compiled code on trial at once (group_trial.hpp). Private to runtime/.
+// Trials of all compiled code at once (group_trial.hpp). Private to runtime/.
 #pragma once
 
 #include "runtime/specialisation.hpp"
 
 namespace navjit {
 
-/// To be called at the end of a look, when nearly no scene is on trial alone: continues the trial
+/// Must be called at the end of a look, when nearly no scene is on trial alone. Continues the trial
 /// of a group, or begins one. Scenes that narrowly lost their own trials come first, and are
-/// installed if they win. Then all compiled scenes are tried, if they are others than at the last
-/// such trial, and after them the rarest of these; then all that is not generic. The navigators of
-/// a group that loses are taken out, and nothing more is compiled until trials begin again.
+/// installed if they win. Then all compiled scenes are tried, if they differ from those of the last
+/// such trial, and after them the rarest of these. Then everything that is not generic is tried.
+/// The navigators of a group that loses are taken out, and nothing more is compiled until trials
+/// begin again.
 void judge_group(Specialisation& spec);
 
-/// Shows the side that is tried everywhere while the specialiser does other things. The present
+/// Shows everywhere the side that is tried, while the specialiser does something else. The present
 /// pair of stretches does not count.
 void interrupt_group(Specialisation& spec);
 

@@ -1,4 +1,4 @@
-// Where a Runtime's lines go.
+// The log of a Runtime.
 #pragma once
 
 #include <spdlog/fwd.h>
@@ -9,7 +9,8 @@
 
 namespace navjit {
 
-/// A logger that hands every line to the sink; without one it is spdlog's default at this moment.
+/// A logger that passes every line to the sink. Without a sink it is the logger that is spdlog's
+/// default at this moment.
 std::shared_ptr<spdlog::logger> make_log(const LogSink& sink);
 
 }  // namespace navjit

@@ -1,4 +1,4 @@
-// Texts from elsewhere (compiler, files, names in detectors), made fit for one line of the log.
+// Makes texts from outside (compiler, files, names in detectors) fit for one line of the log.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace navjit {
 
-/// Lines joined by " | ", control characters replaced by '?', cut to `most` bytes.
+/// The text's lines joined by " | ", with control characters replaced by '?', cut to `most` bytes.
 std::string one_line(std::string_view text, std::size_t most = 1000);
 
-/// The same, as the value of key=value: in double quotes, with quotes and backslashes escaped.
+/// The same for the value of key=value: in double quotes, with quotes and backslashes escaped.
 std::string in_quotes(std::string_view text, std::size_t most = 200);
 
 }  // namespace navjit

@@ -1,4 +1,4 @@
-// From chosen scenes to code that is installed. Private to runtime/.
+// Makes and installs code for chosen scenes. Private to runtime/.
 #pragma once
 
 #include <vector>
@@ -8,21 +8,21 @@
 
 namespace navjit {
 
-/// The scenes of one module; of equal volumes the first.
+/// The scenes of one module. The first of equal volumes stands for all of them.
 using Batch = std::vector<VolumeId>;
 
 /// Generates the module of these scenes. `along_faces`: with code for rays along faces and from
-/// within daughters. `leaves`: whether leaves that can share code do.
+/// within daughters. `leaves`: whether leaves that can share code do so.
 codegen::Module generate(Specialisation& spec, const Batch& batch, bool along_faces,
                          codegen::Leaves leaves);
 
-/// To be called after a failure to compile. Returns whether nothing more can be compiled in this
-/// run, and then says so in the log.
+/// Must be called after a failure to compile. Returns whether nothing more can be compiled in this
+/// run; if so, says it in the log.
 bool nothing_more(Specialisation& spec, const Failure& failure);
 
 /// Takes a module from the cache, or compiles it, and installs it. If it does not compile, each of
-/// its scenes is tried alone. Returns the modules that were made, by their scenes: none if the run
-/// ended before.
+/// its scenes is tried alone. Returns the modules that were made, by their scenes; none if the run
+/// ended first.
 std::vector<Batch> make_modules(Specialisation& spec, const Batch& batch);
 
 }  // namespace navjit

@@ -1,4 +1,4 @@
-// From a choice of scenes to a plugin's source, and to its file.
+// Makes a plugin's source and file from a choice of scenes.
 #pragma once
 
 #include <sys/types.h>
@@ -18,25 +18,25 @@ struct PluginChoice {
   std::size_t most_scenes = 64;
 };
 
-/// The scenes of a profile that are hot enough and worth compiling, hottest first. Volumes of equal
-/// structure count together, and are given once. Throws Error if the profile is not of
-/// this detector.
+/// The scenes of a profile that are hot enough and worth compiling, hottest first. Equal volumes
+/// count together, and only one of them is returned. Throws Error if the profile is not of this
+/// detector.
 std::vector<VolumeId> hot_scenes(const StepProfile& profile, const Geometry& geometry,
                                  const WorldFacts& facts, const PluginChoice& choice = {});
 
-/// Compiles a plugin's source for this machine's processor and links it with the system's linker:
-/// `ld`, or what NAVJIT_LD names. The plugin's bytes, or why there are none. Temporary files are in
-/// a PrivateFolder, which may throw.
+/// Compiles a plugin's source for this machine's processor and links it with the system's linker,
+/// `ld` or the one that NAVJIT_LD names. Returns the plugin's bytes, or why there are none.
+/// Temporary files are in a PrivateFolder, which may throw.
 Expected<std::string> plugin_bytes(const std::string& source, int optimisation);
 
-/// Permissions of plugins, whatever the umask is: a plugin that a group may write is not loaded.
+/// Permissions of plugins, whatever the umask is. A plugin that a group may write is not loaded.
 constexpr mode_t plugin_mode = 0644;
 
-/// The same, into a file (files/output_file.hpp). Throws Error.
+/// The same, but writes the plugin to a file (files/output_file.hpp). Throws Error.
 void make_plugin(const std::string& source, int optimisation, const std::string& path);
 
-/// Seals a library that was compiled by other means: appends what a plugin ends with. Throws
-/// Error.
+/// Seals a library that was compiled by other means: appends the seal with which a plugin ends.
+/// Throws Error.
 void seal_plugin(const std::string& path);
 
 }  // namespace navjit

@@ -1,5 +1,5 @@
-// Which scenes earlier runs of a detector found hot, and compiled together: kept in the cache, so
-// that the next run need not wait for its own profile, and asks for the same modules.
+// The scenes that earlier runs of a detector found hot and compiled together. The list is kept in
+// the cache, so that the next run need not wait for its own profile, and asks for the same modules.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,8 @@ namespace navjit {
 
 struct ListedScene {
   VolumeId volume = 0;
-  /// How its code finds daughters, where a run measured another way than the analysis chooses.
+  /// The search that its code uses, if a run measured that another one is faster than the one that
+  /// the analysis chooses.
   std::optional<Candidates> search{};
 
   bool operator==(const ListedScene&) const = default;
@@ -29,9 +30,9 @@ constexpr bool may_be_listed(Candidates search) {
 
 std::string write_module_list(const ModuleList& list);
 
-/// Nothing if the text is not a list of modules for `volumes` volumes. Every number is checked, and
-/// none may occur twice in a batch. A scene is in several batches if it was compiled again, with
-/// others or alone; more often than a run can compile it is refused.
+/// The list in the text; nothing if the text is not a list of modules for `volumes` volumes. Every
+/// number is checked, and none may occur twice in a batch. A scene is in several batches if it was
+/// compiled again, with others or alone. More occurrences than a run can make are refused.
 std::optional<ModuleList> read_module_list(std::string_view text, std::size_t volumes);
 
 /// `mine`, and the batches of `others` that share no volume with it.

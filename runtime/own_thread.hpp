@@ -1,4 +1,4 @@
-// Threads of the library's own. Private to runtime/.
+// Threads that the library makes. Private to runtime/.
 #pragma once
 
 #include <csignal>
@@ -7,9 +7,9 @@
 
 namespace navjit {
 
-/// While one exists, the calling thread, and threads that it makes, receive no signals but those
-/// that report a fault of their own. A program's signals are for its own threads, which may wait
-/// for them by sigwait() or signalfd().
+/// While one exists, the calling thread, and threads that it makes, receive no signals except those
+/// that report their own faults. A program's signals are for the program's own threads, which may
+/// wait for them by sigwait() or signalfd().
 class WithoutSignals {
  public:
   WithoutSignals() {
@@ -28,7 +28,7 @@ class WithoutSignals {
   sigset_t before_{};
 };
 
-/// A thread that no signal of the program comes to. Throws what std::thread throws.
+/// A thread that receives no signal of the program. Throws what std::thread throws.
 template <class... Work>
 std::thread own_thread(Work&&... work) {
   const WithoutSignals without_signals;

@@ -1,8 +1,9 @@
-// Instruction sets that code in plugins may use, by every name they have.
+// Instruction sets that code in plugins may use, with all their names.
 #pragma once
 
-// X(LLVM's name, the macro that compilers define where it is on). The names are GCC's, too, for
-// __builtin_cpu_supports. What is not listed is turned off when a plugin is compiled.
+// X(LLVM's name, the macro that compilers define if it is enabled). The names are also those that
+// GCC has for __builtin_cpu_supports. Features that are not listed are turned off when a plugin is
+// compiled.
 #define NAVJIT_PLUGIN_FEATURES(X)       \
   X("sse3", "__SSE3__")                 \
   X("ssse3", "__SSSE3__")               \

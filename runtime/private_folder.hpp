@@ -1,5 +1,5 @@
-// A folder for temporary files that plugins may be loaded from: nobody else can write it, or move
-// it.
+// A folder for temporary files from which plugins may be loaded: nobody else can write to it, or
+// move it.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace navjit {
 
-/// Removed with all that is in it on destruction. It is made in the folder for temporary files, or
-/// in the user's cache folder if that one is not trusted.
+/// The destructor removes the folder with all that is in it. It is made in the folder for temporary
+/// files, or in the user's cache folder if the former is not trusted.
 class PrivateFolder {
  public:
   /// Throws Error, saying why, if neither place can be used.
@@ -24,7 +24,7 @@ class PrivateFolder {
 
  private:
   std::string path_;
-  std::optional<TemporaryPath> temporary_;  ///< also where a signal ends the process
+  std::optional<TemporaryPath> temporary_;  ///< removes it also if a signal ends the process
 };
 
 }  // namespace navjit

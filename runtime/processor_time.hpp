@@ -1,4 +1,4 @@
-// Time by which speed is judged: what others take of a busy machine does not count.
+// The time by which speed is judged. What other programs take of a busy machine does not count.
 #pragma once
 
 #include <time.h>
@@ -15,7 +15,7 @@ inline double clock_seconds(clockid_t clock) {
 /// How long the calling thread has been running on a processor, s.
 inline double thread_seconds() { return clock_seconds(CLOCK_THREAD_CPUTIME_ID); }
 
-/// The same of all threads of the process together, those that have ended included.
+/// The same for all threads of the process together, including those that have ended.
 inline double process_seconds() { return clock_seconds(CLOCK_PROCESS_CPUTIME_ID); }
 
 }  // namespace navjit

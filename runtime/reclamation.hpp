@@ -1,5 +1,5 @@
-// When may code that was replaced be freed? Once no thread can be in it. Navigating threads mark
-// entry and exit by plain stores; the one who frees pays for the ordering with a memory barrier on
+// When can replaced code be freed? When no thread can be in it. Navigating threads mark entry and
+// exit by plain stores. The thread that frees code pays for the ordering, with a memory barrier on
 // all threads of the process (membarrier(2)).
 #pragma once
 
@@ -11,29 +11,30 @@
 
 namespace navjit {
 
-/// Destroys things once every thread has left the read-side section that it was in when they were
+/// Destroys things once every thread has left the read-side section in which it was when they were
 /// retired. Not thread-safe: one owner makes all calls.
 class RetireList {
  public:
   RetireList();
 
-  /// To be called after the last pointer to `garbage` was replaced. `threads`: those that may still
-  /// be in it.
+  /// Must be called after the last pointer to `garbage` was replaced. `threads` are those that may
+  /// still be in it.
   void retire(std::shared_ptr<const void> garbage,
               const std::vector<std::shared_ptr<ReadSide>>& threads);
-  /// Destroys what no thread can be in any more; returns how many things still wait.
+  /// Destroys what no thread can be using any more; returns how many things still wait.
   std::size_t reclaim();
 
  private:
   struct Wait {
     std::shared_ptr<ReadSide> thread;
-    std::uint64_t section;  ///< the odd count seen: it has to change
+    std::uint64_t section;  ///< the odd count that was seen, which has to change
   };
   struct Retired {
     std::shared_ptr<const void> garbage;
     std::vector<Wait> waits;
   };
-  bool can_free_;  ///< false where the system has no membarrier: all waits for the destructor
+  bool can_free_;  ///< false if the system has no membarrier: then everything waits for the
+                   ///< destructor
   std::vector<Retired> retired_;
 };
 

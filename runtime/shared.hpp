@@ -15,7 +15,7 @@ namespace navjit::detail {
 /// What all navigators counted, by volume.
 struct Counts {
   std::vector<std::shared_ptr<Profile>> profiles;
-  std::vector<std::uint64_t> past_steps, past_bail_outs;  ///< of profiles that are no more
+  std::vector<std::uint64_t> past_steps, past_bail_outs;  ///< of profiles that no longer exist
   std::uint64_t past_locations = 0;
 
   std::uint64_t steps(VolumeId volume) const;
@@ -30,7 +30,7 @@ struct Shared {
   /// A new navigator's profile.
   void add(std::shared_ptr<Profile> profile);
   Counts counts() const;
-  /// What guards the counts, to be locked over a fork().
+  /// The mutex that guards the counts, which must be locked during a fork().
   std::mutex& mutex() const { return mutex_; }
 
   RuntimeOptions options;
@@ -40,7 +40,7 @@ struct Shared {
   DispatchTable table;
 
  private:
-  mutable std::mutex mutex_;  ///< guards what follows
+  mutable std::mutex mutex_;  ///< guards the members below
   Counts counts_;
 };
 

@@ -1,4 +1,5 @@
-// The background thread: looks at the profile, decides, generates, compiles, verifies, installs.
+// The background thread that looks at the profile, decides, generates, compiles, verifies and
+// installs.
 #pragma once
 
 #include <unistd.h>
@@ -12,35 +13,35 @@
 
 namespace navjit {
 
-/// Owned by its Runtime, and by its thread as long as that runs.
+/// Owned by its Runtime, and by its own thread as long as that runs.
 class Specialiser : public std::enable_shared_from_this<Specialiser> {
  public:
   explicit Specialiser(std::shared_ptr<detail::Shared> shared);
 
-  /// Specialises all volumes of the tree, in the calling thread. Before start() only.
+  /// Specialises all volumes of the tree, in the calling thread. Only before start().
   void specialise_all();
-  /// Starts the thread. If there is no thread to be had, nothing is specialised, and the log says
-  /// so.
+  /// Starts the thread. If no thread can be made, nothing is specialised, and the log says so.
   void start();
   void wait_until_idle();
-  /// Ends the thread. A compilation that is under way is asked to stop and left to itself, and
-  /// whatever comes of it is dropped. Returns true if the calling thread may use what belonged to
-  /// the thread from then on; false in the child of a fork(): the thread stayed in the parent, and
-  /// may have been at work on it.
+  /// Ends the thread. A compilation that is under way is asked to stop; nobody waits for it, and
+  /// its result is dropped. Returns true if the calling thread may then use the data of the thread.
+  /// Returns false in the child of a fork(): the thread is only in the parent, and may have been
+  /// changing the data.
   bool stop();
   /// How often each volume was used so far. May be called while the thread and navigators are at
   /// work, but by one thread at a time.
   StepProfile step_profile();
 
-  /// What the functions of runtime/ work on: the thread's own from start() to stop(), but for what
-  /// its mutex guards.
+  /// The data that the functions of runtime/ work on. From start() to stop() they belong to the
+  /// thread, except for those that their mutex guards.
   Specialisation& specialisation() { return spec_; }
   const Specialisation& specialisation() const { return spec_; }
 
  private:
   void run();
   void look_until_stopped();
-  /// Whether this process is a child of the one that it was made in, and has no such thread.
+  /// Whether this process is a child of the process in which this was made, and so has no such
+  /// thread.
   bool was_forked() const { return thread_.joinable() && process_ != getpid(); }
 
   Specialisation spec_;
@@ -48,13 +49,14 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
   jit::OverFork over_fork_;
 
   // Guarded by the mutex of `spec_`:
-  bool ended_ = false;           ///< the thread uses nothing any more
+  bool ended_ = false;           ///< the thread does not use anything any more
   std::uint64_t looks_ = 0;      ///< completed passes over the profile
-  std::uint64_t idle_look_ = 0;  ///< the last that found nothing to do
+  std::uint64_t idle_look_ = 0;  ///< the last look that found nothing to do
   int waiting_for_idle_ = 0;     ///< threads in wait_until_idle()
 
   std::thread thread_;
-  std::thread* left_behind_ = nullptr;  ///< in a forked child: the parent's thread; never destroyed
+  std::thread* left_behind_ =
+      nullptr;  ///< in the child of a fork(): the parent's thread, never destroyed
 };
 
 }  // namespace navjit

@@ -1,5 +1,5 @@
 // Navigation stacks for many tracks, each only as long as the detector is deep. Private to
-// runtime/, but for baskets, which own one.
+// runtime/, except that every basket owns one.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,8 @@ namespace navjit {
 /// stack has pointers into itself.
 class StackPool {
  public:
-  /// `levels`: of the deepest touchable, the world's included. All stacks are outside the world.
+  /// `levels` is the number of levels of the deepest touchable, including the world. At first all
+  /// stacks are outside the world.
   StackPool(std::size_t stacks, int levels);
 
   std::size_t size() const { return size_; }

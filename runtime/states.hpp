@@ -1,4 +1,4 @@
-// States to try a navigator on.
+// States on which navigators are tried.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,10 @@ class StateSampler {
   /// A random touchable of the volume; false if the volume is not in the tree.
   bool touchable(VolumeId volume, std::mt19937_64& random, TouchableId& result) const;
 
-  /// Up to `count` states inside the volume: points in its solid and on its daughters' faces,
-  /// directions at random and along the axes. Where few such points are in the solid, as in thin
-  /// shells, points on lines through it as well. Fewer if the solid is hard to hit.
+  /// Up to `count` states inside the volume: points in its solid and on its daughters' faces, with
+  /// directions at random and along the axes. If few such points are in the solid, as in thin
+  /// shells, points on lines through it are used as well. There are fewer states if the solid is
+  /// hard to hit.
   std::vector<Sample> states(VolumeId volume, std::size_t count, std::uint64_t seed) const;
 
  private:

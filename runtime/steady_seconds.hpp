@@ -1,11 +1,11 @@
-// The clock of what a runtime does and when.
+// The clock for the times at which a runtime does something.
 #pragma once
 
 #include <chrono>
 
 namespace navjit {
 
-/// Since some fixed time, s; never goes back.
+/// The time since some fixed moment, s. It never goes back.
 inline double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

@@ -1,4 +1,4 @@
-// A clock that is cheap to read, for durations of single steps; its unit does not matter.
+// A clock that is cheap to read, for the durations of single steps. Its unit does not matter.
 #pragma once
 
 #include <chrono>

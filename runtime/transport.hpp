@@ -1,4 +1,4 @@
-// A ray through the detector, step by step: what the commands, tests and benchmarks share.
+// Transports a ray through the detector step by step, for commands, tests and benchmarks.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,14 @@ struct RayTotals {
 /// A ray that makes this many steps in a row without getting ahead is stuck.
 constexpr int stuck_after = 100;
 
-/// Whether a step (mm) gets a ray ahead. It does not if it is one of those by which a ray crawls
-/// along a face on which it stands: they may be longer than the tolerance, where a coordinate is so
-/// large that what they add to it is rounded away. No real detector has a hundred boundaries so
-/// near to one another.
+/// Whether a step (mm) gets a ray ahead. Steps by which a ray crawls along a face on which it
+/// stands do not. They may be longer than the tolerance if a coordinate is so large that the
+/// addition is rounded away. No real detector has a hundred boundaries so near to one another.
 constexpr bool goes_ahead(double length, double tolerance) { return length > 1000 * tolerance; }
 
-/// Transports one ray until it leaves the world, calling sink(state, length) for each step with the
-/// state it was made in. A ray that starts outside makes no steps. The navigator may be a Navigator
-/// or an ObservedNavigator.
+/// Transports one ray until it leaves the world, and calls sink(state, length) for each step with
+/// the state in which it was made. A ray that starts outside makes no steps. The navigator may be a
+/// Navigator or an ObservedNavigator.
 template <class AnyNavigator, class Sink>
 RayTotals transport(AnyNavigator& navigator, const Ray& ray, double tolerance, Sink&& sink) {
   RayTotals totals;

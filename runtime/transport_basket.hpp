@@ -1,4 +1,5 @@
-// Rays through the detector by the basket: the same steps as one by one (transport.hpp).
+// Transports rays through the detector in a basket, with the same steps as one by one
+// (transport.hpp).
 #pragma once
 
 #include <algorithm>
@@ -17,19 +18,19 @@ struct AllCount {
   bool operator()(const State&, const State&) const { return true; }
 };
 
-/// Transports rays by the basket, and gives the totals of each, in their order. Whenever a ray has
-/// left the world the next one takes its place. `counts(from, to)`: whether a step ends on a
-/// boundary between these; where it does not, the step goes on, with the bits of
+/// Transports rays in the basket, and returns the totals of each, in their order. When a ray has
+/// left the world the next one takes its place. `counts(from, to)` says whether a step ends on a
+/// boundary between these states. If it does not, the step goes on, with the same bits as
 /// ObservedDetector::step(). `sink(ray, state, length)` is called for each step with the ray's
-/// number among these and the state that the step was made in; steps of a ray come in order.
-/// Between steps `go_on()` is asked: once it says no, all ends where it is, and there are totals
-/// only of the first rays that are complete, up to one that is not.
+/// index and the state in which the step was made; the steps of a ray come in order. `go_on()` is
+/// called between steps. Once it returns false, transport stops at once, and there are totals only
+/// of the first rays, up to the first one that is not complete.
 template <class Sink, class GoOn, class Counts = AllCount>
 std::vector<RayTotals> transport_in_basket(Basket& basket, std::span<const Ray> rays,
                                            double tolerance, Sink&& sink, GoOn&& go_on,
                                            const Counts& counts = {}) {
-  /// A ray under way, and the step that it makes: several steps of the basket where boundaries do
-  /// not count.
+  /// A ray under way and the step that it makes. This is several steps of the basket if there are
+  /// boundaries that do not count.
   struct Place {
     std::size_t ray = 0;
     int standing = 0;
@@ -48,7 +49,7 @@ std::vector<RayTotals> transport_in_basket(Basket& basket, std::span<const Ray> 
   std::vector<RayTotals> totals(rays.size());
   std::vector<char> complete(rays.size(), 0);
   std::size_t next = 0, under_way = 0;
-  // The next ray that starts in the world; the place stays outside where there is none.
+  // Begins the next ray that starts in the world. If there is none, the place stays outside.
   const auto begin = [&](std::size_t i) {
     while (next < rays.size()) {
       const Ray& ray = rays[next];

@@ -1,7 +1,7 @@
-// What is installed is tried in the run's own transport: scenes are switched between their
-// candidates and what was there before, for short stretches, and sampled steps and safeties are
-// timed. What is faster on recorded states, replayed, need not be faster where a run's caches and
-// branches are shared by all scenes.
+// Installed navigators are tried in the run's own transport: for short stretches scenes are
+// switched between their candidates and the navigators before them, and sampled steps and safeties
+// are timed. A navigator that is faster on replayed states need not be faster in a run, where all
+// scenes share caches and branch predictors.
 #pragma once
 
 #include <map>
@@ -16,19 +16,19 @@ struct DispatchEntry;
 
 namespace navjit {
 
-/// Durations of sampled steps and safeties, in ticks, of as many of either as the run asks for:
-/// what counts is the time of all of them.
+/// Durations of sampled steps and safeties, in ticks. There are as many of either as the run asks
+/// for, since the time of all of them is what counts.
 struct TickSum {
   double count = 0, sum = 0;
 
-  /// Adds a duration. If it is far beyond `usual` (0: not known), the thread was interrupted, and
-  /// it is cut.
+  /// Adds a duration. If it is far above `usual` (0: not known), the thread was interrupted, and
+  /// the duration is cut.
   void add(double ticks, double usual);
   double mean() const { return count > 0 ? sum / count : 0; }
 };
 
-/// The difference between two sides, taken within each pair of stretches: what a run does changes
-/// from stretch to stretch, and is no merit of either side.
+/// The difference between two sides, taken within each pair of stretches. What a run does changes
+/// from stretch to stretch, and this must not count for either side.
 struct PairedDifference {
   double pairs = 0, weight = 0, sum = 0, weight2 = 0, sum2 = 0, squares2 = 0;
 
@@ -42,8 +42,8 @@ struct PairedDifference {
 
 enum class Verdict : std::uint8_t {
   open,   ///< not known yet
-  stays,  ///< the candidate is no slower
-  goes,   ///< it is slower than what was there before
+  stays,  ///< the candidate is no slower than the navigator before it
+  goes,   ///< the candidate is slower
 };
 
 struct Trial {
@@ -52,59 +52,59 @@ struct Trial {
 
   const kernels::DispatchEntry* candidate = nullptr;
   const kernels::DispatchEntry* before = nullptr;
-  std::shared_ptr<const void> candidate_owner{}, before_owner{};  ///< null: nobody need keep it
-  /// What `before` itself was still on trial against, and may well lose to, the latest first:
-  /// the winner is tried against these, one after the other.
+  std::shared_ptr<const void> candidate_owner{}, before_owner{};  ///< null if nobody has to keep it
+  /// The navigators against which `before` itself was still on trial, the latest first; it may lose
+  /// to them. The winner is tried against these, one after the other.
   struct Earlier {
     const kernels::DispatchEntry* entry;
     std::shared_ptr<const void> owner;
   };
   std::vector<Earlier> earlier{};
   Verdict verdict = Verdict::open;
-  bool out = false;  ///< what was there before is installed
+  bool out = false;  ///< whether the navigator before the candidate is installed
   double began = 0;  ///< s
   TickSum with{}, without{};
   TickSum with_now{}, without_now{};  ///< of the present pair of stretches
   PairedDifference lost{};            ///< ticks that the candidate loses
-  double allowed = 0;                 ///< that it may lose, ticks
-  bool to_be_proved = false;          ///< it also goes if nothing is known of it
+  double allowed = 0;                 ///< ticks that it may lose
+  bool to_be_proved = false;          ///< whether it also goes if nothing is known of it
 };
 
-/// The trials of a run. Scenes are tried at the same time, as in the end they are used together.
-/// Not for several threads.
+/// The trials of a run. Scenes are tried at the same time, because in the end they are used
+/// together. Not thread-safe.
 class Trials {
  public:
-  /// A candidate was installed at time `now`, s of navigation; what is known of an earlier one is
-  /// forgotten.
+  /// A candidate was installed at time `now`, s of navigation. All that is known of an earlier one
+  /// is forgotten.
   void begin(VolumeId volume, Trial trial, double now);
-  /// The volume has another navigator, which is not to be tried.
+  /// The volume has another navigator, which will not be tried.
   void end(VolumeId volume);
-  /// A step in the volume, or its safety, took so long with that navigator.
+  /// A step in the volume, or its safety, took this time with that navigator.
   void record(VolumeId volume, const kernels::DispatchEntry* used, double ticks);
   bool open() const { return open_ > 0; }
-  /// Whether at most one trial in twenty is open: where thousands of scenes share a run, new ones
-  /// come to be tried all the time.
+  /// Whether at most one trial in twenty is open. In a run with thousands of scenes new trials
+  /// begin all the time.
   bool nearly_all_decided() const { return open_ * 20 <= trials_.size(); }
-  /// The volume's winner lost together with others, and this is there instead. False if the volume
-  /// was not tried.
+  /// The volume's winner lost together with others, and `instead` is installed in its place.
+  /// Returns false if the volume was not tried.
   bool take_out(VolumeId volume, const kernels::DispatchEntry* instead,
                 std::shared_ptr<const void> owner);
-  /// The volume's candidate had lost, and won together with others: it is installed.
+  /// The volume's candidate had lost alone, but won together with others, and is installed.
   void take_in(VolumeId volume);
-  /// Time that other trials took, s.
+  /// Adds time that other trials took, s.
   void spend(double s) { spent_ += s; }
 
   struct Of {
     VolumeId volume;
     Trial* trial;
   };
-  /// To be called when a pair of stretches, one with candidates and one without, is over. Decides
-  /// what can be decided, and returns the trials that were. After `most_s` of trial all are
-  /// decided; scenes with too few steps of their own follow those that share their code.
+  /// Must be called at the end of a pair of stretches, one with candidates and one without. Decides
+  /// what can be decided, and returns the decided trials. After `most_s` of trial all are decided.
+  /// Scenes with too few steps of their own are decided as those that share their code.
   std::vector<Of> decide(double now);
-  /// Begins all trials again if trying has taken less than `most_share` of the run so far, which
-  /// may have moved on to other states. Returns those that began; candidates that are out have to
-  /// be installed.
+  /// Begins all trials again if they have taken less than `most_share` of the run so far, as the
+  /// run may have moved on to other states. Returns those that began. Candidates that are out have
+  /// to be installed.
   std::vector<Of> begin_again(double now);
 
   const std::map<VolumeId, Trial>& all() const { return trials_; }

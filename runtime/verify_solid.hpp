@@ -1,4 +1,4 @@
-// Proof before use: code that was compiled for a solid against the solid's own kernels.
+// Verifies code that was compiled for a solid against the solid's own kernels, before it is used.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 namespace navjit {
 
 /// Compares all answers, bit for bit, on `points` made-up points in and around the box `extent`,
-/// and where the rays from them meet the solid. Returns an empty string, or the first that differs,
-/// in words.
+/// and at the points where the rays from them meet the solid. Returns an empty string, or a
+/// description of the first answer that differs.
 std::string verify_solid(const kernels::AnySolid<double>& solid, const kernels::SolidCode& code,
                          const Extent& extent, double tolerance, int points, std::uint64_t seed);
 

@@ -6,7 +6,7 @@
 
 namespace navjit {
 
-/// Looks at bail-outs, and at answers on states recorded since the last look.
+/// Checks bail-outs, and answers on states recorded since the last look.
 void watch(Specialisation& spec);
 
 }  // namespace navjit
