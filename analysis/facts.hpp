@@ -10,13 +10,14 @@
 
 namespace navjit {
 
-/// Of volumes that share code (equal_scenes): what it may assume.
+/// What code may assume of the volumes that share it (equal_scenes).
 struct EqualFacts {
-  FrameFacts frame;                     ///< of all touchables of all of them
-  std::optional<VolumeId> only_mother;  ///< all placements of all of them are in this volume
-  std::optional<VolumeId> mothers;      ///< or in volumes that share code: the first of these
-  /// The daughters of one of them are not those of another, or some daughters of one are different
-  /// volumes that share code: for code they are all the first of their equals.
+  FrameFacts frame;                     ///< of all touchables of all these volumes
+  std::optional<VolumeId> only_mother;  ///< the volume in which all their placements are
+  std::optional<VolumeId>
+      mothers;  ///< or the first of volumes that share code, if all placements are in these
+  /// The daughters differ between these volumes, or some daughters of one are different volumes
+  /// that share code. Code then knows each daughter by the first of its equals.
   bool stand_ins = false;
 };
 
@@ -25,18 +26,18 @@ struct WorldFacts {
   std::vector<std::optional<VolumeId>> only_mothers;  ///< by volume
   std::vector<TouchableId> touchables;  ///< by volume: how often it occurs in the tree
   std::vector<char> reachable;          ///< by volume: occurs in the tree at all
-  /// By volume: the first volume of those that share code, and by that one all of them, and what
+  /// By volume: the first of the volumes that share code. By that volume: all of them, and what
   /// they have in common (equal_scenes).
   std::vector<VolumeId> first_equal;
   std::vector<std::vector<VolumeId>> equals;
   std::vector<EqualFacts> of_equals;
-  /// Volumes whose candidates are not to be chosen by the analysis, but to be these.
+  /// The search of volumes for which the analysis does not choose it.
   std::map<VolumeId, Candidates> forced_candidates;
   bool with_safety = true;  ///< plan a safety for each scene
-  /// Volumes (each the first of its equals) whose navigators have to take steps along faces or from
-  /// within daughters.
+  /// Volumes (each the first of its equals) whose navigators have to make steps along faces and
+  /// from within daughters.
   std::set<VolumeId> along_faces;
-  /// Of this world; copies of the facts share them.
+  /// The plans of this world, which copies of these facts share.
   std::shared_ptr<KnownPlans> known_plans = std::make_shared<KnownPlans>();
 };
 

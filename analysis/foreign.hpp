@@ -1,14 +1,14 @@
-// Solids that no code can be made for.
+// Solids for which no code can be made.
 #pragma once
 
 #include "geometry/navigation/geometry.hpp"
 
 namespace navjit {
 
-/// Whether the solid is a foreign one, or is made of such.
+/// Whether the solid is foreign, or is composed of foreign solids.
 bool is_foreign(const kernels::AnySolid<double>& solid);
 
-/// Whether the volume's own solid or a daughter's is a foreign one, or is made of such.
+/// Whether the volume's own solid or a daughter's is foreign, or is composed of foreign solids.
 bool holds_foreign(const Scene& scene);
 
 }  // namespace navjit

@@ -1,4 +1,4 @@
-// How far from its surface a solid's kernel may see a crossing.
+// How far from the surface of a solid its kernel may find a crossing.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace navjit {
 
-/// The norm of r r' - 1 for a rotation by rows, with a bound of what rounding may have hidden of
-/// it.
+/// The norm of r r' - 1 for a rotation r that is given by rows, plus a bound of what rounding may
+/// hide of it.
 double skew_of(const double (&rotation)[9]);
 
 /// A bound of the distance from the solid's surface to the point that distance_to_in or
-/// distance_to_out tells, mm, with point and direction in the solid's frame taken as exact.
-/// Tolerances come on top. Nothing for solids that no bound is derived for.
+/// distance_to_out finds, mm, where point and direction in the solid's frame count as exact.
+/// Tolerances are not included. Nothing for solids for which no bound is derived.
 std::optional<double> kernel_error(const kernels::AnySolid<double>& solid, const KernelUse& use);
 
 }  // namespace navjit

@@ -1,6 +1,6 @@
 // Plans that were made before. The plan of a hall of thousands of daughters takes a tenth of a
-// second, and is asked for when the scene is bound to data, when it is chosen for compiling, when
-// its code is written, and when a scene beside it is.
+// second, and is needed several times: when the scene is bound to data, when it is chosen for
+// compiling, when its code is written, and when that of a scene beside it is.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@ namespace navjit {
 /// The plans of one world. Thread-safe.
 class KnownPlans {
  public:
-  /// All that a plan depends on beside the world.
+  /// All that a plan depends on besides the world.
   struct Question {
     VolumeId volume;
     std::optional<Candidates> forced;
@@ -25,7 +25,7 @@ class KnownPlans {
     auto operator<=>(const Question&) const = default;
   };
 
-  /// Null if it was not made before.
+  /// The plan; null if it was not made before.
   std::shared_ptr<const ScenePlan> find(const Question& question) const {
     const std::lock_guard lock(mutex_);
     const auto known = plans_.find(question);

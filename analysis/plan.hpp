@@ -1,4 +1,4 @@
-// One scene in, a plan for its navigator out.
+// Makes the plan for a scene's navigator.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace navjit {
 
-/// Always succeeds: a scene without structure gets a plan that tests every daughter.
+/// Always succeeds: the plan of a scene without structure tests every daughter.
 ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId volume);
 
 /// Whether a navigator is worth compiling, and why or why not, for people.
@@ -24,7 +24,7 @@ Worth worth_compiling(const Geometry& geometry, const ScenePlan& plan);
 /// The plan in lines of text for `navjit inspect`.
 std::string describe(const Geometry& geometry, const ScenePlan& plan);
 
-/// Whether the kernel of this kind costs so much more than a test of its box that the box goes
+/// Whether the kernel of this kind costs so much more than a test of its box that the box is tested
 /// first.
 bool is_costly(SolidKind kind);
 

@@ -1,4 +1,4 @@
-// Solids compared by value.
+// A key by which solids are compared.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace navjit {
 
-/// Bytes that are equal for solids of equal kind and dimensions, whatever their names; about eight
-/// a number, so the length tells how much there would be to spell out.
+/// Bytes that are equal for solids of equal kind and dimensions, whatever their names. There are
+/// about eight for each number, so the length tells how many numbers code would have.
 std::string solid_key(const kernels::AnySolid<double>& solid);
 
 }  // namespace navjit

@@ -1,5 +1,5 @@
-// What a budget lets disappear: differences between materials that are nearly the same, and small
-// volumes.
+// What may disappear within a budget: differences between materials that are nearly the same, and
+// small volumes.
 #pragma once
 
 #include <cstdint>
@@ -11,42 +11,42 @@
 
 namespace navjit {
 
-/// By material: how much of the budget's unit there is in each mm of a ray; radiation lengths for a
-/// relative budget. Negative where it is not known.
+/// By material: how much of the budget's unit there is in each mm of a ray, or radiation lengths
+/// for a relative budget. Negative if this is not known.
 std::vector<double> material_rates(const World& world, Observation::Unit unit);
 
-/// How long a straight line in the world can be, mm.
+/// The length of the longest straight line in the world, mm.
 double longest_path(const World& world);
 
 /// An upper bound of the length of a straight line within the solid, mm.
 double longest_chord(const Solid& solid);
 
-/// How many touchables of each volume there are.
+/// The number of touchables of each volume.
 std::vector<double> touchables_of(const World& world);
 
-/// Materials that may stand for one another.
+/// Materials that count as the same.
 struct MaterialGroups {
   std::vector<std::uint32_t> group_of;  ///< by material
-  double bound = 0;                     ///< in the unit: the most by which any ray changes by it
+  double bound = 0;  ///< in the budget's unit: the most by which this changes any ray
 };
 
 /// Groups within which rates differ by no more than `budget` over the longest path. A point of a
-/// ray is in one group, whatever material of it is taken there: so the changes of all groups
-/// together are bounded by the largest difference times the path. A relative budget is held point
-/// by point: no rate of a group is larger than the least by more than that part of it. A material
-/// whose rate is not known, or that is not used, is alone.
+/// ray is in one group, whichever material of the group is taken there. So the changes of all
+/// groups together are at most the largest difference times the path. A relative budget holds for
+/// every point: no rate of a group is larger than the smallest by more than that fraction. A
+/// material that is not used, or whose rate is not known, is in a group of its own.
 MaterialGroups group_materials(const World& world, double budget,
                                Observation::Unit unit = Observation::Unit::radiation_lengths);
 
-/// By daughter and mother: how much a ray changes at the most, in the unit of a budget, if all
-/// these daughters are filled with their mothers' material.
+/// By daughter and mother: the most by which a ray changes, in the budget's unit, if all these
+/// daughters are filled with their mothers' material.
 using SmallVolumes = std::map<std::pair<VolumeId, VolumeId>, double>;
 
-/// Chooses volumes that may be filled with their mothers' material: the chords of all their
-/// touchables in the world together change no ray by more than the budget. Those with the most
-/// boundary for their change come first. Volumes that are observed, regions and volumes whose tags
-/// are not their mothers' are not chosen. Nothing is chosen for a relative budget: a ray may go
-/// through little else.
+/// Chooses volumes that may be filled with their mothers' material, such that the chords of all
+/// their touchables in the world together change no ray by more than the budget. Volumes with the
+/// most boundaries for their change come first. Observed volumes, regions, and volumes whose tags
+/// differ from their mothers' are not chosen. For a relative budget nothing is chosen, since a ray
+/// may go through little else.
 SmallVolumes choose_small(const World& world, const Marks& marks, double budget,
                           Observation::Unit unit = Observation::Unit::radiation_lengths);
 

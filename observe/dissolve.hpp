@@ -1,4 +1,4 @@
-// The rewriting of the tree: daughters that nothing observes give their daughters to their mothers.
+// Rewrites the tree: daughters that nobody observes give their own daughters to their mothers.
 #pragma once
 
 #include <string>
@@ -11,32 +11,32 @@
 
 namespace navjit {
 
-/// When it is worth it to dissolve a volume.
+/// When it pays to dissolve a volume.
 struct DissolveOptions {
-  /// A volume with more daughters than this is a good place to look for them, and is kept, unless
-  /// it is all that there is in its mother.
+  /// A volume with more daughters than this helps to find them, and is kept, unless it is all that
+  /// its mother contains.
   std::size_t most_daughters = 3;
-  /// Solids that overlap by less than this, mm, count as apart. No less than the rounding of
-  /// positions in the world.
+  /// Solids that overlap by less than this, mm, count as apart. It must not be less than the
+  /// rounding of positions in the world.
   double overlap = 1e-9;
-  /// These daughters of these mothers are kept for speed.
+  /// Daughters of these mothers that are kept for speed.
   Pairs kept{};
 };
 
-/// The world without what nobody sees.
+/// The world without the volumes that nobody observes.
 struct Dissolved {
   World world;  ///< finished; volumes have their numbers
-  /// Of each daughter of each volume: what its touchable's number is in the original, less that of
-  /// the mother.
+  /// For each daughter of each volume: the number of its touchable in the original world, minus
+  /// that of the mother's.
   std::vector<std::vector<TouchableId>> offsets;
-  /// Of each daughter of each volume of the original: whether it is in the tree no more.
+  /// For each daughter of each volume of the original world: whether it is missing from the tree.
   std::vector<std::vector<bool>> gone;
   ObservationReport report;
 };
 
-/// `small`: volumes that are dissolved though their material is not their mothers'. `mixed`: the
-/// daughters' volumes that are part of their mother's mixture, which is its material by now: they
-/// disappear with all that is in them. The world has to be finished.
+/// `small` are volumes that are dissolved although their material is not their mothers'. `mixed`
+/// are the volumes of daughters that are part of their mother's mixture, which already is the
+/// mother's material. These disappear with all that is in them. The world must be finished.
 Dissolved dissolve(const World& world, const Marks& marks, const SmallVolumes& small = {},
                    const ChosenMixtures& mixed = {}, const DissolveOptions& options = {});
 

@@ -1,4 +1,4 @@
-// What counts: which volumes a run observes, and which boundaries between volumes it sees.
+// Which volumes a run observes, and which boundaries between volumes count for it.
 #pragma once
 
 #include <cstdint>
@@ -9,26 +9,27 @@
 
 namespace navjit {
 
-/// By volume. Only volumes of the tree are looked at.
+/// Properties by volume, only for volumes of the tree.
 struct Marks {
-  /// What a volume is like: its material, its region and its tags, as a number. Volumes of the same
-  /// number have no boundary that counts between them.
+  /// A number for the combination of a volume's material, region and tags. Between volumes of the
+  /// same number there is no boundary that counts.
   std::vector<std::uint32_t> classes;
-  /// Material and tags alone, without the region that a volume inherits; and tags alone.
+  /// The same for material and tags, without the region that a volume inherits; and for tags only.
   std::vector<std::uint32_t> own, tags;
-  /// Tags without production thresholds, which follow from region and material.
+  /// The same for tags without production thresholds, which follow from region and material.
   std::vector<std::uint32_t> settings;
   std::vector<bool> observed;   ///< by name, or by SensDet
   std::vector<bool> heads;      ///< root volumes of regions
   std::vector<bool> ambiguous;  ///< in several regions, depending on the mother
 };
 
-/// What Geant4 writes of each volume beside its material: thresholds in energy that it has derived
-/// from the material and the region's cuts.
+/// Whether Geant4 wrote this tag of a volume besides its material: a threshold in energy that it
+/// derived from the material and the region's cuts.
 bool is_threshold(const Auxiliary& tag);
 
-/// `group_of`: of each material; those of one group count as one. Empty: each is its own. Throws
-/// GeometryError if the observation names a volume that is not there.
+/// `group_of`: by material, its group; all materials of a group count as one. If empty, each
+/// material is its own group. Throws GeometryError if the observation names a volume that does not
+/// exist.
 Marks find_marks(const World& world, const Observation& observation,
                  const std::vector<std::uint32_t>& group_of = {});
 

@@ -1,4 +1,4 @@
-// Volumes whose daughters may become one mixture with them, and what it is made of.
+// Volumes whose daughters may become one mixture with them, and the materials of these mixtures.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,25 @@
 
 namespace navjit {
 
-/// Which daughters may become part of their mothers, and what that makes.
+/// Which daughters may become part of their mothers' mixtures, and which materials result.
 class Mixtures {
  public:
-  /// `rates`: as material_rates(). All have to outlive it.
+  /// `rates`: as returned by material_rates(). All arguments must outlive this object.
   Mixtures(const World& world, const Marks& marks, const std::vector<double>& rates);
 
-  /// By volume: the volumes of those daughters that may become part of it.
+  /// By volume: the volumes of the daughters that may become part of its mixture.
   const std::vector<std::set<VolumeId>>& possible() const { return possible_; }
-  /// Why volumes that have daughters have none that may; a few words, empty for others.
+  /// Why a volume that has daughters has none that may; a few words, empty for other volumes.
   const std::vector<std::string>& why() const { return why_; }
 
   /// The rate of the mixture of a mother's own material with all daughters of these volumes.
   double rate(VolumeId mother, const std::set<VolumeId>& daughters) const;
-  /// The mixture itself: mass and elements are those of what it takes the place of.
+  /// The mixture itself. It has the mass and the elements of all that it replaces.
   Material material(VolumeId mother, const std::set<VolumeId>& daughters) const;
 
-  /// By material, mm3.
+  /// Volumes by material, mm3.
   using Parts = std::map<std::uint32_t, double>;
-  /// What the mixture is made of.
+  /// The materials of which the mixture is made.
   Parts parts(VolumeId mother, const std::set<VolumeId>& daughters) const;
 
  private:
@@ -38,9 +38,9 @@ class Mixtures {
   const World& world_;
   const Marks& marks_;
   const std::vector<double>& rates_;
-  std::vector<double> own_volume_;  ///< mm3: without daughters; negative where it is not known
+  std::vector<double> own_volume_;  ///< mm3, without daughters; negative if not known
   std::vector<std::map<VolumeId, double>> counts_;  ///< by mother: placements of each daughter
-  std::vector<Parts> whole_;                        ///< with all below it
+  std::vector<Parts> whole_;                        ///< by volume, including all volumes below it
   std::vector<std::set<VolumeId>> possible_;
   std::vector<std::string> why_;
 };

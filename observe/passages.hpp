@@ -1,4 +1,4 @@
-// What rays pass in a detector: how far in which volumes, and from where to where.
+// How far rays go in which volumes of a detector, and from where to where.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,9 @@
 
 namespace navjit {
 
-/// A volume within a volume, and so on from the world down: all touchables that are reached by the
-/// same volumes are one node. Node 0 is the world; mothers come before daughters.
+/// A node is a volume within a volume, and so on from the world down. All touchables that are
+/// reached through the same volumes are one node. Node 0 is the world; mothers come before
+/// daughters.
 struct PassedNode {
   std::uint32_t mother = 0;
   VolumeId volume = 0;
@@ -40,11 +41,12 @@ struct Passages {
   std::size_t rays = 0;
 };
 
-/// `count` of the rays that an observation is about.
+/// `count` of the rays that an observation names.
 std::vector<Ray> sample(const World& world, const Observation::Rays& rays, std::uint64_t count,
                         std::uint64_t seed);
 
-/// Rays that begin outside the world pass nothing. The world has to be finished.
+/// Follows the rays through the world, which must be finished. A ray that begins outside the world
+/// passes nothing.
 Passages pass_through(const std::shared_ptr<const World>& world, std::span<const Ray> rays);
 
 }  // namespace navjit

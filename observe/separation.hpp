@@ -1,5 +1,5 @@
-// Is a solid within another, are two apart? Proved where their boxes or radii say so, sampled where
-// they do not.
+// Tells whether a solid is within another, and whether two are apart. This is proved if their boxes
+// or radii tell, and sampled if they do not.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,20 @@
 
 namespace navjit {
 
-/// Where there is a doubt the answer is `no`.
+/// In doubt the answer is `no`.
 enum class Verdict : std::uint8_t { no, sampled, proved };
 
 inline Verdict weaker(Verdict a, Verdict b) { return a < b ? a : b; }
 
-/// Answers for solids of one mother; keeps the points of solids that it sampled. Solids that reach
-/// into each other, or out of each other, by no more than the tolerance (mm) count as not doing so.
+/// Answers for the solids of one mother, and keeps the points of solids that were sampled. Solids
+/// that reach into or out of each other by no more than the tolerance (mm) count as not doing so.
 class Separation {
  public:
   Separation(double tolerance, double rounding) : tolerance_(tolerance), rounding_(rounding) {}
 
-  /// Whether the solid is within the other, in whose frame it is placed.
+  /// Whether `inner` is within `outer`, in whose frame it is placed.
   Verdict within(const PlacedSolid& inner, const Solid& outer);
-  /// Whether two solids, placed in the same frame, share nothing.
+  /// Whether two solids that are placed in the same frame have no point in common.
   Verdict apart(const PlacedSolid& a, const PlacedSolid& b);
 
  private:
@@ -32,7 +32,7 @@ class Separation {
   bool reaches_into(const PlacedSolid& a, const PlacedSolid& b);
 
   double tolerance_;
-  double rounding_;  ///< how near to a face a point counts as on it, mm
+  double rounding_;  ///< how near to a face a point counts as on the face, mm
   std::map<const void*, SolidPoints> points_;
 };
 

@@ -1,4 +1,4 @@
-// A scene cut into cells of a grid.
+// Partitions a scene into the cells of a grid.
 #pragma once
 
 #include <functional>
@@ -14,30 +14,32 @@ struct GridLimits {
   int max_per_axis = 256;
 };
 
-/// A daughter's box as it lies in the scene.
+/// The box of a daughter's solid as it lies in the scene.
 struct PlacedBox {
   Extent bounds;  ///< the box along the scene's axes around it, mm
   bool oblique = false;
-  std::array<Vec3, 3> edges{};  ///< of an oblique box, from its centre to its faces, mm
+  std::array<Vec3, 3> edges{};  ///< if oblique: vectors from the centre to the faces, mm
 };
 
 PlacedBox placed_box(const Solid& solid, const Transformation& transformation);
 
-/// Whether a daughter is farther than the margin from all of a box in the scene's frame: true only
-/// if that is sure.
+/// Whether a daughter is farther than the margin from all of a box in the scene's frame; false if
+/// this is not certain.
 using Apart = std::function<bool(std::uint32_t daughter, const Extent& box)>;
 
 /// What is done with a cell's daughters: tested one by one, or by boxes in blocks.
 enum class CellUse : std::uint8_t { daughters, blocks };
 
-/// Chooses axes and counts that leave few candidates a cell. Boxes are in the scene's frame and
+/// Chooses axes and counts such that cells have few candidates. Boxes are in the scene's frame and
 /// are inflated by `margin` (mm), which has to exceed any rounding of a position in the scene. A
-/// daughter is in a cell unless its box keeps apart from it, or `apart` says that it does.
+/// daughter is in a cell unless its box does not reach into the cell, or `apart` says that the
+/// daughter does not.
 Grid make_grid(const Extent& scene, std::span<const PlacedBox> boxes, double margin,
                CellUse use = CellUse::daughters, const Apart& apart = {},
                const GridLimits& limits = {});
 
-/// Mean over the scene's volume of the number of candidates, the measure that choices are made by.
+/// The number of candidates in a cell, as a mean over the scene's volume. Choices are made by this
+/// number.
 double mean_candidates(const Grid& grid);
 
 }  // namespace navjit

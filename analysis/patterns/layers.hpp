@@ -1,4 +1,5 @@
-// Layers: slabs within slabs, as many calorimeters, muon systems and lattices are built.
+// Layers are slabs within slabs. Many calorimeters, muon systems and lattices are built in this
+// way.
 #pragma once
 
 #include <optional>
@@ -8,8 +9,9 @@
 
 namespace navjit {
 
-/// How planes along the axes that pass between daughters divide them; nothing if they hardly do.
-/// `boxes` around the daughters, in mm in the mother's frame; `margin` is added around each slab.
+/// The division of the daughters by planes along the axes that pass between them; nothing if such
+/// planes hardly divide them. `boxes` are around the daughters, in the mother's frame, mm; `margin`
+/// is added around each slab.
 std::optional<Layers> find_layers(std::span<const Extent> boxes, double tolerance, double margin);
 
 /// In words: "39 layers along z of 18 along x of 18 along y".

@@ -1,4 +1,4 @@
-// Regular arrangements of daughters, named.
+// Names regular arrangements of daughters.
 #pragma once
 
 #include <span>
@@ -12,9 +12,9 @@ namespace navjit {
 /// call the arrangement of these boxes. For display; navigation never depends on it.
 std::string describe_pattern(std::span<const Extent> boxes);
 
-/// "nest of 6 shells about z", "ring of 24 about z", "ring of 22 of 24 about z and 3 more", "13
-/// rings of 5 about x": arrangements about an axis or the centre; empty if most daughters are in
-/// none.
+/// The arrangement about an axis or the centre, for instance "nest of 6 shells about z", "ring of
+/// 24 about z", "ring of 22 of 24 about z and 3 more" or "13 rings of 5 about x"; empty if most
+/// daughters are in none.
 std::string describe_round_pattern(const World& world, const Solid& mother,
                                    std::span<const Daughter> daughters, double margin);
 

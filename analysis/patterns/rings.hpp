@@ -9,8 +9,9 @@
 
 namespace navjit {
 
-/// The rings about the axis that leaves fewest daughters out; nothing if no axis has any. `margin`
-/// in mm. Daughters that reach less than the margin into a sector are not in it.
+/// The rings about the axis with the fewest daughters in none; nothing if no axis has a ring.
+/// `margin` is in mm. A daughter that reaches into a sector by less than the margin is not in that
+/// sector.
 std::optional<Rings> find_rings(const World& world, const Solid& mother,
                                 std::span<const Daughter> daughters, double margin);
 

@@ -1,4 +1,4 @@
-// Places in a plane that lie in rows: where wires are, seen along them.
+// Finds rows of places in a plane: the places of wires, seen along the wires.
 #pragma once
 
 #include <array>
@@ -19,9 +19,9 @@ struct RowsAcross {
   std::vector<std::vector<std::uint32_t>> rows;  ///< daughters; at least four in each
 };
 
-/// The parallel rows that offer a ray the fewest of the places, which are discs of this radius
-/// (mm); nothing if there are none. Rows may run in any direction; those along or across one of the
-/// directions `likely` (any length) are looked for first.
+/// The parallel rows that offer a ray the fewest places, which are discs of this radius (mm);
+/// nothing if there are none. Rows may run in any direction. Those along or across one of the
+/// directions `likely` (vectors of any length) are tried first.
 std::optional<RowsAcross> find_rows(std::span<const PlaceAcross> places,
                                     std::span<const std::array<double, 2>> likely, double radius);
 

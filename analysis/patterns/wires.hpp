@@ -1,5 +1,5 @@
-// Wires: parallel tubes or bars side by side, in rows, at any angle to the mother's axes, in any
-// order in the file: wire planes, layers of straws or of fibres.
+// Wires: parallel tubes or bars side by side in rows, at any angle to the mother's axes and in any
+// order in the file, such as wire planes and layers of straws or fibres.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace navjit {
 
-/// The rows of wires that most daughters are in; nothing if too many are in none, or if rows would
-/// tell little of where the wires are. `margin` (mm) is added around each wire. Pitches may vary,
-/// wires may be missing, differ in length, and be off their row by less than their thickness.
+/// The rows of wires that contain most daughters; nothing if too many are in no row, or if rows
+/// would hardly tell where the wires are. `margin` (mm) is added around each wire. Pitches may
+/// vary. Wires may be missing, differ in length, and be off their row by less than their thickness.
 std::optional<Wires> find_wires(const World& world, const Solid& mother,
                                 std::span<const Daughter> daughters, double margin);
 
