@@ -14,8 +14,7 @@ namespace navjit {
 struct EqualFacts {
   FrameFacts frame;                     ///< of all touchables of all these volumes
   std::optional<VolumeId> only_mother;  ///< the volume in which all their placements are
-  std::optional<VolumeId>
-      mothers;  ///< or the first of volumes that share code, if all placements are in these
+  std::optional<VolumeId> mothers;  ///< if they are in volumes that share code: the first of these
   /// The daughters differ between these volumes, or some daughters of one are different volumes
   /// that share code. Code then knows each daughter by the first of its equals.
   bool stand_ins = false;

@@ -26,11 +26,10 @@ struct FrameFacts {
 /// A regular partition of the scene into cells along one to three axes, each with the daughters
 /// that reach into it. In stacks, grids, lattices and rings, cells have few candidates.
 struct Grid {
-  std::array<int, 3> count{1, 1, 1};  ///< 1 on axes that are not split
-  std::array<double, 3> origin{};     ///< lower edge, mm
-  std::array<double, 3> width{};      ///< of a cell, mm
-  std::vector<std::uint32_t>
-      first;  ///< by cell, with one entry more than cells: start in `members`
+  std::array<int, 3> count{1, 1, 1};   ///< 1 on axes that are not split
+  std::array<double, 3> origin{};      ///< lower edge, mm
+  std::array<double, 3> width{};       ///< of a cell, mm
+  std::vector<std::uint32_t> first;    ///< by cell, and one more: start in `members`
   std::vector<std::uint32_t> members;  ///< daughter indices, ascending within a cell
 
   std::size_t size() const { return first.empty() ? 0 : first.size() - 1; }
@@ -93,12 +92,10 @@ struct Ring {
   int present = 0;        ///< daughters
   double reach = 0;       ///< within this of an edge the sector beyond the edge counts, too, mm
   double lean = 0;  ///< radius of the circle whose tangents the edges are, mm; 0 if they are radii
-  std::vector<std::array<double, 2>>
-      edges;  ///< unit vectors along lower edges, with the first again at the end
-  std::vector<std::uint32_t>
-      at_angle;                      ///< by cell of kernels::square_angle: the sector it begins in
-  std::vector<std::uint32_t> first;  ///< by sector, with one entry more: start in `members`
-  std::vector<std::uint32_t> members;  ///< daughter indices, ascending within a sector
+  std::vector<std::array<double, 2>> edges;  ///< unit vectors along lower edges; the first again
+  std::vector<std::uint32_t> at_angle;  ///< by cell of kernels::square_angle: sector it begins in
+  std::vector<std::uint32_t> first;     ///< by sector, and one more: start in `members`
+  std::vector<std::uint32_t> members;   ///< daughter indices, ascending within a sector
 };
 
 struct Rings {
@@ -110,14 +107,13 @@ struct Rings {
 /// Parallel wires in a row. Their places across the wires are given by u along the row and n along
 /// its normal.
 struct WireRow {
-  double at = 0;                  ///< n of the row's middle, mm
-  double half_u = 0, half_n = 0;  ///< of a rectangle that holds any wire about its u and the row's
-                                  ///< n, with the margin, mm
-  double radius = 0;              ///< of a circle that does, mm
+  double at = 0;                       ///< n of the row's middle, mm
+  double half_u = 0, half_n = 0;       ///< of a rectangle about a wire's u and the row's n, mm
+  double radius = 0;                   ///< of a circle; both hold any wire, with the margin, mm
   std::vector<std::uint32_t> members;  ///< daughter indices, by position along the row
   std::vector<double> u;               ///< of the wires' middles, by position, mm
   double origin = 0, width = 0;        ///< of cells along the row, mm
-  std::vector<std::uint32_t> first;    ///< by cell, with one entry more: the first position in it
+  std::vector<std::uint32_t> first;    ///< by cell, and one more: the first position in it
 };
 
 /// Wires of one direction.

@@ -35,7 +35,7 @@ void require_places(const Tracks& t, std::size_t tracks) {
 }
 
 bool is_finite(const Tracks& t, std::size_t i) {
-  // 0 unless a number is not finite, or the sum is beyond all numbers.
+  // The sum is 0 unless a number is not finite or the sum overflows.
   return 0 * (t.x[i] + t.y[i] + t.z[i]) == 0 ||
          (std::isfinite(t.x[i]) && std::isfinite(t.y[i]) && std::isfinite(t.z[i]));
 }
@@ -43,8 +43,8 @@ bool is_finite(const Tracks& t, std::size_t i) {
 Vec3 point_of(const Tracks& t, std::size_t i) { return {t.x[i], t.y[i], t.z[i]}; }
 Vec3 direction_of(const Tracks& t, std::size_t i) { return {t.u[i], t.v[i], t.w[i]}; }
 
-/// Whether all numbers of all tracks are valid, those of tracks outside the world included. Has no
-/// branches, so that the compiler can vectorise it.
+/// Whether all numbers of all tracks are valid, including those of tracks outside the world. It has
+/// no branches, so that the compiler can vectorise it.
 bool all_good(const Tracks& t) {
   const std::size_t count = t.state.size();
   const double *x = t.x.data(), *y = t.y.data(), *z = t.z.data();
@@ -112,7 +112,7 @@ void Basket::sort(std::span<const State> state) {
     if (first_[s.volume()]++ == 0) volumes_.push_back(s.volume());
     ++inside;
   }
-  // In the order in which volumes are met: counts become places.
+  // Counts become places, in the order in which volumes are met.
   std::uint32_t next = 0;
   for (const VolumeId volume : volumes_) {
     const std::uint32_t count = first_[volume];

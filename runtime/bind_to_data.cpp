@@ -17,12 +17,13 @@
 namespace navjit {
 namespace {
 
-/// A scene with fewer steps is not bound: too little is known of the states that occur in it.
+/// A scene with fewer steps is not bound, because too little is known of the states that occur in
+/// it.
 constexpr std::uint64_t least_steps = 500;
 /// How long one call of bind_hot_to_data() may bind, so that other work of the thread is not put
 /// off for long.
 constexpr double most_ms = 20;
-/// How many made-up states verify a volume, beside the recorded ones. Few are enough: the code is
+/// How many made-up states verify a volume, besides the recorded ones. Few are enough: the code is
 /// the library's own, and only the data can be wrong.
 constexpr std::size_t states_made_up = 64;
 constexpr std::size_t states_made_up_for_one_of_many = 8;
@@ -34,7 +35,8 @@ constexpr double least_share = 0.0005;
 /// Scenes that are too rare for that are bound together, whatever their mothers, once they have
 /// this many times the least share in total: 2% of all steps. A guess.
 constexpr std::uint64_t many_shares = 40;
-/// With so few daughters how they are found matters little, and is not timed. A guess.
+/// For scenes with no more daughters than this the search matters little, and is not timed. A
+/// guess.
 constexpr std::size_t few_daughters = 8;
 /// A navigator that takes longer than this many times the generic navigator's time on recorded
 /// states is not tried in the run: steps in a run take longer than replayed ones, with either
@@ -45,7 +47,7 @@ constexpr double most_of_generic = 1.1;
 /// states is not tried in the run. A guess.
 constexpr double most_of_best = 1.5;
 
-/// The other searches to bind the scene with, beside the one that the analysis chose.
+/// The other searches with which the scene is bound, besides the one that the analysis chose.
 std::vector<Candidates> other_searches(const Scene& scene, const ScenePlan& plan) {
   std::vector<Candidates> others;
   if (!plan.slabs.members.empty() && plan.candidates != Candidates::slabs) {
@@ -194,7 +196,7 @@ void bind_to_data(Specialisation& spec, VolumeId volume) {
   if (pays) {
     spec.shared->table.install(volume, ways[0].entry, spec.arena);
     spec.without_code[volume] = ways[0].entry;
-    // Made-up states are not those of any run, and code shall not depend on how they were timed.
+    // Made-up states are not those of any run, and code must not depend on timings with them.
     if (recorded || spec.shared->faults.fastest) search_as_bound(spec, volume);
     try_out(spec, volume, ways[0].entry, spec.arena);
     if (ways.size() > 1 && only_if_faster && ways[1].ns <= most_of_best * ways[0].ns) {
@@ -210,8 +212,8 @@ void bind_to_data(Specialisation& spec, VolumeId volume) {
   scene.swapped_at_s = spec.seconds();
 }
 
-/// Binds a scene that is one of many alike, without timing it: its code is that of the others, and
-/// so is what it gains.
+/// Binds a scene that is one of many alike, without timing it. It has the same code as the others,
+/// and the same gain.
 void bind_one_of_many(Specialisation& spec, VolumeId volume) {
   if (!spec.bound.insert(volume).second) return;
   const Geometry& geometry = spec.shared->geometry;
@@ -290,8 +292,8 @@ bool bind_hot_to_data(Specialisation& spec) {
     if (spec.stopping() || steady_seconds() > until) return true;
     bind_to_data(spec, volume);
   }
-  // Once the list is due it is worked off completely, even when what is left of it would not be due
-  // by itself.
+  // Once the list is due it is worked off completely, even if the rest of it would not be due by
+  // itself.
   if (spec.rare_due.empty() && all >= spec.rare_again_at) {
     spec.rare_due = many_rare_scenes(spec, least);
     // The search looks at every daughter of every bound scene, so it is not made at every look at
@@ -308,8 +310,8 @@ bool bind_hot_to_data(Specialisation& spec) {
 
 void bind_all_to_data(Specialisation& spec) {
   const Geometry& geometry = spec.shared->geometry;
-  // Mothers first: what leaves a daughter is then relocated by a navigator that is bound, which in
-  // a plane of thousands of wires is much faster.
+  // Mothers come first. A track that leaves a daughter is then relocated by a navigator that is
+  // bound, which in a plane of thousands of wires is much faster.
   std::vector<VolumeId> order{geometry.world().top};
   std::vector<char> met(geometry.size(), 0);
   met[geometry.world().top] = 1;

@@ -33,7 +33,7 @@ void measure(ErrorMeter& meter, std::span<const Sample> samples, BudgetReport& r
   }
 }
 
-/// Both the bound and what was measured have to be within the budget: where nothing can be measured
+/// Both the bound and the measured error have to be within the budget. If nothing can be measured,
 /// nothing is promised.
 void decide(const ErrorBound& bound, double budget, BudgetReport& report) {
   report.bound_mm = bound.total();

@@ -5,7 +5,7 @@
 namespace navjit {
 
 Cache Cache::user_default() {
-  // Relative paths are to be ignored, by the XDG base directory specification.
+  // The XDG base directory specification says that relative paths must be ignored.
   const auto absolute = [](const char* name) -> std::string {
     const char* value = std::getenv(name);
     return value != nullptr && value[0] == '/' ? value : "";

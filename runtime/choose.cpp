@@ -15,7 +15,7 @@
 namespace navjit {
 namespace {
 
-/// What constants win of a data-bound step, on average (docs/decisions.md).
+/// The share of the time of a data-bound step that constants save, on average (docs/decisions.md).
 constexpr double gain_over_data = 0.35;
 
 }  // namespace
@@ -26,8 +26,8 @@ void apply_overrides(Specialisation& spec) {
   const Overrides overrides = parse_overrides(spec.shared->geometry.world(), text);
   for (const auto& [volume, variant] : overrides.variants) {
     if (variant == Variant::off) {
-      // Only this volume, not its equals: the problem may be in the part of the shared navigator
-      // that is its own.
+      // Only this volume, not those equal to it: the problem may be in that part of the shared
+      // navigator which is its own.
       spec.bound.insert(volume);
       spec.off.insert(volume);
       const std::lock_guard lock(spec.mutex);
@@ -35,7 +35,7 @@ void apply_overrides(Specialisation& spec) {
       scene.status = SceneStatus::unprofitable;
       scene.note = std::string("off by ") + overrides_variable;
     } else {
-      // Equal volumes share a navigator, and so what is forced on one of them.
+      // Equal volumes share a navigator, and so also what is forced on one of them.
       const VolumeId first = spec.facts.first_equal[volume];
       spec.facts.forced_candidates[first] = *candidates_of(variant);
       spec.forced.insert(first);

@@ -33,8 +33,8 @@ const char* processor(InstructionSet set, spdlog::logger& log) {
   return "";
 }
 
-/// Processor time for a module at the most, several times what any is expected to take: a module
-/// that the cost model misjudges must not keep all others waiting.
+/// The largest processor time for a module, several times the longest expected time. A module that
+/// the cost model misjudges must not keep all others waiting.
 constexpr double most_module_ms = 4000;
 
 constexpr const char* unit_name = "navjit_module";
@@ -44,8 +44,8 @@ jit::CompileOptions compile_options(const SpecialiserOptions& options, spdlog::l
   result.optimisation = options.optimisation;
   result.debug_info = options.debug_info;
   result.most_ms = most_module_ms;
-  // A debugger shows the source by line numbers that count from its beginning, so it cannot be
-  // compiled upon a parsed preamble.
+  // A debugger shows the source by line numbers that count from its beginning. So it cannot be
+  // compiled on top of a parsed preamble.
   if (!options.debug_info) result.preamble = codegen::common_text();
   result.cpu = processor(options.instruction_set, log);
   return result;

@@ -18,8 +18,8 @@ namespace {
 
 using Made = Expected<CodeMaker::Made>;
 
-/// Everything that the compiling thread uses. It may use nothing else: the thread may outlive the
-/// run.
+/// Everything that the compiling thread uses. It must not use anything else, because it may outlive
+/// the run.
 struct Job {
   std::unique_ptr<jit::Activity> activity;  // released after everything else
   std::shared_ptr<CodeMaker> maker;
@@ -58,7 +58,8 @@ void look_meanwhile(Specialisation& spec) {
 }  // namespace
 
 Made compile(Specialisation& spec, const std::string& source) {
-  // Its processor time is asked for while it works, so it has to exist before the thread starts.
+  // The compiler's processor time is asked for while it works, so it must exist before the thread
+  // starts.
   spec.maker->make_compiler();
   if (spec.stopping()) return stopped();
   auto job = std::make_unique<Job>(Job{std::make_unique<jit::Activity>(spec.stop),
@@ -76,7 +77,8 @@ Made compile(Specialisation& spec, const std::string& source) {
   double pause = 1;  // in units of poll_ms
   while (true) {
     const double look_at = steady_seconds() + 1e-3 * pause * spec.poll_ms();
-    // The compiling thread may outlive the run, so that it cannot wake this: it is looked for.
+    // The compiling thread may outlive the run, so it cannot notify this thread, which polls
+    // instead.
     for (double left = look_at - steady_seconds(); left > 0 && !spec.stopping() && !is_ready(made);
          left = look_at - steady_seconds()) {
       std::unique_lock lock(spec.mutex);

@@ -11,7 +11,7 @@
 namespace navjit {
 namespace {
 
-/// Scenes or solids that go along in a module have paid at least this share of what the best
+/// Scenes or solids are added to a module if they have paid at least this share of what the best
 /// candidate of another kind has. With a larger share that candidate has its turn sooner, and there
 /// are more modules. A guess.
 constexpr double near_enough = 0.5;

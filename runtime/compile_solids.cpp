@@ -21,20 +21,21 @@ namespace {
 
 /// The share of the time spent in a solid that code for it saves.
 constexpr double gain_of_code = 0.5;
-/// The same for a solid that the library has code for: constants make that a twentieth faster
+/// The same for a solid for which the library has code. Constants make this a twentieth faster
 /// (docs/experiments.md).
 constexpr double gain_over_library = 0.05;
-/// Expected time for a module at the most, unless a single solid takes longer. Modules are small
-/// because a module costs little beside its solids, and the first solids need not wait for the
+/// The largest expected time for a module, unless a single solid takes longer. Modules are small
+/// because a module costs little besides its solids, and the first solids need not wait for the
 /// last.
 constexpr double most_solids_ms = 250;
-/// Assumed time of a step in a scene that holds such solids, ns, where none was timed yet. A guess.
+/// Assumed time of a step in a scene that holds such solids, ns, if none was timed yet. A guess.
 constexpr double usual_ns = 100;
-/// Solids that have paid this share of their compile time go along with one that is due.
+/// Solids that have paid this share of their compile time are compiled together with one that is
+/// due.
 constexpr double soon = 0.3;
 constexpr int points_made_up = 400;  ///< per solid, for verification
 
-/// The code of a module's solids, and the records that scenes call it through.
+/// The code of a module's solids, and the records through which scenes call it.
 struct Installed {
   jit::Code code;
   std::shared_ptr<const codegen::Arena> numbers;
@@ -51,7 +52,7 @@ bool may_be_bound(const Specialisation& spec, VolumeId volume) {
   return !is_compiled(spec, volume) && !spec.off.contains(volume);
 }
 
-/// Time spent in the scenes of the run so far, ns, by volume; 0 where the scene would not call code
+/// Time spent in the scenes of the run so far, ns, by volume; 0 if the scene would not call code
 /// for solids.
 std::vector<double> spent_in_scenes(const Specialisation& spec) {
   std::vector<double> spent(spec.steps.size());
@@ -76,8 +77,7 @@ double gain_of_code_for(const ComposedSolid& solid) {
 
 struct Wanted {
   ComposedSolid* solid;
-  double urgency;  ///< how many times it has paid for itself; before a run a measure of how often
-                   ///< it occurs
+  double urgency;  ///< how many times it has paid for itself; before a run, how often it occurs
 };
 
 /// The solids of the next module, the most urgent first. With a cache each solid has a module of
@@ -120,7 +120,7 @@ std::vector<Wanted> due_solids(Specialisation& spec) {
   return wanted;
 }
 
-/// Nothing if a function is missing.
+/// The solid's functions; nothing if one is missing.
 std::optional<kernels::SolidCode> find_functions(const jit::Code& code,
                                                  const kernels::AnySolid<double>& solid,
                                                  const codegen::SolidEntry& entry) {
@@ -142,8 +142,8 @@ std::optional<kernels::SolidCode> find_functions(const jit::Code& code,
   return whole ? std::optional(found) : std::nullopt;
 }
 
-/// Verifies all solids of a module, and has their scenes bound again. Returns false if one is wrong
-/// or the run has ended: then nothing has changed.
+/// Verifies all solids of a module, and lets their scenes be bound again. Returns false, and
+/// changes nothing, if one is wrong or the run has ended.
 bool install_solids(Specialisation& spec, const std::vector<ComposedSolid*>& solids,
                     const codegen::SolidModule& module, jit::Code code) {
   auto installed = std::make_shared<Installed>(Installed{std::move(code), module.owner, {}});
@@ -175,7 +175,7 @@ bool install_solids(Specialisation& spec, const std::vector<ComposedSolid*>& sol
   return true;
 }
 
-/// False if the run has ended, or nothing can be compiled any more.
+/// Returns false if the run has ended, or if nothing can be compiled any more.
 bool make(Specialisation& spec, const std::vector<ComposedSolid*>& solids) {
   for (ComposedSolid* solid : solids) solid->tried = true;
   show_candidates(spec);
@@ -226,8 +226,7 @@ bool make(Specialisation& spec, const std::vector<ComposedSolid*>& solids) {
   return true;
 }
 
-/// Whether solids may be compiled. Finds all composed solids of the detector when it is first
-/// called.
+/// Whether solids may be compiled. Finds all composed solids of the detector on the first call.
 bool may_compile(Specialisation& spec) {
   if (!spec.shared->options.specialiser.solids || !spec.maker || spec.hopeless || spec.stopping()) {
     return false;
@@ -251,7 +250,7 @@ bool compile_solids(Specialisation& spec, double least) {
   const double most_ms =
       std::min(most_module_ms(spec.seconds(), spec.shared->options.specialiser), most_solids_ms) /
       spec.slower_than_expected();
-  // The solids are looked for again, because time has passed since solids_paid() was asked.
+  // The solids are searched again, because time has passed since solids_paid() was called.
   const std::vector<ComposedSolid*> solids = most_urgent(spec, due_solids(spec), most_ms, least);
   return !solids.empty() && make(spec, solids);
 }

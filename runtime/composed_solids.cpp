@@ -11,10 +11,11 @@
 namespace navjit {
 namespace {
 
-/// A solid that is expected to take longer is not compiled: everything else would wait for it.
+/// A solid that is expected to take longer is not compiled, because everything else would wait for
+/// it.
 constexpr double most_solid_ms = 1000;
 
-/// Of a step in a mother, what its own solid takes, and what all daughters' do. Guesses.
+/// The shares of a step in a mother that its own solid takes, and all its daughters. Guesses.
 constexpr double share_of_mother = 0.3, share_of_daughters = 0.6;
 
 struct Found {

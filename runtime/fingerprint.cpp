@@ -19,8 +19,8 @@ void add_text(std::string& bytes, const std::string& text) {
   bytes += text;
 }
 
-/// Adds everything that determines the solid. solid_key() alone does not serve: it tells scaled and
-/// foreign solids apart only by their addresses, which differ from run to run.
+/// Adds everything that determines the solid. solid_key() is not sufficient: it distinguishes
+/// scaled and foreign solids only by their addresses, which differ from run to run.
 void add_solid(std::string& bytes, const kernels::AnySolid<double>& solid) {
   add(bytes, static_cast<int>(solid.kind));
   kernels::visit(solid, [&](const auto& shape) {

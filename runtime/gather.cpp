@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t samples_kept = 512;  ///< per volume
 constexpr std::size_t fresh_kept = 64;     ///< per volume, until they are looked at
 
-/// Samples of all volumes together, some 60 MB. When there are so many, a volume keeps only
-/// few_recorded, the fewest that serve.
+/// The number of samples of all volumes together, some 60 MB. When there are so many, a volume
+/// keeps only few_recorded, the fewest that are useful.
 constexpr std::size_t all_samples_kept = std::size_t{1} << 18;
 constexpr std::size_t all_fresh_kept = std::size_t{1} << 14;  ///< some 4 MB
 
@@ -50,7 +50,7 @@ struct Relocations {
 };
 
 /// Notes where a sampled question relocated the track. A mother that its daughters fill has no
-/// steps of its own: all work in it is relocation, at the end of steps in its daughters or further
+/// steps of its own. All work in it is relocation, at the end of steps in its daughters or deeper
 /// down.
 void note_relocations(Specialisation& spec, const Sample& sample, Relocations& relocations) {
   ++relocations.samples;
@@ -80,8 +80,8 @@ void gather(Specialisation& spec) {
   const std::uint64_t located = all_locations - spec.locations;
   spec.locations = all_locations;
   // In a program that locates points more often than it makes steps, timed locations count in
-  // trials. In others each ray is located about once, at its beginning, and these times would only
-  // add to the spread of the trials' times.
+  // trials. In other programs each ray is located about once, at its beginning, and these times
+  // would only add to the spread of the trials' times.
   const bool locates = located > made;
   spec.steps_made += static_cast<double>(locates ? made + located : made);
   spec.navigating_ns = 1e9 * (process_seconds() - spec.own_seconds());

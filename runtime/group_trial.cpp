@@ -6,13 +6,15 @@
 namespace navjit {
 namespace {
 
-/// Pairs of stretches that a verdict needs: stretches differ by what the run does in them.
+/// The pairs of stretches that a verdict needs, since stretches differ by what the run does in
+/// them.
 constexpr double least_pairs = 8;
-/// How many standard errors the sides have to differ by. Whoever looks after each pair of stretches
-/// is deceived by chance sooner or later, so an early verdict needs a large difference. The end of
-/// a trial is looked at once: there the likelier side wins, with a small margin.
+/// The number of standard errors by which the sides have to differ. Looking after each pair of
+/// stretches means to be deceived by chance sooner or later, so an early verdict needs a large
+/// difference. At the end of a trial one looks only once; there the likelier side wins, with a
+/// small margin.
 constexpr double errors_apart_early = 4, errors_apart_late = 0.5;
-/// The same for one scene's loss: one of thousands loses by chance.
+/// The same for the loss of a single scene: of thousands, one loses by chance.
 constexpr double errors_apart_alone = 4;
 /// The share of a step's time that switching so much code costs the side that has it. A guess.
 constexpr double cost_of_switching = 0.02;

@@ -18,26 +18,26 @@ namespace navjit {
 namespace {
 
 constexpr std::size_t states_made_up = 400;  ///< per volume, for verification
-/// The same for a volume whose equals have proved the code: only the table of its daughters'
-/// volumes is its own.
+/// The same for a volume whose equals have already verified the code. Only the table of its
+/// daughters' volumes is its own.
 constexpr std::size_t states_made_up_for_equals = 32;
-/// How long code may take on recorded states, as a share of the time of what is there. A scene's
-/// code that is replayed alone behaves differently than among the compiled code of its neighbours,
-/// so it is rejected before a trial only if it is clearly slower. Where no trial follows, timings
-/// of a few hundred steps decide, and it has to be clearly faster.
+/// How long code may take on recorded states, as a share of the time of the present navigator. The
+/// code of a single scene behaves differently in a replay than among the compiled code of its
+/// neighbours, so it is rejected before a trial only if it is clearly slower. If no trial follows,
+/// timings of a few hundred steps decide, and the code has to be clearly faster.
 constexpr double most_of_bar_to_be_tried = 1.05, most_of_bar = 0.95;
-/// A scene that was measured to be no faster is tried again once it is that many times as hot.
+/// A scene that was measured to be no faster is tried again once it is this many times as hot.
 constexpr double try_again_after = 16;
 
-/// A module's code, and the records that point into it.
+/// A module's code, and the dispatch entries that point into it.
 struct Installed {
   jit::Code code;
   std::vector<std::shared_ptr<const codegen::Arena>> tables;
   std::vector<kernels::DispatchEntry> records;
 };
 
-/// The functions of an entry; null where the code does not have them. An entry without a safety
-/// gets the safety of what is bound to data, or the generic navigator's.
+/// The functions of an entry; null if the code does not have them. An entry without a safety gets
+/// that of the navigator that is bound to data, or the generic navigator's.
 kernels::DispatchEntry find_entry(const Specialisation& spec, const jit::Code& code,
                                   const codegen::Entry& entry, const void* data) {
   const auto step = code.function<std::remove_pointer_t<kernels::StepFunction>>(entry.step);
@@ -58,7 +58,7 @@ kernels::DispatchEntry find_entry(const Specialisation& spec, const jit::Code& c
   return found;
 }
 
-/// The recorded states of a volume, and behind them some that are made up; how many are recorded.
+/// The recorded states of a volume followed by some made-up ones, and how many are recorded.
 struct States {
   std::vector<Sample> all;
   std::size_t recorded;
@@ -71,7 +71,7 @@ States states_of(Specialisation& spec, VolumeId volume, std::size_t made_up) {
   return states;
 }
 
-/// What is wrong with a scene's record, in words; empty if nothing is.
+/// What is wrong with a scene's dispatch entry, in words; empty if nothing is.
 std::string proved(const Specialisation& spec, VolumeId volume,
                    const kernels::DispatchEntry& record, const std::vector<Sample>& states) {
   const Faults& faults = spec.shared->faults;
@@ -84,8 +84,8 @@ struct StepTimes {
   double generic_ns, specialised_ns;
 };
 
-/// The report on a volume whose code for constants was tried: it is installed if it `pays`, and
-/// what was there before stays if not.
+/// The report on a volume whose code for constants was tried. If it `pays` it is installed,
+/// otherwise the navigator before it stays.
 SceneReport report_on_constants(Specialisation& spec, VolumeId volume, SceneReport report,
                                 bool pays, const StepTimes& times) {
   report.status = pays ? SceneStatus::specialised : SceneStatus::unprofitable;
@@ -107,7 +107,7 @@ SceneReport report_on_constants(Specialisation& spec, VolumeId volume, SceneRepo
   return report;
 }
 
-/// Verifies, times and installs one scene. The report with what came of it, or what was wrong.
+/// Verifies, times and installs one scene. Returns the report with the result, or what was wrong.
 Expected<SceneReport> install_scene(Specialisation& spec, VolumeId volume,
                                     const kernels::DispatchEntry& record,
                                     const std::shared_ptr<const void>& owner, bool only_if_faster,
@@ -125,7 +125,7 @@ Expected<SceneReport> install_scene(Specialisation& spec, VolumeId volume,
   const double generic_ns = time_per_step(geometry, context, generic::dispatch_entry, timed);
   const double specialised_ns = time_per_step(geometry, context, record, timed);
   const bool forced = spec.forced.contains(spec.facts.first_equal[volume]) || !only_if_faster;
-  // What is bound to data stays unless constants win something over that, too.
+  // A navigator that is bound to data stays unless constants gain something over it, too.
   const double bar = std::min(generic_ns, bound_ns(spec, volume));
   const bool tried = spec.shared->options.jit != JitMode::wait;
   const double most = (tried ? most_of_bar_to_be_tried : most_of_bar) * bar;
@@ -232,8 +232,8 @@ std::optional<SceneReport> install_entry(Specialisation& spec,
   return std::nullopt;
 }
 
-/// Notes that a volume does not get code that was wrong for another volume that shares it. The log
-/// has said so once, of the other one.
+/// Notes that a volume does not get code that was wrong for another volume which shares it. The log
+/// has already said so of the other one.
 void note_wrong_as_equal(Specialisation& spec, VolumeId volume) {
   const std::lock_guard lock(spec.mutex);
   SceneReport& scene = spec.scenes[volume];
@@ -308,7 +308,7 @@ bool install_structure(Specialisation& spec, const std::vector<codegen::Module>&
   for (const codegen::Module& module : scenes) installed->tables.push_back(module.owner);
   spec.structures.insert(installed);
   // A trial may show its code in the table while the table owns another, and navigators may be in
-  // it after the runtime is gone.
+  // this code after the runtime is gone.
   spec.shared->table.keep(installed);
   bool all_good = true;
   for (const codegen::Module& module : scenes) {
@@ -344,7 +344,7 @@ void install_plugin(Specialisation& spec, const std::string& path) {
     begun.origin = CodeOrigin::plugin;
     const std::pair code(spec.facts.first_equal[entry.volume], entry.dispatch.step);
     const auto equal = timed.find(code);
-    // Whoever made the plugin chose its scenes: production shall not depend on a timing.
+    // The scenes were chosen when the plugin was made, and production must not depend on a timing.
     Expected<SceneReport> report =
         equal == timed.end() ? install_scene(spec, entry.volume, entry.dispatch, *plugin, false,
                                              std::move(begun), Binding::constants)

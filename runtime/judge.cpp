@@ -13,10 +13,10 @@
 namespace navjit {
 namespace {
 
-/// How many ticks more a timed step of compiled code takes than others. The processor does not
-/// predict the target of the call that is timed well; for code that many scenes share the target is
-/// always the same. In a calorimeter with 50 layer volumes, code that lost 12 to 20 ticks for this
-/// reason was 16 ticks faster in the run. What passes because of this allowance is judged together
+/// How many ticks longer a timed step of compiled code takes than others. The processor predicts
+/// the target of the timed call badly; for code that many scenes share the target is always the
+/// same. In a calorimeter with 50 layer volumes, code that lost 12 to 20 ticks for this reason was
+/// 16 ticks faster in the run. Scenes that pass because of this allowance are judged together
 /// (runtime/judge_group.hpp), by the time of all steps.
 constexpr double unforeseen_ticks = 30;
 
@@ -29,7 +29,7 @@ bool holds_no_constants(const Specialisation& spec, const std::shared_ptr<const 
 /// will hardly lose in the run. A guess.
 constexpr double convincing_share = 0.9;
 
-/// Whether what is installed in the volume was that much faster on states of this run.
+/// Whether the navigator installed in the volume was that much faster on states of this run.
 bool replayed_faster(const Specialisation& spec, VolumeId volume) {
   const auto samples = spec.samples.find(volume);
   if (samples == spec.samples.end() || samples->second.size() < few_recorded) return false;
@@ -40,8 +40,8 @@ bool replayed_faster(const Specialisation& spec, VolumeId volume) {
   return ns > 0 && ns <= convincing_share * scene->second.generic_ns_per_step;
 }
 
-/// Installs a side of the trial, what was there before if `goes` and else the candidate, and
-/// updates the report.
+/// Installs one side of the trial, the navigator before it if `goes` and otherwise the candidate,
+/// and updates the report.
 void install_side(Specialisation& spec, VolumeId volume, Trial& trial, bool goes) {
   trial.out = goes;
   const std::shared_ptr<const void>& owner = goes ? trial.before_owner : trial.candidate_owner;
@@ -52,7 +52,8 @@ void install_side(Specialisation& spec, VolumeId volume, Trial& trial, bool goes
                   : owner == spec.arena             ? Binding::data
                   : spec.structures.contains(owner) ? Binding::structure
                                                     : Binding::constants;
-  // A trial of what is bound to data says nothing about constants: those are still to be tried.
+  // A trial of a navigator that is bound to data says nothing about constants, which are still to
+  // be tried.
   scene.status = scene.binding == Binding::constants               ? SceneStatus::specialised
                  : holds_no_constants(spec, trial.candidate_owner) ? SceneStatus::generic
                                                                    : SceneStatus::unprofitable;
@@ -68,8 +69,8 @@ void install_winner(Specialisation& spec, VolumeId volume, Trial& trial) {
   }
 }
 
-/// The winner was tried against something that had not been judged itself: it is now tried against
-/// what that was on trial against.
+/// The winner was tried against a navigator that had not been judged itself. It is now tried
+/// against the one against which that was on trial.
 void try_against_earlier(Specialisation& spec, VolumeId volume, const Trial& trial) {
   const bool goes = trial.verdict == Verdict::goes;
   const Trial::Earlier& earlier = trial.earlier.front();
@@ -80,7 +81,8 @@ void try_against_earlier(Specialisation& spec, VolumeId volume, const Trial& tri
   spec.trials.begin(volume, std::move(next), spec.active_s);
 }
 
-/// If the trial's winner is not compiled, it becomes what the volume has without compiled code.
+/// If the trial's winner is not compiled, it becomes the navigator that the volume has without
+/// compiled code.
 void note_without_code(Specialisation& spec, VolumeId volume, const Trial& trial) {
   const bool goes = trial.verdict == Verdict::goes;
   const std::shared_ptr<const void>& owner = goes ? trial.before_owner : trial.candidate_owner;
@@ -105,14 +107,14 @@ void conclude(Specialisation& spec, VolumeId volume, Trial& trial) {
     try_against_earlier(spec, volume, trial);
     return;
   }
-  // Another way to bind the scene's data has its turn.
+  // Now it is the turn of another way to bind the scene to data.
   const auto second = spec.second_choices.find(volume);
   if (second == spec.second_choices.end() || spec.stopping()) return;
   const kernels::DispatchEntry* candidate = second->second;
   spec.second_choices.erase(second);
   if (trial.candidate_owner != spec.arena) return;  // compiled code came first
   spec.shared->table.install(volume, candidate, spec.arena);
-  // On recorded states it was the slower one.
+  // It was the slower one on recorded states, so it has to prove itself.
   try_out(spec, volume, candidate, spec.arena, true);
   const std::lock_guard lock(spec.mutex);
   spec.scenes[volume].binding = Binding::data;
@@ -128,7 +130,8 @@ void try_out(Specialisation& spec, VolumeId volume, const kernels::DispatchEntry
     return;
   }
   Trial trial{candidate, &generic::dispatch_entry, owner, nullptr};
-  // What is bound to data or to a structure is the other side, if it is there and has not lost.
+  // The other side is the navigator that is bound to data or to a structure, if there is one and it
+  // has not lost.
   const auto last = spec.trials.all().find(volume);
   if (last != spec.trials.all().end()) {
     const Trial& earlier = last->second;
@@ -184,8 +187,8 @@ void judge(Specialisation& spec) {
     spec.group_judged.clear();
     spec.all_judged = spec.unproved_judged = 0;
   }
-  // With, without, without, with, ...: two stretches are a pair, and what changes steadily in a run
-  // favours neither side.
+  // The order is with, without, without, with, and so on. Two stretches are a pair, and a steady
+  // change in a run favours neither side.
   const unsigned over = spec.stretches++ % 4;
   if (over % 2 == 1) {
     for (const auto& [volume, trial] : spec.trials.decide(spec.active_s)) {

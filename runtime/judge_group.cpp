@@ -7,27 +7,28 @@
 namespace navjit {
 namespace {
 
-/// When all compiled scenes have stayed, the rarest are tried again without the hottest, which have
-/// this share of all executions in compiled scenes.
+/// When all compiled scenes have stayed, the rarest are tried again without the hottest ones, which
+/// have this share of all executions in compiled scenes.
 constexpr double hottest_share = 0.75;
-/// Looks at the profile in a stretch: long compared with the time that caches take to forget the
-/// other side.
+/// The number of looks at the profile in a stretch. A stretch is long compared with the time that
+/// caches take to forget the other side.
 constexpr unsigned looks_in_stretch = 4;
 /// Fewer scenes are not tried as a group.
 constexpr std::size_t least_members = 3;
-/// If the scenes' own trials say that more than this share of the time is saved, what they cost one
-/// another hardly outweighs it. (In a hall of 546 volumes that took 1.06 times as long the trials
+/// If the scenes' own trials say that more than this share of the time is saved, the cost to one
+/// another hardly outweighs it. (In a hall of 546 volumes that took 1.06 times as long, the trials
 /// said a little over 0.1.) A guess.
 constexpr double no_doubt = 0.2;
 
-/// The share of all executions that scenes need which narrowly lost, to be tried again together.
+/// The share of all executions that scenes which narrowly lost must have to be tried again
+/// together.
 constexpr double least_share = 0.05;
 
 bool is_compiled(const Specialisation& spec, const std::shared_ptr<const void>& owner) {
   return owner != nullptr && owner != spec.arena;
 }
 
-/// What a trial left in the table, and who owns it.
+/// The navigator that a trial left in the table, and its owner.
 const kernels::DispatchEntry* winner(const Trial& trial) {
   return trial.verdict == Verdict::goes ? trial.before : trial.candidate;
 }
@@ -57,7 +58,7 @@ std::vector<VolumeId> compiled(const Specialisation& spec) {
   return members;
 }
 
-/// All that is not generic, if there is a doubt that it is faster.
+/// All scenes that are not generic, if it is doubtful that they are faster.
 std::vector<VolumeId> doubtful(const Specialisation& spec) {
   std::vector<double> executions(spec.steps.size());
   for (std::size_t v = 0; v < executions.size(); ++v) {
@@ -85,7 +86,8 @@ std::vector<VolumeId> unproved(const Specialisation& spec) {
   return members;
 }
 
-/// What members have in the present stretch: the side that is tried, or the other one.
+/// The navigator of a member in the present stretch, on the side that is tried or on the other
+/// side.
 const kernels::DispatchEntry* side(const Specialisation& spec, VolumeId volume, const Trial& trial,
                                    bool tried) {
   switch (spec.group.group) {
@@ -118,7 +120,7 @@ void begin(Specialisation& spec, std::vector<VolumeId> members, Group group) {
   spec.stretches = 0;
 }
 
-/// A scene's binding, as reports have it. `note`: why it is that one.
+/// Writes a scene's binding into the reports; `note` says why it is this one.
 void write_down(Specialisation& spec, VolumeId volume, Binding binding, SceneStatus status,
                 const std::string& note) {
   const std::lock_guard lock(spec.mutex);
@@ -155,12 +157,12 @@ void take_in(Specialisation& spec) {
     if (trial == spec.trials.all().end() || trial->second.verdict != Verdict::goes) continue;
     spec.shared->table.install(volume, trial->second.candidate, trial->second.candidate_owner);
     spec.trials.take_in(volume);
-    // As for all that is bound to data: constants are still to be tried.
+    // As for all scenes that are bound to data, constants are still to be tried.
     write_down(spec, volume, Binding::data, SceneStatus::generic, "");
   }
 }
 
-/// The next group that there is to try, if any.
+/// Begins a trial of the next group, if there is one to be tried.
 void begin_next(Specialisation& spec) {
   // A group is tried again only if it has grown by more than a tenth.
   const auto worth_it = [](std::size_t members, std::size_t judged) {
@@ -201,7 +203,7 @@ void conclude(Specialisation& spec, Verdict verdict, bool whole) {
   if (group == Group::all) spec.all_judged = size;
   if (group == Group::unproved) {
     spec.unproved_judged = size;
-    // What just won as a group need not be tried again as a part of all that is not generic.
+    // A group that has just won need not be tried again as a part of all that is not generic.
     if (!goes) spec.all_judged += size;
   }
   spec.group = {};
@@ -231,7 +233,7 @@ void judge_group(Specialisation& spec) {
   if (!group.open() || ++group.looks % looks_in_stretch != 0) return;
   record(group, spec.steps_made, spec.navigating_ns,
          group.shown ? spec.shared->faults.specialised_lasts : 1);
-  // With, without, without, with, ..., as for single scenes.
+  // The order is with, without, without, with, and so on, as for single scenes.
   const unsigned over = spec.stretches++ % 4;
   if (over % 2 == 0) {
     show(spec, over == 2);

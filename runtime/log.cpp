@@ -8,7 +8,7 @@
 namespace navjit {
 namespace {
 
-/// The user's sink has to be thread-safe by itself.
+/// Passes lines to the user's sink, which must be thread-safe itself.
 class UsersSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
  public:
   explicit UsersSink(const LogSink& lines) : sink_(lines) {}
@@ -31,7 +31,7 @@ class UsersSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
 std::shared_ptr<spdlog::logger> make_log(const LogSink& sink) {
   if (!sink) {
     auto programs = spdlog::default_logger();
-    // The one that spdlog itself makes has no name, and writes to standard output, where a
+    // The logger that spdlog makes itself has no name, and writes to standard output, where a
     // program's results are.
     if (programs && !programs->name().empty()) return programs;
     return std::make_shared<spdlog::logger>(

@@ -21,7 +21,8 @@ std::string label_of(const World& world, const Batch& batch) {
   return label;
 }
 
-/// How many of the recorded rays are parallel to a plane that two of the scene's axes span.
+/// How many of the recorded rays are parallel to one of the planes that two of the scene's axes
+/// span.
 std::size_t along_axes(const Geometry& geometry, const std::vector<Sample>& samples) {
   const auto stack = std::make_unique<NavigationStack>();
   stack->depth = -1;
@@ -33,9 +34,9 @@ std::size_t along_axes(const Geometry& geometry, const std::vector<Sample>& samp
       }));
 }
 
-// The batches below hold the first of each group of equal volumes.
+// Each batch below holds the first volume of each group of equal volumes.
 
-/// Whether many steps of these scenes are along faces: then their navigators have to take them.
+/// Whether many steps of these scenes are along faces, so that their navigators have to make them.
 bool takes_rays_along_faces(Specialisation& spec, const Batch& batch) {
   std::size_t along = 0, all = 0;
   for (const VolumeId volume : batch) {
@@ -48,7 +49,7 @@ bool takes_rays_along_faces(Specialisation& spec, const Batch& batch) {
   return along * bail_out_share > all;
 }
 
-/// Whether most recorded steps in leaves of these scenes end on a boundary: straight rays go from
+/// Whether most recorded steps in leaves of these scenes end on a boundary. Straight rays go from
 /// one leaf to the next, and particles that scatter stay.
 codegen::Leaves leaves_of(Specialisation& spec, const Batch& batch) {
   std::size_t crossing = 0, all = 0;
@@ -84,7 +85,7 @@ std::vector<Batch> without_module(Specialisation& spec, const Batch& batch,
     return {};
   }
   if (batch.size() > 1) {
-    // One of the scenes may have spoilt the module for all.
+    // One of the scenes may have spoilt the module for all of them.
     std::vector<Batch> made;
     for (const VolumeId volume : batch) {
       if (spec.hopeless || spec.stopping()) break;
@@ -133,7 +134,7 @@ std::vector<Batch> make_modules(Specialisation& spec, const Batch& batch) {
   if (!made) {
     if (made.failure().stopped) return {};
     {
-      // Time that was spent in vain counts, too, where compiling has a share of the run.
+      // Time that was spent in vain counts, too, if compiling is limited to a share of the run.
       const std::lock_guard lock(spec.mutex);
       spec.totals.compile_ms += (steady_seconds() - start) * 1e3;
     }

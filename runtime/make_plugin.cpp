@@ -28,7 +28,7 @@ constexpr std::size_t max_library_bytes = std::size_t{256} << 20;
 
 std::string system_problem(const std::string& what) { return what + ": " + std::strerror(errno); }
 
-/// Runs a program and waits for it; empty if it ended well.
+/// Runs a program and waits for it. Returns an empty string if it succeeded.
 std::string run(const std::vector<std::string>& command) {
   std::vector<char*> arguments;
   arguments.reserve(command.size() + 1);
@@ -49,7 +49,7 @@ std::string run(const std::vector<std::string>& command) {
                                                        : "the linker '" + command[0] + "' failed";
 }
 
-/// The bytes of a library, with what a plugin ends with.
+/// The bytes of a library, followed by a plugin's seal.
 Expected<std::string> sealed(const std::string& path) {
   const cache::File file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file) return Failure{system_problem(path)};
@@ -116,7 +116,8 @@ Expected<std::string> plugin_bytes(const std::string& source, int optimisation) 
   const TemporaryPath object_file(folder.file("plugin.o")), library(folder.file("plugin.so"));
   write_output(object_file.path(), {object->bytes.data(), object->bytes.size()});
   const char* linker = std::getenv("NAVJIT_LD");
-  // Calls between its own functions stay direct; all symbols are found on loading, or it fails.
+  // Calls between the plugin's own functions stay direct. All its symbols are resolved on loading,
+  // or loading fails.
   const std::string problem =
       run({linker != nullptr ? linker : "ld", "-shared", "-Bsymbolic", "-z", "now", "-z", "relro",
            "-z", "noexecstack", "-o", library.path(), object_file.path()});

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view first_line = "navjit hot scenes 2\n";
 
-/// A scene is compiled again once it is sixteen times as hot as before, or when its code left out
+/// A scene is compiled again when it is sixteen times as hot as before, or when its code left out
 /// too many steps.
 constexpr unsigned most_batches_of_a_scene = 16;
 

@@ -21,7 +21,7 @@ void require_finite(const Vec3& v, const char* what) {
 
 [[noreturn]] void throw_other_world() { throw UsageError("the state is of another world"); }
 
-/// The levels above the one that a step begins in, which the step may overwrite.
+/// The levels above the one in which a step begins, which the step may overwrite.
 struct Above {
   static constexpr int most = Sample::most_relocations;
   int depth;  ///< where the step begins
@@ -37,14 +37,14 @@ struct Above {
   }
 };
 
-/// After a step: in which volumes the track was relocated.
+/// Notes, after a step, the volumes in which the track was relocated.
 void note_relocations(Sample& sample, const Above& above, const NavigationStack& stack,
                       const kernels::Context* context, const Geometry& geometry) {
   if (stack.boundary == 0) return;
   const auto note = [&](VolumeId volume) {
     if (sample.relocation_count == Sample::most_relocations) return;
     // The table still has the entry that was used, unless it was replaced during this very step,
-    // which happens to few samples.
+    // which happens for few samples.
     sample.relocations[sample.relocation_count++] = {volume,
                                                      kernels::dispatch_entry_of(context, volume)};
   };
@@ -97,7 +97,7 @@ State Navigator::locate(const Vec3& point, const Vec3& direction) {
 }
 
 State Navigator::locate_in(NavigationStack& stack, const Vec3& point, const Vec3& direction) {
-  // 0 unless a number is not finite, or the sum is beyond all numbers.
+  // The sum is 0 unless a number is not finite or the sum overflows.
   const double sum = 0 * (point.x + point.y + point.z + direction.x + direction.y + direction.z);
   if (!(sum == 0)) [[unlikely]] {
     require_finite(point, "the point");
@@ -181,8 +181,9 @@ std::span<Step> Navigator::steps(const State& from, Vec3& point, const Vec3& dir
   Vec3 at = point;
   double left = limit;
   std::size_t count = 0;
-  // Stores a step, and tells whether the ray goes on. Steps are copied number by number: a copy of
-  // a whole one would load what was just stored in parts, and wait for it.
+  // Stores a step, and returns whether the ray goes on. Steps are copied number by number: a copy
+  // of a step as a whole would load at once what was just stored in parts, and would have to wait
+  // for the stores.
   const auto take = [&](const Step& made) {
     buffer[count++] = {made.length, made.boundary, {made.next.touchable(), made.next.volume()}};
     at.x += made.length * direction.x;
@@ -207,7 +208,7 @@ State Navigator::relocate(const State& hint, const Vec3& point, const Vec3& dire
   if (!locates_along(stack, direction)) {
     generic::locate_from(shared_->geometry, stack, point, direction);
   } else {
-    // The point is another than where the ray was.
+    // The point is not where the ray was.
     stack.left.daughter = kernels::LeftForGood::none;
     stack.left.from = -1;
     if (generic::ascend(shared_->geometry, stack, point, direction)) relocate_within(stack, point);
@@ -274,7 +275,7 @@ Vec3 Navigator::boundary_normal(const State& from, const State& next, const Vec3
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
       if (path[i].touchable != from.touchable()) continue;
       if (path[i].volume != from.volume()) throw_other_world();
-      // A daughter was entered, and maybe more that are flush with it.
+      // A daughter was entered, and perhaps deeper ones that are flush with it.
       return -1.0 * normal_in(path[i + 1], point);
     }
   }

@@ -7,7 +7,7 @@ namespace navjit {
 double pause_after(Pace& pace, const Look& look) {
   pace.spent_s += look.took_s;
   pace.quiet = look.is_quiet ? std::min(2 * pace.quiet, Pace::longest_quiet) : 1;
-  // Trials do not go on while nobody navigates: no step is timed.
+  // Trials make no progress while nobody navigates, since no step is timed.
   pace.idle = look.is_idle ? std::min(2 * pace.idle, Pace::longest_idle) : 1;
   // The pause doubles while looks have cost more than they may, and halves while they have not. So
   // on average they cost what they may, unless the longest pause is still too short.

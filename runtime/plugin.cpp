@@ -30,7 +30,8 @@ const Value* symbol(void* library, const char* name) {
   return static_cast<const Value*>(dlsym(library, name));
 }
 
-/// The first feature of a list, with blanks between, that this processor lacks; empty if none.
+/// The first feature in a list separated by blanks that this processor lacks; empty if there is
+/// none.
 std::string missing_feature(std::string_view needed) {
   while (!needed.empty()) {
     const std::size_t blank = needed.find(' ');
@@ -65,7 +66,8 @@ std::string unsuitable(void* library, const Geometry& geometry) {
   return missing.empty() ? "" : "it needs a processor with " + missing;
 }
 
-/// The module that the library was made from. Its tables are what the library's code works on.
+/// The module from which the library was made. The library's code works on the tables of this
+/// module.
 Expected<codegen::Module> module_of(void* library, const Geometry& geometry) {
   const auto* count = symbol<unsigned>(library, "navjit_plugin_hot_count");
   const auto* hot = symbol<VolumeId>(library, "navjit_plugin_hot");

@@ -37,8 +37,7 @@ class Plugin {
                                                               const Geometry& geometry);
   Plugin(cache::File file, void* library) : file_(std::move(file)), library_(library) {}
 
-  cache::File
-      file_;  ///< stays open, since the system's loader knows the library by this descriptor
+  cache::File file_;  ///< stays open: the system's loader knows the library by this descriptor
   void* library_;
   std::shared_ptr<const codegen::Arena> tables_;
   std::vector<Entry> entries_;

@@ -32,7 +32,7 @@ std::string plugin_source(const Geometry& geometry, const WorldFacts& facts,
     relocates += entry.relocate + ", ";
     safeties += (entry.safety.empty() ? "nullptr" : entry.safety) + ", ";
   }
-  // The preprocessor says what the compiler was allowed to use, whoever calls it.
+  // The preprocessor tells what the compiler was allowed to use, whoever calls it.
   std::string features = "\"\"";
 #define NAVJIT_FEATURE(name, macro) features += "\n#ifdef " macro "\n\"" name " \"\n#endif";
   NAVJIT_PLUGIN_FEATURES(NAVJIT_FEATURE)

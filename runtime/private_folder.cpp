@@ -13,7 +13,8 @@
 namespace navjit {
 namespace {
 
-/// Makes a folder in `parent`; empty, and `why`, if it cannot be, or is not trusted.
+/// Makes a folder in `parent`. Returns an empty path, and says `why`, if it cannot be made or is
+/// not trusted.
 std::string make_in(const std::string& parent, std::string& why) {
   std::string path = parent + "/navjit-XXXXXX";
   if (mkdtemp(path.data()) == nullptr) {  // 0700

@@ -15,7 +15,7 @@ RetireList::RetireList() : can_free_(membarrier(MEMBARRIER_CMD_REGISTER_PRIVATE_
 
 void RetireList::retire(std::shared_ptr<const void> garbage,
                         const std::vector<std::shared_ptr<ReadSide>>& threads) {
-  // After the barrier every thread either sees the new pointer or has its entry mark seen here.
+  // After the barrier, every thread either sees the new pointer, or its entry mark is seen here.
   can_free_ = can_free_ && membarrier(MEMBARRIER_CMD_PRIVATE_EXPEDITED);
   Retired retired{std::move(garbage), {}};
   for (const auto& thread : threads) {

@@ -21,7 +21,7 @@ std::vector<VolumeId> volumes_of(const std::vector<ListedScene>& scenes) {
   return volumes;
 }
 
-/// What the cache knows of earlier runs of this detector.
+/// What the cache has of earlier runs of this detector.
 std::optional<ModuleList> recall(Specialisation& spec) {
   const std::optional<std::string> text = spec.maker->recall(spec.module_list_name);
   if (!text) return std::nullopt;
@@ -54,7 +54,7 @@ void install_remembered(Specialisation& spec) {
       if (!fresh) continue;
     }
     for (const ListedScene& scene : listed) search_as_listed(spec, scene);
-    // Modules whose code is no longer in the cache are left to the profile of this run.
+    // Modules whose code the cache does not have any more are left to the profile of this run.
     bool installed = false;
     using codegen::Leaves;
     for (const auto& [along_faces, leaves] :
@@ -85,7 +85,7 @@ void remember(Specialisation& spec, const std::vector<VolumeId>& batch) {
   for (const VolumeId volume : batch) listed.push_back(to_be_listed(spec, volume));
   ModuleList& list = spec.module_list;
   if (std::find(list.begin(), list.end(), listed) == list.end()) list.push_back(std::move(listed));
-  // Other runs of the same detector may have found other scenes meanwhile.
+  // Other runs of the same detector may meanwhile have found other scenes.
   const std::optional<ModuleList> others = recall(spec);
   const ModuleList merged = others ? merge(spec.module_list, *others) : spec.module_list;
   if (others && *others == merged) return;

@@ -65,8 +65,8 @@ std::size_t specialised(const Specialisation& spec) {
 
 namespace {
 
-/// Which volumes are relocated in is known by samples alone. Where steps say what is hot, reports
-/// leave volumes without a step out, so that the list does not depend on the samples.
+/// In which volumes tracks are relocated is known only from samples. If steps say what is hot,
+/// reports leave out volumes without a step, so that the list does not depend on the samples.
 bool locates_more_than_it_steps(const detail::Counts& counts, std::size_t volumes) {
   std::uint64_t steps = 0;
   for (std::size_t v = 0; v < volumes; ++v) steps += counts.steps(static_cast<VolumeId>(v));

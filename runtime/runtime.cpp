@@ -15,8 +15,8 @@ namespace navjit {
 
 namespace {
 
-/// Only the reference in 113 bits says how large an error is, and it knows no solid of a program's
-/// own.
+/// Only the reference at 113 bits tells how large an error is, and it does not know solids of a
+/// program's own.
 void refuse_budget_of_foreign(const detail::Shared& shared) {
   if (!shared.options.budget) return;
   const World& world = shared.geometry.world();

@@ -9,17 +9,17 @@
 namespace navjit {
 namespace {
 
-// Least squares of relative errors on the processor time of 191 scenes of seven detectors, each
-// compiled by itself: nine in ten within 0.6 to 1.3 times this.
-constexpr double leaf_ms = 10;           // step and relocation, with nothing in them
-constexpr double daughters_ms = 32;      // searching daughters
-constexpr double class_ms = 58;          // each daughters' solid, inlined into all searches, and
-                                         // each that a boolean has beside its first
-constexpr double number_ms = 0.6;        // each number that the solids are made of
+// These were fitted by least squares of relative errors to the processor time of 191 scenes of
+// seven detectors, each compiled alone. Nine in ten took 0.6 to 1.3 times the fitted time.
+constexpr double leaf_ms = 10;       // step and relocation, with nothing in them
+constexpr double daughters_ms = 32;  // searching daughters
+constexpr double class_ms = 58;    // for each daughters' solid, inlined into all searches, and for
+                                   // each further solid of a boolean
+constexpr double number_ms = 0.6;  // for each number of the solids
 constexpr double most_numbers_ms = 120;  // large solids are loops over tables
 
-// The same for booleans that are compiled alone: of 158 in eight detectors nine in ten took 0.8 to
-// 1.5 times this and the module's.
+// The same for booleans that are compiled alone. Of 158 in eight detectors, nine in ten took 0.8 to
+// 1.5 times this time and the module's.
 constexpr double boolean_type_ms = 50;
 constexpr double solid_kind_ms = 40;
 
@@ -27,28 +27,29 @@ constexpr double solid_kind_ms = 40;
 constexpr double leaf_gain_ns = 20;
 constexpr double daughters_gain_ns = 60;
 
-/// Factor on the weight while a processor is left. A choice: the processor may be another
-/// program's.
+/// Factor on the weight while a processor is free. It is a choice, since the processor may belong
+/// to another program.
 constexpr double where_processors_are_left = 1.0 / 30;
-/// Tolerance, in processors: threads that wait now and then are not quite busy.
+/// Tolerance, in processors, because threads that wait now and then are not quite busy.
 constexpr double nearly = 0.2;
 
-/// A module may always be expected to take this long, ms: in smaller ones module_base_ms would be
-/// too large a part. A guess.
+/// A module may always be expected to take this long, ms. In smaller modules module_base_ms would
+/// be too large a part. A guess.
 constexpr double least_module_ms = 150;
 
 /// The share of a run so far that a module may be expected to take. A guess.
 constexpr double part_of_run = 0.3;
 
-/// Scenes that have this share of what makes them due go along with one that is due.
+/// Scenes that have this share of what makes them due are compiled together with one that is due.
 constexpr double soon = 0.3;
 
-/// What compiling the scene would win on recent executions, ns, and the same per ms of compiling.
+/// The gain from compiling the scene, for its recent executions, ns; and the same for each ms of
+/// compiling.
 double worth(const Candidate& c) { return c.recent * c.gain_ns; }
 double urgency(const Candidate& c) { return worth(c) / c.compile_ms; }
 
-/// Of the scenes that are too long for a module with others, the one that wins most for what it
-/// costs, if that is more than `most`; null if there is none.
+/// Of the scenes that are too long for a module with others, the one that gains most for its cost,
+/// if this is more than `most`; null if there is none.
 const Candidate* fills_a_module(std::span<const Candidate> due, const SpecialiserOptions& options,
                                 double most) {
   const Candidate* best = nullptr;
@@ -127,7 +128,7 @@ std::vector<VolumeId> next_module(std::span<const Candidate> candidates,
       chosen.push_back(c.volume);
     }
     if (some == &later) break;
-    // What fills a module by itself comes first where it wins more for what it costs.
+    // A scene that fills a module alone comes first if it gains more for its cost.
     const double most = chosen.empty() ? -1 : won / expected;
     if (const Candidate* alone = fills_a_module(due, options, most)) return {alone->volume};
   }

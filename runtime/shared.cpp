@@ -5,8 +5,8 @@
 namespace navjit::detail {
 namespace {
 
-/// Profiles of navigators that are gone are kept for the states recorded in them, up to this many
-/// in all: a run may make any number of navigators.
+/// Profiles of destroyed navigators are kept for the states that were recorded in them, but no more
+/// than this many, because a run may make any number of navigators.
 constexpr std::size_t most_profiles = 64;
 
 }  // namespace

@@ -113,11 +113,10 @@ struct Specialisation {
   std::vector<std::uint64_t> steps;  ///< by volume, at the last look
   std::uint64_t locations = 0;       ///< in all volumes, at the last look
   double steps_made = 0;             ///< steps of the run, and locations if these count
-  double navigating_ns =
-      0;  ///< processor time of the process except the specialiser's, at the last look
-  bool active = false;   ///< whether there was navigation between the last two looks
-  double looked_at = 0;  ///< when the last look was, s
-  double active_s = 0;   ///< time between looks with steps: the clock of trials
+  double navigating_ns = 0;          ///< processor time of the process, without the specialiser's
+  bool active = false;               ///< whether there was navigation between the last two looks
+  double looked_at = 0;              ///< when the last look was, s
+  double active_s = 0;               ///< time between looks with steps: the clock of trials
   /// By volume: relocations in it at the end of steps made elsewhere, or where points are located,
   /// as far as samples tell. Written by the specialiser's thread alone, with the mutex locked.
   std::vector<double> relocations;
@@ -129,9 +128,8 @@ struct Specialisation {
   /// By volume that was measured to be slower: the execution count at which it will be tried again.
   std::map<VolumeId, double> try_again_at;
   std::map<VolumeId, std::vector<Sample>> samples;
-  std::size_t samples_kept = 0;  ///< in all volumes
-  std::map<VolumeId, std::vector<Sample>>
-      fresh;  ///< a few samples recorded since the last look at them
+  std::size_t samples_kept = 0;                   ///< in all volumes
+  std::map<VolumeId, std::vector<Sample>> fresh;  ///< a few, recorded since the last look
   std::size_t fresh_kept = 0;
   struct Seen {
     std::uint64_t steps = 0, bail_outs = 0;

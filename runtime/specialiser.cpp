@@ -31,7 +31,7 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
   const RuntimeOptions& options = spec_.shared->options;
   spec_.shared->table.keep(spec_.arena);
   spec_.facts.with_safety = options.specialiser.safety;
-  apply_overrides(spec_);  // before a plugin is installed, whose scenes obey them, too
+  apply_overrides(spec_);  // before a plugin is installed, since these also apply to its scenes
   if (options.jit == JitMode::off) return;
   if (!jit::has_compiler()) return;
   spec_.maker = std::make_shared<CodeMaker>(options.specialiser, options.cache, spec_.shared->log);
@@ -39,7 +39,7 @@ Specialiser::Specialiser(std::shared_ptr<detail::Shared> shared)
 
 bool Specialiser::stop() {
   if (was_forked()) {
-    // There is nothing to join or to detach: what is left of the thread is left as it is.
+    // There is nothing to join or to detach, so what remains of the thread is kept as it is.
     if (left_behind_ == nullptr) left_behind_ = new std::thread(std::move(thread_));
   }
   if (left_behind_ != nullptr) return false;
@@ -47,10 +47,10 @@ bool Specialiser::stop() {
   spec_.stop.request_stop();
   spec_.wake.notify_all();
   if (!thread_.joinable()) return true;
-  // It ends at once: a compilation that is under way is left to itself.
+  // The thread ends at once, since nobody waits for a compilation that is under way.
   spec_.wake.wait(lock, [&] { return ended_; });
-  // Runtimes are destroyed also where memory has run out. Then a report may lack a note, and exit()
-  // waits only where it was told to before.
+  // Runtimes are also destroyed when memory is exhausted. Then a report may lack a note, and exit()
+  // waits only if it was told to before.
   try {
     for (auto& [volume, scene] : spec_.scenes) {
       if (scene.status != SceneStatus::compiling) continue;
@@ -78,7 +78,7 @@ void Specialiser::start() {
   try {
     thread_ = own_thread([activity = std::make_unique<jit::Activity>(spec_.stop),
                           self = shared_from_this()]() mutable {
-      // In this order, so that the activity ends last: whoever is the last to own the specialiser
+      // The order matters: the activity must end last, because the last owner of the specialiser
       // destroys the compiler with it.
       const std::unique_ptr<jit::Activity> until_the_end = std::move(activity);
       const std::shared_ptr<Specialiser> own = std::move(self);
@@ -92,7 +92,7 @@ void Specialiser::start() {
 }
 
 void Specialiser::run() {
-  // Of this thread, and of those that it makes for the compiler.
+  // This is for this thread and for those that it makes for the compiler.
   // A program that was started with a lower priority keeps it.
   setpriority(PRIO_PROCESS, 0,
               std::max(getpriority(PRIO_PROCESS, 0), spec_.shared->options.specialiser.nice));
@@ -105,7 +105,7 @@ void Specialiser::run() {
   try {
     judge_finally(spec_);
   } catch (const std::exception& error) {
-    // Whatever is installed stays: all of it was verified.
+    // All installed navigators stay, since they were verified.
     spec_.shared->log->warn("trials stay undecided at the end of this run: {}", error.what());
   }
   const std::lock_guard lock(spec_.mutex);
@@ -145,7 +145,7 @@ void Specialiser::look_until_stopped() {
                                                   .is_quiet = !trying,
                                                   .is_idle = !spec_.active,
                                                   .poll_s = 1e-3 * spec_.poll_ms()});
-    // Whoever notifies ends the pause, and so does a request to stop, as at the end of the process.
+    // Any notification ends the pause, and so does a request to stop, as at the end of the process.
     constexpr double most_ms = 5;  // while somebody waits for the looks
     const std::chrono::duration<double, std::milli> ms(
         waiting_for_idle_ == 0 ? pause * spec_.poll_ms() : std::min(spec_.poll_ms(), most_ms));
@@ -159,8 +159,8 @@ void Specialiser::wait_until_idle() {
   std::unique_lock lock(spec_.mutex);
   ++waiting_for_idle_;
   spec_.wake.notify_all();
-  // The look that is under way may have begun before this call; the next one has seen all counts of
-  // now. What is due on them is done before a look finds nothing to do.
+  // The look that is under way may have begun before this call, but the next one sees all counts of
+  // now. What is due by these counts is done before a look finds nothing to do.
   spec_.wake.wait(lock, [&, target = looks_ + 2] {
     return ended_ || spec_.stopping() || idle_look_ >= target;
   });
@@ -180,7 +180,7 @@ void Specialiser::specialise_all() {
   };
   if (!spec_.shared->options.specialiser.constants) {
     compile_solids_of_others();
-    // Structures are compiled only here: in the other case constants would replace them anyway.
+    // Structures are compiled only here: otherwise constants would replace them anyway.
     while (spent_ms() < wait_ms) {
       const std::optional<DueStructure> structure = any_structure(spec_);
       if (!structure || !bind_to_structure(spec_, *structure)) break;
@@ -192,7 +192,7 @@ void Specialiser::specialise_all() {
     if (!batch.empty()) make_and_remember(spec_, batch);
     batch.clear();
   };
-  // Nothing is known of what will be hot: what occurs most often is the best guess.
+  // It is not known what will be hot. What occurs most often is the best guess.
   std::vector<VolumeId> volumes;
   for (std::size_t v = 0; v < spec_.facts.reachable.size(); ++v) {
     const auto volume = static_cast<VolumeId>(v);
@@ -213,7 +213,7 @@ void Specialiser::specialise_all() {
     const double ms = expected_compile_ms(spec_.shared->geometry,
                                           plan_scene(spec_.shared->geometry, spec_.facts, volume));
     if (ms > most_scene_ms) continue;
-    // On a slow machine a larger module might take longer than any may, and be given up.
+    // On a slow machine a larger module might exceed the limit for modules, and be given up.
     if (batch.size() == options.batch || (!batch.empty() && of_module + ms > options.module_ms)) {
       flush();
       of_module = module_base_ms;

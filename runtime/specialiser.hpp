@@ -55,8 +55,7 @@ class Specialiser : public std::enable_shared_from_this<Specialiser> {
   int waiting_for_idle_ = 0;     ///< threads in wait_until_idle()
 
   std::thread thread_;
-  std::thread* left_behind_ =
-      nullptr;  ///< in the child of a fork(): the parent's thread, never destroyed
+  std::thread* left_behind_ = nullptr;  ///< in a forked child: the parent's thread; never destroyed
 };
 
 }  // namespace navjit

@@ -25,7 +25,8 @@ StackPool::StackPool(std::size_t stacks, int levels) : size_(stacks), stride_(by
   if (stacks > std::numeric_limits<std::ptrdiff_t>::max() / stride_) throw std::bad_alloc();
   memory_.reset(static_cast<std::byte*>(::operator new[](stacks* stride_, line)));
   for (std::size_t i = 0; i < stacks; ++i) {
-    // Only the part of a stack that there is memory for; levels are written before they are read.
+    // Only the part of a stack for which there is memory is cleared. Levels are written before they
+    // are read.
     NavigationStack& stack = at(i);
     std::memset(static_cast<void*>(&stack), 0, stride_);
     stack.depth = -1;

@@ -12,18 +12,18 @@
 namespace navjit {
 namespace {
 
-/// Placements remembered per volume: enough for variety.
+/// The number of placements that are remembered for each volume, enough for variety.
 constexpr std::size_t most_placements = 64;
 
-/// If points of boxes give less than this share of the states that are asked for, points on lines
-/// are tried, which meet the thinnest shell.
+/// If random points in boxes give less than this share of the states that are asked for, points on
+/// lines are tried, which meet even the thinnest shell.
 constexpr double few_of = 0.25;
 
 }  // namespace
 
 StateSampler::StateSampler(const Geometry& geometry)
     : geometry_(geometry), placements_(geometry.size()) {
-  // Only mothers that are in the tree count: walk it from the top.
+  // Only mothers in the tree count, so it is walked from the top.
   std::vector<char> seen(geometry.size(), 0);
   std::vector<VolumeId> pending{geometry.world().top};
   seen[geometry.world().top] = 1;
@@ -88,14 +88,14 @@ Vec3 point_of(const Extent& e, std::mt19937_64& random) {
   return p;
 }
 
-/// A point within a solid that may fill next to nothing of its box: on a part of a random line that
-/// is within it. Nothing where the line misses it.
+/// A point within a solid that may fill almost nothing of its box, on a part of a random line that
+/// is within the solid. Nothing if the line misses the solid.
 std::optional<Vec3> point_on_chord(const kernels::AnySolid<double>& solid, const Extent& e,
                                    std::mt19937_64& random, double tolerance) {
   const Vec3 through = point_in(e, random);
   Vec3 v = unit_vector(random);
-  // Most lines through a flat box are in it for a short way only, so half of the lines go through
-  // two of its points.
+  // Most lines through a flat box are in the box only for a short way, so half of the lines go
+  // through two of its points.
   if (random() % 2 == 0) {
     const Vec3 along = point_in(e, random) - through;
     const double length = std::sqrt(dot(along, along));
@@ -110,7 +110,7 @@ std::optional<Vec3> point_on_chord(const kernels::AnySolid<double>& solid, const
   return begin + uniform(random, chord.enter, chord.leave) * v;
 }
 
-/// The direction at random, or one along an axis now and then.
+/// The random direction, or sometimes one along an axis.
 Vec3 direction_of(const Vec3& at_random, std::mt19937_64& random) {
   switch (random() % 8) {
     case 0:

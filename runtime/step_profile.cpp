@@ -25,7 +25,7 @@ std::uint64_t sum(std::uint64_t a, std::uint64_t b) {
   return a > most - b ? most : a + b;
 }
 
-/// A value of an object that is a whole number of at most `most`.
+/// The value of `key` in an object, which must be a whole number of at most `most`.
 std::uint64_t whole_number(const std::string& path, const Json& object, const char* key,
                            std::uint64_t most) {
   const auto at = object.find(key);

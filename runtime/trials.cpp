@@ -8,18 +8,18 @@
 namespace navjit {
 namespace {
 
-/// Pairs of stretches that a verdict needs: fewer do not show how much pairs differ.
+/// The pairs of stretches that a verdict needs. Fewer do not show how much pairs differ.
 constexpr double least_pairs = 8;
-/// Timed steps of either side that a verdict needs: each may take some other way through the code,
-/// so that fewer say little.
+/// The timed steps of either side that a verdict needs. Steps may take many different ways through
+/// the code, so fewer say little.
 constexpr double least_count = 50;
-/// Standard errors between two sides that are called different.
+/// The number of standard errors by which two sides must differ to be called different.
 constexpr double errors_apart = 2.5;
-/// After so many steps a difference that may be chance is small.
+/// After this many steps a difference by chance is small.
 constexpr double enough_count = 5000;
 
-/// The verdict at the end of a trial, by the mean alone, though that may be chance: what lost more
-/// than it may goes, and so does what has to be proved unless it was faster.
+/// The verdict at the end of a trial, by the mean alone, although this may be chance. A candidate
+/// that lost more than it may goes, and so does one that has to be proved unless it was faster.
 Verdict at_last(const PairedDifference& lost, const Trial& t) {
   const bool slower = lost.mean() > t.allowed, faster = lost.mean() < 0;
   return slower || (t.to_be_proved && !faster) ? Verdict::goes : Verdict::stays;
@@ -121,7 +121,7 @@ std::vector<Trials::Of> Trials::decide(double now) {
   std::vector<Trial*> few;
   for (auto& [volume, trial] : trials_) {
     if (trial.verdict != Verdict::open) continue;
-    // Rare scenes may take several stretches for a pair.
+    // A rare scene may need several stretches for a pair.
     if (trial.with_now.count > 0 && trial.without_now.count > 0) {
       trial.lost.add(trial.with_now, trial.without_now);
       trial.with_now = trial.without_now = {};
@@ -145,7 +145,7 @@ std::vector<Trials::Of> Trials::decide(double now) {
 
 void Trials::judge_as_others(const std::vector<Trial*>& few) {
   if (few.empty()) return;
-  // Both sides have to be the same: what is faster than the generic navigator need not be faster
+  // Both sides must be the same: a navigator that is faster than the generic one need not be faster
   // than another way to bind the scene.
   using Sides = std::pair<kernels::StepFunction, kernels::StepFunction>;
   const auto sides = [](const Trial& t) { return Sides{t.candidate->step, t.before->step}; };

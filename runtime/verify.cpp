@@ -26,7 +26,7 @@ std::string describe(const Sample& s, const char* what, double right, double wro
   return text;
 }
 
-/// Sets what the stack of a sample in a volume with daughters knows of the last step.
+/// Sets what the stack of a sample, in a volume with daughters, knows of the last step.
 void bring_what_was_left(NavigationStack& stack, const Sample& s) {
   stack.levels[stack.depth + 1].daughter = s.left;
   if (s.left_for_good) {
@@ -34,7 +34,7 @@ void bring_what_was_left(NavigationStack& stack, const Sample& s) {
   }
 }
 
-/// The stack as it was when the sample was recorded, or made up.
+/// Makes the stack as it was when the sample was recorded, or made up.
 void bring_to(const Geometry& geometry, NavigationStack& stack, const Sample& s) {
   generic::restore(geometry, stack, s.touchable);
   if (!geometry.scene(s.volume).daughters.empty()) {
@@ -42,12 +42,12 @@ void bring_to(const Geometry& geometry, NavigationStack& stack, const Sample& s)
   }
 }
 
-/// The two stacks of a comparison; large, so made once.
+/// The two stacks of a comparison. They are large, so they are made once.
 struct Pair {
   NavigationStack generic, specialised;
 };
 
-/// For stacks that are not identical: where they end, or what else differs.
+/// Says where two stacks that are not identical end, or in what else they differ.
 std::string describe_ends(const Sample& s, const std::string& when, const Pair& stacks) {
   const auto of = [](const NavigationStack& stack, auto StackLevel::*number) {
     return stack.depth < 0 ? -1.0 : static_cast<double>(stack.levels[stack.depth].*number);
@@ -150,8 +150,9 @@ std::string verify(const Geometry& geometry, const kernels::Context& context,
 double time_per_step(const Geometry& geometry, const kernels::Context& context,
                      const kernels::DispatchEntry& entry, std::span<const Sample> samples) {
   if (samples.empty()) return 0;
-  // Few enough that the stacks stay in near caches. Each pass has another order: in the same order
-  // again and again processors would learn which way each branch goes, as they cannot in a run.
+  // There are few enough samples for the stacks to stay in near caches. Each pass has another
+  // order: if the order were always the same, processors would learn which way each branch goes,
+  // which they cannot do in a run.
   const std::size_t count = std::min<std::size_t>(samples.size(), 256);
   std::vector<NavigationStack> stacks(count);
   std::vector<char> has_daughters(count);

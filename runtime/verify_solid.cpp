@@ -9,7 +9,8 @@
 namespace navjit {
 namespace {
 
-/// In the box and a tenth of it around, more than half of the time in the plane of a face.
+/// A point in the box or within a tenth of its size around it, more than half of the time in the
+/// plane of a face.
 Vec3 point_about(std::mt19937_64& random, const Extent& box) {
   const Vec3 about = 0.1 * (box.max - box.min);
   const auto in = [&](double low, double high, double more) {
@@ -26,7 +27,7 @@ Vec3 point_about(std::mt19937_64& random, const Extent& box) {
           in(box.min.z, box.max.z, about.z)};
 }
 
-/// At random, one in four along an axis.
+/// A random direction, one in four along an axis.
 Vec3 some_direction(std::mt19937_64& random) {
   const double way = random() % 2 == 0 ? 1 : -1;
   switch (random() % 12) {
@@ -61,7 +62,7 @@ std::string verify_solid(const kernels::AnySolid<double>& solid, const kernels::
     Vec3 p = point_about(random, extent);
     const Vec3 d = some_direction(random);
     const Direction v = kernels::make_direction(d.x, d.y, d.z);
-    // Here, and where the ray meets the solid: in, and out again.
+    // Compares here, where the ray enters the solid, and where it leaves the solid.
     for (int at = 0; at < 3; ++at) {
       const bool held = contains(solid, p, v, tolerance);
       compare("contains", code.contains(code.data, p, v), held, p, d);

@@ -13,7 +13,7 @@ constexpr const char* compiler = "Clang " __clang_version__;
 constexpr const char* compiler = "GCC " __VERSION__;
 #endif
 
-/// "LLVM 19.1.7".
+/// For instance "LLVM 19.1.7".
 std::string code_generator() {
   if (!jit::has_compiler()) return "no LLVM";
   const std::string text = jit::target_description({});

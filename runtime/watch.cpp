@@ -12,11 +12,11 @@
 namespace navjit {
 namespace {
 
-/// Fewer steps between two looks tell nothing about how often navigators bail out.
+/// Fewer steps than this between two looks do not tell how often navigators bail out.
 constexpr std::uint64_t steps_to_judge = 1000;
 
-/// Takes out a navigator that leaves out too many of the steps, and those of equal volumes, so that
-/// they are made again with code for these steps.
+/// Takes out a navigator that leaves too many steps to the generic one, and those of equal volumes,
+/// so that they are made again with code for these steps.
 void make_again(Specialisation& spec, VolumeId volume, std::uint64_t bail_outs,
                 std::uint64_t steps) {
   spec.shared->log->info("scene {} left out {} of {} steps: it is made again, with code for them",
@@ -31,7 +31,7 @@ void make_again(Specialisation& spec, VolumeId volume, std::uint64_t bail_outs,
   }
 }
 
-/// Back to the generic navigator.
+/// Replaces the volume's navigator by the generic one.
 void deoptimise(Specialisation& spec, VolumeId volume, SceneStatus status, const std::string& why) {
   spec.shared->table.reset(volume);
   forget_trial(spec, volume);

@@ -250,8 +250,7 @@ struct NthOf<0, First, Others...> {
 template <const auto& places, const auto& shared, class... Classes>
 struct ListedDaughters {
   static constexpr bool any = true;
-  static constexpr unsigned listed =
-      sizeof...(Classes);  ///< how many daughters are types of their own
+  static constexpr unsigned listed = sizeof...(Classes);  ///< how many are types of their own
   static constexpr bool any_rotated = (Classes::rotated || ...),
                         all_rotated = (Classes::rotated && ...);
   static constexpr unsigned count = sizeof...(Classes);

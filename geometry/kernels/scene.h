@@ -38,16 +38,13 @@ struct Scene {
   using leave = LeaveByStack;
   using enter = EnterByTable;
   static constexpr Rare rare = Rare::out_of_line;
-  static constexpr bool oblique_only =
-      true;  ///< rays along the planes of the frame's axes are rare
+  static constexpr bool oblique_only = true;  ///< rays along planes of the frame's axes are rare
   static constexpr Has has_lists = Has::maybe, has_boxes = Has::maybe;
-  static constexpr bool shared_moves =
-      false;  ///< relocation in this scene is called by other scenes, too
+  static constexpr bool shared_moves = false;  ///< others call this relocation, too
   /// A daughter's record may name a stand-in: the first of the volumes that share its scene's code.
   /// The context knows which volume the daughter is.
   static constexpr bool stand_ins = false;
-  static constexpr unsigned long at =
-      0;  ///< where this scene is in the data of all scenes that it calls, bytes
+  static constexpr unsigned long at = 0;  ///< where it is in the data of all that it calls, bytes
 
   [[no_unique_address]] Tolerance tolerance;
   [[no_unique_address]] Frame frame;

@@ -1,5 +1,5 @@
-// How far from a surface steps end, measured against the same detector at 113 bits. Programs for
-// production do without (without_reference.cpp). Private to runtime/.
+// Measures how far from a surface steps end, against the same detector at 113 bits. Programs for
+// production do not have it (without_reference.cpp). Private to runtime/.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace navjit {
 
-/// For one thread. Geometry and context have to outlive it.
+/// For use by one thread. Geometry and context must outlive it.
 class ErrorMeter {
  public:
   ErrorMeter(const Geometry& geometry, const kernels::Context& context);
@@ -20,7 +20,7 @@ class ErrorMeter {
   static bool available();
 
   /// How far off a surface the scene's present navigator ends the step from this state, mm. Nothing
-  /// where the step ends at its limit, or nothing can be measured.
+  /// if the step ends at its limit, or if nothing can be measured.
   std::optional<double> error_at(const Sample& sample);
 
  private:
