@@ -16,8 +16,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// For solids whose own axis is inclined by more than this (rad) the box is used instead. Up to it,
-/// inclination shortens a radius by less than 1e-12 of itself.
+/// If the own axis of a solid is inclined by more than this (rad), the solid's box is used instead.
+/// Up to this angle, inclination shortens a radius by less than 1e-12 of itself.
 constexpr double most_inclined = 1e-6;
 
 struct Planar {
@@ -33,7 +33,7 @@ Planar across(const Vec3& p, int axis) {
   return {c[static_cast<std::size_t>((axis + 1) % 3)], c[static_cast<std::size_t>((axis + 2) % 3)]};
 }
 
-/// From the origin to a segment.
+/// The distance from the origin to a segment.
 double distance_to_segment(const Planar& a, const Planar& b) {
   const Planar along{b.x - a.x, b.y - a.y};
   const double length2 = along.x * along.x + along.y * along.y;
@@ -66,11 +66,11 @@ Span span_of(std::array<double, 8> azimuths) {
   }
   return {first, 2 * pi - gap};
 }
-/// Whether a convex body that spans this may be seen from outside: then it fills less than half a
-/// turn.
+/// Whether a convex body that spans this range may have the origin outside of it. Then it fills
+/// less than half a turn.
 bool may_be_outside(const Span& span) { return span.span < pi - 1e-6; }
 
-/// How near the convex hull of points comes to the origin, which is outside of it.
+/// The distance from the origin to the convex hull of points, if the origin is outside of the hull.
 double nearest(const std::array<Planar, 8>& points) {
   double near = radius(points[0]);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -81,7 +81,7 @@ double nearest(const std::array<Planar, 8>& points) {
   return near;
 }
 
-/// By the box around the solid in its own frame.
+/// The extent of the box around the solid in the solid's own frame.
 AxialExtent by_box(const Solid& solid, const Transformation& t, int axis) {
   AxialExtent result;
   result.low = std::numeric_limits<double>::infinity();
@@ -106,10 +106,10 @@ AxialExtent by_box(const Solid& solid, const Transformation& t, int axis) {
   return result;
 }
 
-/// The circle's largest radius, as a share of the distance to the daughter: with a larger one it is
-/// hardly known which tangent a point is on.
+/// The largest radius of the circle, as a share of the distance to the daughter. With a larger
+/// radius it is hardly known on which tangent a point is.
 constexpr double farthest_lean = 0.99;
-/// Leaning is worth it if the daughter spans at most this share of its radii's span. A guess.
+/// Tangents are used if the daughter spans at most this share of what it spans in radii. A guess.
 constexpr double worth_leaning = 0.5;
 
 std::array<Planar, 8> box_across(const Solid& solid, const Transformation& t, int axis) {
@@ -122,8 +122,8 @@ std::array<Planar, 8> box_across(const Solid& solid, const Transformation& t, in
 
 std::optional<TangentSpan> tangents_through(const std::array<Planar, 8>& points, double lean) {
   if (!(std::abs(lean) < farthest_lean * nearest(points))) return {};
-  // Along a segment outside of the circle the tangent turns one way only. So the extremes are at
-  // ends of segments, and for a convex body at its corners.
+  // Along a segment outside of the circle the tangent turns in one sense only. So the extremes are
+  // at the ends of segments, and for a convex body at its corners.
   std::array<double, 8> azimuths;
   std::transform(points.begin(), points.end(), azimuths.begin(), [&](const Planar& p) {
     return std::remainder(std::atan2(p.y, p.x) - std::asin(lean / radius(p)), 2 * pi);
@@ -133,7 +133,7 @@ std::optional<TangentSpan> tangents_through(const std::array<Planar, 8>& points,
   return TangentSpan{span.first, span.span};
 }
 
-/// What SolidFacts says of the solid, if it is known to be about its z axis.
+/// What SolidFacts says of the solid, if the solid is known to be about its z axis.
 std::optional<Round> round_of(const Solid& solid) {
   return kernels::visit(solid.any(), []<class Shape>(const Shape& s) -> std::optional<Round> {
     if constexpr (requires { SolidFacts<Shape>::round(s); }) return SolidFacts<Shape>::round(s);
@@ -141,7 +141,7 @@ std::optional<Round> round_of(const Solid& solid) {
   });
 }
 
-/// The radius of a ball about the solid's origin that holds it, where SolidFacts knows one.
+/// The radius of a ball about the solid's origin that holds the solid, if SolidFacts knows one.
 std::optional<double> ball_of(const Solid& solid) {
   return kernels::visit(solid.any(), []<class Shape>(const Shape& s) -> std::optional<double> {
     if constexpr (requires { SolidFacts<Shape>::ball(s); }) return SolidFacts<Shape>::ball(s);
@@ -167,7 +167,7 @@ AxialExtent axial_extent(const Solid& solid, const Transformation& t, int axis) 
   result.near = std::max(result.near, round.near * (1 - 1e-12) - off);
   result.far = std::min(result.far, round.far + off);
   if (round.wedge.kind == 0 || off > 1e-10 * round.far) return result;
-  // Edges of the segment; seen against its own axis they change places.
+  // The edges of the segment. Seen against the solid's own axis they are exchanged.
   const auto azimuth = [&](double x, double y) {
     const Planar edge =
         across({r[0] * x + r[3] * y, r[1] * x + r[4] * y, r[2] * x + r[5] * y}, axis);

@@ -22,45 +22,45 @@ constexpr std::size_t spell_out_limit = 4;
 /// At most this many boxes are all tested, four at once.
 constexpr std::size_t most_lanes = 8;
 
-/// With 20,000 daughters `boxes` is 1.5 times as fast as the hierarchy of boxes (docs/scenes.md);
-/// beyond this nothing was measured.
+/// With 20,000 daughters `boxes` is 1.5 times as fast as the hierarchy of boxes (docs/scenes.md).
+/// Nothing was measured with more than this.
 constexpr std::size_t most_boxes = 32768;
 
-/// Scenes with more daughters than this, four million, are not divided by planes: to put the boxes
-/// of so many in order takes seconds.
+/// Scenes with more daughters than this, four million, are not divided by planes: sorting so many
+/// boxes takes seconds.
 constexpr std::size_t most_in_planes = std::size_t{1} << 22;
 
-/// Among more daughters no rings are looked for; beyond this nothing was measured.
+/// With more daughters than this no rings are searched, since nothing was measured.
 constexpr std::size_t most_about_an_axis = 4096;
 
-/// Up to this many daughters all boxes are looked at for the safety. With 65 to 70 daughters that
-/// takes as long as the generic navigator's tree (docs/scenes.md); up to where it may is a guess.
+/// Up to this many daughters all boxes are tested for the safety. With 65 to 70 daughters this
+/// takes as long as the generic navigator's tree (docs/scenes.md). The limit itself is a guess.
 constexpr std::size_t most_boxes_near = 128;
 
-/// Single precision tells boxes apart in scenes that are not larger than this, mm.
+/// Boxes in scenes that are not larger than this, mm, can be distinguished in single precision.
 constexpr double largest_float_scene = 1e7;
 
-/// A nest is searched by its shells if it has at least this many for each other daughter. With
-/// three others for four shells that was no faster than boxes, with none two to five times
-/// (docs/scenes.md).
+/// A nest is searched by its shells if it has at least one shell for this many other daughters.
+/// With three others for four shells that was no faster than boxes, with none two to five times as
+/// fast (docs/scenes.md).
 constexpr std::size_t most_others = 3;
 
-/// A ray is walked through each ring separately. Two rings were measured to pay and 26 not; what is
-/// between is a guess, and so is how many daughters there may be besides.
+/// A ray walks through each ring separately. Two rings were measured to pay and 26 not. The limit
+/// in between is a guess, and so is the number of other daughters.
 constexpr std::size_t most_rings = 4;
 constexpr std::size_t most_beside_rings = 4;
 
-/// Grids have at most this many daughters in a cell on average, all of one solid: there no box
-/// needs a test.
+/// Grids have at most this many daughters in a cell on average, all of one solid. Then no box needs
+/// a test.
 constexpr double about_one = 1.05;
 
 /// Slabs that take less than this share of the mother's cross-section are missed by most rays,
-/// which are walked past one slab after the other; then boxes are looked at first. A guess: runs in
-/// halls of trackers were 1.2 to 1.8 times as fast with scans, those in stacks of full plates 0.9
-/// times.
+/// which then walk past one slab after the other. In this case boxes are tested first. A guess:
+/// runs in halls of trackers were 1.2 to 1.8 times as fast with scans, those in stacks of full
+/// plates 0.9 times.
 constexpr double least_met = 0.5;
 
-/// What single precision loses of a position, twice over.
+/// Twice the rounding error of a position in single precision.
 double float_margin(double largest) { return largest * 0x1p-21; }
 
 /// The mean cross-section of the boxes across an axis, as a share of the mother's.
@@ -74,12 +74,12 @@ double mean_cross_section(const Extent& mother, const std::vector<Extent>& boxes
   return sum / (across(mother) * static_cast<double>(boxes.size()));
 }
 
-/// What of is_regular_grid() is known before the cells are made.
+/// The part of is_regular_grid() that is known before the cells are made.
 bool may_be_grid(const ScenePlan& plan) {
   return plan.classes.size() == 1 && !plan.classes[0].rotated;
 }
 
-/// Several boxes, and nothing but boxes, along the axes.
+/// Whether there are several daughters, and all are boxes along the axes.
 bool may_use_lanes(const Geometry& geometry, const ScenePlan& plan) {
   const auto daughters = geometry.scene(plan.volume).daughters;
   if (!plan.oblique_only || plan.classes.size() != 1 || plan.classes[0].rotated ||
@@ -98,11 +98,11 @@ bool sectors_may_pay(const Rings& rings) {
   return rings.rings.size() <= most_rings && rings.others.size() <= most_beside_rings;
 }
 
-/// Whether sectors are chosen without measurement: where daughters are segments about the axis.
-/// Each of these fills its sector, and boxes tell little; sectors are 1.2 and 1.4 times as fast as
-/// boxes. With what is only placed in a ring (boxes, trapezoids) they are 0.8 to 1.1 times as fast
-/// for 12 to 64 daughters, and much faster for 1200 thin blades, whose boxes overlap: such scenes
-/// are measured with both (runtime/bind_to_data.cpp).
+/// Whether sectors are chosen without measurement, which is the case if daughters are segments
+/// about the axis. Each of these fills its sector, and boxes tell little; sectors are 1.2 and 1.4
+/// times as fast as boxes. With daughters that are only placed in a ring (boxes, trapezoids) they
+/// are 0.8 to 1.1 times as fast for 12 to 64 daughters, and much faster for 1200 thin blades, whose
+/// boxes overlap. Such scenes are measured with both (runtime/bind_to_data.cpp).
 bool sectors_pay(const Rings& rings) {
   return sectors_may_pay(rings) && std::all_of(rings.rings.begin(), rings.rings.end(),
                                                [](const Ring& ring) { return ring.segments; });
@@ -113,10 +113,10 @@ bool is_regular(const std::string& pattern) {
   return pattern.find(" slabs along ") != std::string::npos || pattern.starts_with("grid");
 }
 
-/// Whether slabs or a grid serve wires no worse than rows do. Slabs have a shorter walk for boxes
-/// along the axes, and steps among wires in one plane are as fast with slabs as with rows; but rows
-/// have a faster safety where there are too many wires to look at all. Grids lead to the cell
-/// straight away.
+/// Whether slabs or a grid are at least as good for wires as rows. For boxes along the axes slabs
+/// have a shorter walk, and steps among wires in one plane are as fast with slabs as with rows. But
+/// rows have a faster safety if there are too many wires to test all. Grids lead to the cell at
+/// once.
 bool slabs_or_grid_serve(const Geometry& geometry, const ScenePlan& plan) {
   const bool plain = may_be_grid(plan), boxes = plan.classes[0].kind() == SolidKind::box;
   if (plan.pattern.starts_with("grid")) return plain;
@@ -124,7 +124,7 @@ bool slabs_or_grid_serve(const Geometry& geometry, const ScenePlan& plan) {
          ((plain && boxes) || geometry.scene(plan.volume).daughters.size() <= most_boxes_near);
 }
 
-/// Chooses a pattern about an axis or a centre: a nest, or rings. False if there is none.
+/// Chooses a pattern about an axis or a centre: a nest, or rings. Returns false if there is none.
 bool choose_round(const Geometry& geometry, std::optional<Candidates> forced, double margin,
                   ScenePlan& plan) {
   const World& world = geometry.world();
@@ -192,7 +192,7 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     plan.candidates = Candidates::scan;
     plan.mean_candidates = static_cast<double>(boxes.size());
   };
-  // What is bound to data may use a scan, whatever is chosen here.
+  // Scenes that are bound to data may use a scan, whatever is chosen here.
   if (scan || groups) make_boxes();
   if (scan && forced == Candidates::scan) {
     use_scan();
@@ -220,7 +220,7 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     if (layers) plan.layers = std::move(*layers);
     return plan.layers.found();
   };
-  // Where there are too many daughters to look at all for the safety, layers may give it.
+  // If there are too many daughters to test all for the safety, layers may give it.
   const auto make_layers_for_safety = [&] {
     if (!forced && boxes.size() > most_boxes_near) make_layers();
   };
@@ -279,7 +279,7 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     use_lanes();
     return;
   }
-  // Layers are walked by what is bound to data alone; code gets another search beside them.
+  // Layers are walked only by navigators that are bound to data; code gets another search besides.
   if ((!forced || *forced == Candidates::layers) && make_layers() &&
       (forced || boxes.size() > most_boxes)) {
     plan.candidates = Candidates::layers;
@@ -291,8 +291,8 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     plan.mean_candidates = static_cast<double>(boxes.size());
     return;
   }
-  // A daughter is not listed in cells that lie in a hole of it, or in a part of its box that it
-  // does not fill.
+  // A daughter is not listed in cells that lie in a hole of the daughter, or in a part of its box
+  // that it does not fill.
   const auto apart = [&](std::uint32_t k, const Extent& box) {
     const Daughter& d = scene.daughters[k];
     return safety_to_in(d.solid, to_local(d.transformation, 0.5 * (box.min + box.max))) >

@@ -12,7 +12,7 @@ namespace navjit {
 namespace {
 
 /// Code that knows the frame and the mother is faster, but code for each case costs more to
-/// compile: with more cases than this there is one code for all. A guess.
+/// compile. With more cases than this there is one code for all. A guess.
 constexpr std::size_t most_cases = 4;
 
 using Numbers = std::vector<std::uint32_t>;  ///< by volume
@@ -22,7 +22,7 @@ void add(std::string& key, const Value& value) {
   key.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// Gives each different key a number, in the order in which they come.
+/// Gives each different key a number, in the order in which keys occur.
 class Numbering {
  public:
   std::uint32_t of(std::string key) {
@@ -34,7 +34,7 @@ class Numbering {
   std::unordered_map<std::string, std::uint32_t> known_;
 };
 
-/// What makes a scene's kind: its solid, and the daughters with their places.
+/// The key of a scene's kind: its solid, and the daughters with their places.
 std::string key_of(const Scene& scene, const Numbers& kinds) {
   std::string key = solid_key(scene.solid);
   for (const Daughter& d : scene.daughters) {
@@ -48,8 +48,8 @@ std::string key_of(const Scene& scene, const Numbers& kinds) {
   return key;
 }
 
-/// By volume: its kind, a number that is the same for volumes that differ in names alone, and in
-/// those of what is in them.
+/// By volume: its kind, a number that is the same for volumes that differ only in their names and
+/// in the names of what is in them.
 Numbers kinds_of(const Geometry& geometry, std::span<const VolumeId> mothers_first) {
   Numbers kinds(geometry.size(), 0);
   Numbering numbering;
@@ -59,8 +59,8 @@ Numbers kinds_of(const Geometry& geometry, std::span<const VolumeId> mothers_fir
   return kinds;
 }
 
-/// What code may know of a volume beside its kind: the rotation of its touchables, if they share
-/// one, and the kind of its mother, if there is just one.
+/// What code may know of a volume besides its kind: the rotation of its touchables, if they share
+/// one, and the kind of its mother, if there is only one.
 struct Case {
   bool never_rotated;
   unsigned rotation;
@@ -76,7 +76,7 @@ Case case_of(const WorldFacts& facts, const Numbers& kinds, VolumeId volume) {
   return {frame.never_rotated, frame.rotation, mother ? kinds[*mother] : several};
 }
 
-/// Kinds, split by cases where a kind has few of them.
+/// Kinds, which are split into cases if a kind has few of them.
 Numbers with_cases(const WorldFacts& facts, std::span<const VolumeId> volumes,
                    const Numbers& kinds) {
   std::unordered_map<std::uint32_t, std::set<Case>> cases;
@@ -95,7 +95,7 @@ Numbers with_cases(const WorldFacts& facts, std::span<const VolumeId> volumes,
   return told;
 }
 
-/// What all have in common; nothing if they differ.
+/// The value that all volumes have in common; nothing if they differ.
 template <class Of>
 auto common(std::span<const VolumeId> volumes, const Of& of) -> decltype(of(volumes[0])) {
   const auto first = of(volumes[0]);
@@ -137,8 +137,8 @@ bool has_stand_ins(const Geometry& geometry, const WorldFacts& facts,
 std::vector<VolumeId> equal_scenes(const Geometry& geometry, const WorldFacts& facts,
                                    std::span<const VolumeId> mothers_first) {
   const Numbers told = with_cases(facts, mothers_first, kinds_of(geometry, mothers_first));
-  // Volumes of one kind and case may have daughters that were split by cases, since these occur in
-  // other mothers, too.
+  // Volumes of one kind and case may have daughters that were split into cases, since these also
+  // occur in other mothers.
   Numbers groups(geometry.size(), 0);
   Numbering numbering;
   for (auto v = mothers_first.rbegin(); v != mothers_first.rend(); ++v) {

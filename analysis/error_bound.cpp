@@ -10,14 +10,15 @@ namespace navjit {
 namespace {
 
 const double root3 = std::sqrt(3.0);
-/// The sums here are themselves rounded, and products of several roundings are left out.
+/// Allows for the rounding of the sums here, and for products of several roundings, which are left
+/// out.
 constexpr double slack = 1 + 1e-6;
 /// How much longer than 1 a direction may be.
 constexpr double longest_direction = 1 + 1e-5;
 
 double length(const double (&v)[3]) { return std::hypot(v[0], v[1], v[2]); }
 
-/// How far a point of the box is from the origin, at most.
+/// A bound of the distance of the box's points from the origin.
 double radius_of(const Extent& e) {
   return std::hypot(std::max(std::abs(e.min.x), std::abs(e.max.x)),
                     std::max(std::abs(e.min.y), std::abs(e.max.y)),
@@ -29,15 +30,15 @@ double diagonal_of(const Extent& e) {
 
 double skew_at(const Transformation& t) { return t.rotated ? skew_of(t.rotation) : 0; }
 
-/// How far the frame of a volume in the world, as it is composed, may be from what the file says:
-/// the worst of all its touchables.
+/// How far the composed frame of a volume in the world may be from what the file says, in the worst
+/// of all its touchables.
 struct FrameError {
   bool reached = false;
   bool rotated = false;
-  double origin = 0;     ///< how far from the world's origin the frame's may be, mm
-  double position = 0;   ///< of a local point, mm
-  double direction = 0;  ///< of a local direction of length 1
-  double skew = 0;       ///< norm of R R' - 1, R being the composed rotation
+  double origin = 0;     ///< how far the frame's origin may be from the world's, mm
+  double position = 0;   ///< error of a local point, mm
+  double direction = 0;  ///< error of a local direction of length 1
+  double skew = 0;       ///< norm of R R' - 1, where R is the composed rotation
 
   void take(const FrameError& o) {
     reached = true;
@@ -49,7 +50,8 @@ struct FrameError {
   }
 };
 
-/// From a mother's frame into that of a daughter whose points are up to `reach` from its origin.
+/// The error of a daughter's frame, given that of its mother's; the daughter's points are up to
+/// `reach` from its origin.
 FrameError into_daughter(const FrameError& mother, const Transformation& t, double reach) {
   const double away = length(t.translation), skew = skew_at(t);
   // R' = r R, rounded.
@@ -70,7 +72,8 @@ FrameError into_daughter(const FrameError& mother, const Transformation& t, doub
   return inner;
 }
 
-/// Rounding of a position in applying a frame: the difference, and a rotation behind it.
+/// The rounding error of a position when a frame is applied: of the difference, and of the rotation
+/// after it.
 double applied(bool rotated, double skew, double reach) {
   return (rotated ? rounding(4) * root3 * (1 + skew) : rounding(1)) * reach;
 }
@@ -78,11 +81,12 @@ double turned(bool rotated, double skew) {
   return rotated ? rounding(3) * root3 * (1 + skew) * longest_direction : 0;
 }
 
-/// Mothers before daughters, from the top.
+/// The volumes in the tree, mothers before daughters.
 std::vector<VolumeId> from_the_top(const World& world) {
   std::vector<char> seen(world.volumes.size(), 0);
   std::vector<VolumeId> order;
-  // Depth first, daughters noted before their mothers; the tree is at most max_depth deep.
+  // This goes depth first and notes daughters before their mothers. The tree is at most max_depth
+  // deep.
   const auto visit = [&](const auto& self, VolumeId volume) -> void {
     seen[volume] = 1;
     for (const Placement& d : world.volumes[volume].daughters) {
@@ -95,8 +99,8 @@ std::vector<VolumeId> from_the_top(const World& world) {
   return order;
 }
 
-/// By volume: the box around its solid and all that is placed in it, in its frame, mm. What sticks
-/// out of its mother belongs to its scene, too.
+/// By volume: the box around its solid and all that is placed in it, in its frame, mm. The parts of
+/// daughters outside of their mother also belong to the mother's scene.
 std::vector<Extent> full_extents(const World& world, const std::vector<VolumeId>& order) {
   std::vector<Extent> full(world.volumes.size());
   for (std::size_t i = order.size(); i-- > 0;) {
@@ -125,8 +129,8 @@ ErrorBound bound_of(const World& world, VolumeId volume, const Extent& box,
       frame.position + applied(frame.rotated, frame.skew, reach) +
       path * (frame.direction * longest_direction + turned(frame.rotated, frame.skew));
   ErrorBound bound;
-  // A start within the tolerance of a face counts as on it, and a corner or a grazed part that is
-  // less deep than that is passed over.
+  // A start within the tolerance of a face counts as on it, and a corner or a grazed part of the
+  // solid that is less deep than this is passed over.
   bound.tolerance = 2 * world.tolerance;
   const auto add = [&](const Solid& solid, double displaced, double from) {
     const auto kernel = kernel_error(solid.any(), {from, path, world.tolerance});

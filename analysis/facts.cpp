@@ -7,7 +7,7 @@
 namespace navjit {
 namespace {
 
-/// Mothers before daughters, from the top; volumes outside the tree do not occur.
+/// The volumes in the tree, mothers before daughters; volumes outside the tree do not occur.
 std::vector<VolumeId> topological_order(const Geometry& geometry) {
   const std::size_t n = geometry.size();
   std::vector<std::uint32_t> waiting(n, 0);
@@ -34,7 +34,7 @@ std::vector<VolumeId> topological_order(const Geometry& geometry) {
   return order;
 }
 
-/// Frames of a volume, collected until they turn out to be many.
+/// The different frames of a volume, collected until there are too many.
 struct FrameSet {
   std::vector<std::array<double, 9>> rotations;
   bool many_rotations = false;
@@ -59,7 +59,8 @@ StackLevel level_of(const std::array<double, 9>& rotation,
   return level;
 }
 
-/// The daughter's frame by navigation's own composition, so that constants have its bits.
+/// The daughter's frame, composed by the navigator's own functions, so that constants have the same
+/// bits.
 void compose(const std::array<double, 9>& rotation, const std::array<double, 3>& translation,
              const Transformation& t, std::array<double, 9>& out_rotation,
              std::array<double, 3>& out_translation) {
@@ -143,7 +144,7 @@ WorldFacts analyse_world(const Geometry& geometry) {
     facts.equals[facts.first_equal[v]].push_back(static_cast<VolumeId>(v));
   }
   facts.of_equals = facts_of_equals(geometry, facts);
-  // One navigator for several volumes cannot have the place of one of them built in.
+  // One navigator for several volumes cannot have the place of one of them as a constant.
   for (std::size_t v = 0; v < n; ++v) {
     if (facts.equals[facts.first_equal[v]].size() > 1) facts.frames[v].only_translation.reset();
   }

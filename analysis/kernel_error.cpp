@@ -12,7 +12,7 @@ struct ErrorOf {
   const KernelUse& use;
   using Bound = std::optional<double>;
 
-  /// What SolidFacts says; nothing where no bound is derived.
+  /// The bound in SolidFacts; nothing if none is derived.
   template <class Shape>
   Bound operator()(const Shape& s) const {
     if constexpr (requires { SolidFacts<Shape>::error(s, use); }) {
@@ -32,9 +32,9 @@ struct ErrorOf {
     return (1 + skew) * (*inner + applied);
   }
 
-  /// A crossing of an operand's surface, seen from a point on the ray that is computed from the
-  /// start. Which operand the ray is in is decided by containment, which allows for the tolerance:
-  /// so the tolerance has to exceed any rounding.
+  /// The bound of a crossing of an operand's surface, seen from a point on the ray that is computed
+  /// from the start. Containment decides in which operand the ray is, and allows for the tolerance.
+  /// So the tolerance has to exceed all rounding.
   template <class Boolean>
   Bound boolean(const Boolean& s) const {
     const KernelUse along{use.reach + use.path, use.path, use.tolerance};

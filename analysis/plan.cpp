@@ -15,15 +15,15 @@ namespace {
 
 const char* const axis_names[] = {"x", "y", "z", "the centre"};
 
-/// A scene that is no grid has blocks of boxes from a few daughters on. If it has more daughters
-/// than this and no boxes, there were too many for these.
+/// A scene that is not a grid has blocks of boxes from a few daughters on. If it has more daughters
+/// than this and no boxes, there were too many daughters for boxes.
 constexpr std::size_t most_without_boxes = 64;
 
 /// With more daughters than this, tables of boxes would be most of the code.
 constexpr std::size_t most_boxes_in_code = 4096;
 
-/// Each class of daughters is code of its own, each number of a solid a constant: beyond this the
-/// compiler takes longer than any run would gain.
+/// Each class of daughters is code of its own, and each number of a solid is a constant. With more
+/// than this the compiler takes longer than any run would gain.
 constexpr std::size_t most_classes = 64;
 constexpr std::size_t most_numbers = 4000;
 
@@ -49,9 +49,9 @@ std::vector<DaughterClass> classify(const Geometry& geometry, const Scene& scene
   return classes;
 }
 
-/// From this many different solids of a kind on, a table of their numbers costs less than a branch
-/// on which solid it is, which processors cannot foresee, with constants that fold. Thirteen cones
-/// gained half of their time; where it begins to pay is a guess, but for boxes.
+/// From this many different solids of a kind on, a table of their numbers costs less than code with
+/// constants for each solid and an unpredictable branch between them. Thirteen cones gained half of
+/// their time. The limits are guesses, except for boxes.
 std::size_t fewest_in_table(SolidKind kind) {
   switch (kind) {
     case SolidKind::box:
@@ -84,7 +84,7 @@ void merge_classes(std::vector<DaughterClass>& classes, SolidKind kind, bool rot
   std::sort(members.begin(), members.end());
   const auto into = std::find_if(classes.begin(), classes.end(), mergeable);
   std::erase_if(classes, [&](const DaughterClass& c) { return &c != &*into && mergeable(c); });
-  // It is the first of those that are merged, so that erasing the others did not move it.
+  // This is the first of the merged classes, so erasing the others did not move it.
   into->shapes = std::move(shapes);
   into->members.clear();
   into->shape_of.clear();
@@ -100,7 +100,7 @@ constexpr std::size_t most_with_neighbours = 2048;
 /// Plans of scenes with fewer daughters are not kept, since they take little time. A guess.
 constexpr std::size_t fewest_to_keep = 16;
 
-/// Whether the volume's own solid is a box, or that of a daughter that is not turned.
+/// Whether the volume's own solid, or that of a daughter that is not rotated, is a box.
 bool has_boxes_along_axes(const Scene& scene, const ScenePlan& plan) {
   return scene.solid.kind == SolidKind::box ||
          std::any_of(plan.classes.begin(), plan.classes.end(), [](const DaughterClass& c) {
@@ -156,14 +156,14 @@ Worth worth_compiling(const Geometry& geometry, const ScenePlan& plan) {
   const std::size_t daughters = geometry.scene(plan.volume).daughters.size();
   if (plan.candidates == Candidates::boxes && daughters > most_boxes_in_code)
     return no("too many daughters for tables of boxes");
-  // Lone daughters of many cells, tested one after the other, are no faster than the generic
-  // navigator's tree.
+  // If many cells have a single daughter, and these are tested one after the other, this is no
+  // faster than the generic navigator's tree.
   if (plan.candidates == Candidates::grid && daughters > most_without_boxes &&
       !is_regular_grid(plan)) {
     return no("too many daughters for tables of boxes");
   }
-  // The walk through many faces is the same code with tables, specialised or not; a copy for every
-  // scene only drives other code out of the instruction cache.
+  // The walk through many faces is the same code with tables, specialised or not. A copy for every
+  // scene only removes other code from the instruction cache.
   if (geometry.scene(plan.volume).solid.kind == SolidKind::facets) {
     return no("its own faces take the time");
   }

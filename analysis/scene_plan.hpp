@@ -206,14 +206,12 @@ struct ScenePlan {
   /// there only for the safety.
   Layers layers;
   SafetyFrom safety = SafetyFrom::generic;
-  std::vector<Extent>
-      tree_boxes;  ///< for safety: by daughter, inflated as in the generic navigator
+  std::vector<Extent> tree_boxes;  ///< for safety: by daughter, as the generic navigator inflates
   /// Steps from within a daughter and, if oblique_only, those along faces are left to the generic
   /// navigator. This saves much code.
   bool bail_out_rare = false;
-  bool oblique_only = false;  ///< because daughters are boxes along the axes of the frame
-  bool neighbour_lists =
-      false;  ///< whether only the neighbours of a daughter are asked when a track leaves it
+  bool oblique_only = false;     ///< because daughters are boxes along the axes of the frame
+  bool neighbour_lists = false;  ///< on leaving a daughter only its neighbours are asked
   std::vector<DaughterClass> classes;
   double mean_candidates = 0;  ///< the expected number in a cell, weighted by volume
   std::string pattern;         ///< in words: "leaf", "70 slabs along z", "grid 4 x 4", ...

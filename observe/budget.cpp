@@ -48,7 +48,7 @@ std::vector<double> touchables_of(const World& world) {
 std::vector<double> material_rates(const World& world, Observation::Unit unit) {
   std::vector<double> rates;
   for (const Material& m : world.materials) {
-    // A material without elements may be one of which the file says nothing.
+    // If a material has no elements, the file may say nothing about it.
     const double nothing = m.density == 0 && !m.elements.empty() ? 0 : -1;
     if (unit == Observation::Unit::grams_per_cm2) {
       rates.push_back(m.density > 0 ? m.density / 10 : nothing);
@@ -115,7 +115,7 @@ SmallVolumes choose_small(const World& world, const Marks& marks, double budget,
     const auto [d, m] = pair;
     const double inner = rate_of(d), outer = rate_of(m);
     if (inner < 0 || outer < 0 || invisible(marks, d, m) || !of_one_kind(marks, d, m)) continue;
-    // A daughter of its own material is invisible in it, and would become visible.
+    // A daughter of the volume's own material is invisible in it, and would become visible.
     const auto& below = world.volumes[d].daughters;
     if (std::any_of(below.begin(), below.end(), [&, inside = d](const Placement& p) {
           return marks.own[p.volume] == marks.own[inside];

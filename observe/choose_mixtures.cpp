@@ -23,7 +23,7 @@ std::vector<std::span<const Record>> by_node(const std::vector<Record>& records,
   return parts;
 }
 
-/// A choice as it grows, and what it makes of rays.
+/// A choice as it grows, and its effect on rays.
 class Choice {
  public:
   Choice(const World& world, const Mixtures& mixtures, const std::vector<double>& rates,
@@ -49,11 +49,10 @@ class Choice {
     rates_ = own_;
   }
 
-  /// What the choice would come to if the daughters of these volumes became part of the mother,
-  /// too.
+  /// The effect of the choice if the daughters of these volumes became part of the mother as well.
   struct Trial {
-    double mean = 0;         ///< change of a ray, absolute, over all rays
-    std::uint64_t gain = 0;  ///< boundaries that rays do not see any more
+    double mean = 0;         ///< the mean absolute change of all rays
+    std::uint64_t gain = 0;  ///< boundaries that rays would not see any more
   };
   Trial try_out(VolumeId mother, const std::set<VolumeId>& more) {
     Trial trial;
@@ -116,8 +115,8 @@ class Choice {
     return all;
   }
 
-  /// All nodes of the mother that are not part of a mixture themselves, and all nodes below them
-  /// that become part of theirs.
+  /// Finds all nodes of the mother that are not part of a mixture themselves, and all nodes below
+  /// them that become part of their mixtures.
   void find_affected(VolumeId mother, const std::set<VolumeId>& all) {
     affected_.clear();
     for (const std::uint32_t node : nodes_of_[mother]) {
@@ -134,7 +133,7 @@ class Choice {
     for (const std::uint32_t d : daughters_[node]) add_below(d, depth);
   }
 
-  /// Boundaries from a node that are within one mixture.
+  /// The number of boundaries from a node that are within one mixture.
   std::uint64_t vanished(std::uint32_t node) const {
     std::uint64_t sum = 0;
     for (const PassedBoundaries& b : boundaries_[node]) {
@@ -148,12 +147,12 @@ class Choice {
   std::vector<std::span<const PassedLength>> lengths_;
   std::vector<std::span<const PassedBoundaries>> boundaries_;
   std::vector<std::vector<std::uint32_t>> daughters_, nodes_of_;
-  std::vector<double> own_, rates_;  ///< by node: as it is, and as it has become
-  std::vector<std::uint32_t> ends_;  ///< by node: depth of the volume that it is part of by now
+  std::vector<double> own_, rates_;  ///< by node: the original rate, and the present one
+  std::vector<std::uint32_t> ends_;  ///< by node: depth of the volume of which it is now a part
   std::vector<double> changes_, touched_;  ///< by ray
   std::vector<std::uint32_t> rays_;
   struct Affected {
-    std::uint32_t node, before, after;  ///< `ends_` of it
+    std::uint32_t node, before, after;  ///< the values of `ends_`
   };
   std::vector<Affected> affected_;
   double sum_ = 0;
@@ -164,7 +163,7 @@ struct Move {
   double score = 0;
   VolumeId mother = 0;
   std::set<VolumeId> daughters{};
-  std::size_t since = never;  ///< how many moves were taken when it was judged
+  std::size_t since = never;  ///< how many moves had been taken when it was judged
 
   static constexpr std::size_t never = static_cast<std::size_t>(-1);
 
@@ -211,7 +210,7 @@ RayChanges changes_of(const World& world, const Mixtures& mixtures,
                       const std::vector<double>& rates, const Passages& passages,
                       const ChosenMixtures& chosen) {
   Choice choice(world, mixtures, rates, passages);
-  // In any order: what is part of another mixture stays so.
+  // The order does not matter: a part of another mixture remains one.
   for (const auto& [mother, daughters] : chosen) choice.take(mother, daughters);
   RayChanges changes{.whole = choice.whole()};
   std::vector<double> sizes;
@@ -251,14 +250,14 @@ ChosenMixtures choose_mixtures(const World& world, const Mixtures& mixtures,
     queue.pop();
     const bool judged = move.since == taken;
     const Choice::Trial trial = choice.try_out(move.mother, move.daughters);
-    // What changes rays too much now does so later on, too, unless changes cancel out.
+    // A move that changes rays too much now does so later as well, unless changes cancel.
     if (trial.mean > mean || trial.gain == 0) continue;
     if (judged) {
       choice.take(move.mother, move.daughters);
       ++taken;
       continue;
     }
-    // What makes rays better costs least of all.
+    // A move that brings rays nearer to the original costs least of all.
     const double cost = std::max(trial.mean - choice.mean(), 1e-12 * (mean + choice.mean()));
     move.score = static_cast<double>(trial.gain) / cost;
     move.since = taken;

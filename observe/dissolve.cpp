@@ -62,7 +62,7 @@ class Rewriting {
 
  private:
   struct Outcome {
-    const char* why;  ///< `dissolved`, or why it was left
+    const char* why;  ///< `dissolved`, or why it was kept
     Verdict verdict = Verdict::proved;
   };
 
@@ -113,7 +113,7 @@ class Rewriting {
     result_.offsets[mother] = std::move(offsets);
   }
 
-  /// Whether daughter number k may be dissolved, and is worth it.
+  /// Whether daughter number k may be dissolved, and whether that pays.
   Outcome judge(VolumeId mother, std::size_t k, const std::vector<Extent>& boxes,
                 const bvh::BoxTree& tree) {
     const auto& sisters = original_.volumes[mother].daughters;
@@ -134,8 +134,8 @@ class Rewriting {
     tree.overlapping(boxes[k], [&](std::uint32_t i) {
       if (i == k || !share(boxes[i], boxes[k])) return true;
       const VolumeId other = sisters[i].volume;
-      // Both are of the mother's own material, with nothing in them: it does not matter which of
-      // them a point is in.
+      // Both are of the mother's own material, with nothing in them. So it does not matter in which
+      // of them a point is.
       if (below == 0 && invisible(marks_, id, mother) && invisible(marks_, other, mother) &&
           result_.world.volumes[other].daughters.empty()) {
         return true;
@@ -157,7 +157,7 @@ class Rewriting {
            along(a.min.z, a.max.z, b.min.z, b.max.z);
   }
 
-  /// Whether all that is left in a volume is within it; asked once for each volume.
+  /// Whether all that is left in a volume is within the volume; computed once for each volume.
   Verdict daughters_within(VolumeId id) {
     std::optional<Verdict>& known = within_[id];
     if (!known) {
@@ -172,8 +172,8 @@ class Rewriting {
     return *known;
   }
 
-  /// Appends what is left in the placement, in the mother's frame. False if rotations cannot be
-  /// combined.
+  /// Appends what is left in the placement, in the mother's frame. Returns false if rotations
+  /// cannot be combined.
   bool replace(const Placement& placement, std::vector<Placement>& daughters,
                std::vector<TouchableId>& offsets) {
     const auto& inner = result_.world.volumes[placement.volume].daughters;
@@ -188,8 +188,8 @@ class Rewriting {
     } catch (const GeometryError&) {
       return false;
     }
-    // A volume with two daughters or more is dissolved only where it is placed once: then these are
-    // placed as often as before.
+    // A volume with two daughters or more is dissolved only if it is placed once. Then its
+    // daughters are placed as often as before.
     --uses_[placement.volume];
     if (uses_[placement.volume] > 0) {
       for (const Placement& p : inner) ++uses_[p.volume];
@@ -223,7 +223,7 @@ class Rewriting {
   double tolerance_;
   Separation separation_;
   std::vector<std::optional<Verdict>> within_;
-  std::vector<std::uint64_t> uses_;  ///< placements of each volume in the tree as it is by now
+  std::vector<std::uint64_t> uses_;  ///< placements of each volume in the present tree
   Dissolved result_;
 };
 

@@ -26,7 +26,7 @@ ObservationReport::Measured measured(const RayChanges& c, std::uint64_t rays) {
           .largest = c.largest};
 }
 
-/// Tags of a volume without thresholds, which follow from its old material.
+/// The tags of a volume except thresholds, which follow from its old material.
 Auxiliaries without_thresholds(const Auxiliaries& tags) {
   if (!tags) return tags;
   std::vector<Auxiliary> left;
@@ -37,7 +37,7 @@ Auxiliaries without_thresholds(const Auxiliaries& tags) {
   return left.empty() ? nullptr : std::make_shared<const std::vector<Auxiliary>>(std::move(left));
 }
 
-/// By how much a mixture differs from what it takes the place of, at most, for each mm.
+/// The most by which a mixture differs from the materials that it replaces, for each mm.
 double largest_difference(const World& world, const std::vector<double>& rates, VolumeId mother,
                           const std::set<VolumeId>& daughters, double rate) {
   double largest = std::abs(rates[world.volumes[mother].material] - rate);
@@ -111,7 +111,7 @@ Homogenised homogenise(const std::shared_ptr<const World>& world, const Observat
     const auto rays =
         sample(*world, observation.rays, rays_to_judge, 2 + static_cast<std::uint64_t>(attempt));
     const Passages to_judge = pass_through(world, rays);
-    // The last attempt is to mix nothing.
+    // The last attempt mixes nothing.
     made.chosen.clear();
     RayChanges changes = changes_of(*world, mixtures, rates, to_judge, made.chosen);
     const double most = observation.unit == Observation::Unit::relative

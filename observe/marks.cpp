@@ -23,8 +23,8 @@ bool only_drawn(const Auxiliary& tag) {
   return false;
 }
 
-/// Tags as text: those of two volumes are the same if their texts are. No text of a file can be
-/// mistaken for two, since each is preceded by its length.
+/// Appends a tag as text, such that two volumes have the same tags if their texts are equal. A text
+/// in a file cannot be taken for two, since each is preceded by its length.
 void append_text(std::string& text, const Auxiliary& tag) {
   for (const std::string* part : {&tag.type, &tag.value, &tag.unit}) {
     text += std::to_string(part->size()) + ':' + *part;
@@ -34,7 +34,8 @@ void append_text(std::string& text, const Auxiliary& tag) {
   text += ')';
 }
 
-/// Cuts, fields, step limits and what else a file says of a volume beside its detector and region.
+/// Cuts, fields, step limits and everything else that a file says of a volume besides its detector
+/// and region.
 std::string tags_of(const LogicalVolume& volume, bool with_thresholds) {
   std::string text;
   if (!volume.auxiliaries) return text;
@@ -46,7 +47,7 @@ std::string tags_of(const LogicalVolume& volume, bool with_thresholds) {
   return text;
 }
 
-/// A name without the address of the volume, which Geant4 writes behind it.
+/// A name without the volume's address, which Geant4 appends.
 std::string_view without_address(std::string_view name) { return name.substr(0, name.find("0x")); }
 
 /// The region that each volume is the root of, as a number from 1; 0 for none.
@@ -121,7 +122,7 @@ Marks find_marks(const World& world, const Observation& observation,
         kinds.try_emplace({material, marks.tags[v]}, static_cast<std::uint32_t>(kinds.size()))
             .first->second;
   }
-  // Regions go down the tree, from mothers to daughters that are no roots of their own.
+  // Regions are inherited down the tree by daughters that are not roots of regions themselves.
   const std::vector<int> roots = region_roots(world);
   std::vector<std::optional<int>> regions(count);
   std::vector<VolumeId> order = daughters_first(world);

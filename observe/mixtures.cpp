@@ -21,7 +21,8 @@ bool share(const Extent& a, const Extent& b, double tolerance) {
          along(a.min.z, a.max.z, b.min.z, b.max.z);
 }
 
-/// Whether all daughters are within the volume and apart from one another: then volumes add up.
+/// Whether all daughters are within the volume and apart from one another, so that their volumes
+/// can be added.
 bool adds_up(const World& world, const LogicalVolume& volume, Separation& separation,
              double tolerance) {
   std::vector<Extent> boxes;
@@ -61,7 +62,7 @@ Mixtures::Mixtures(const World& world, const Marks& marks, const std::vector<dou
   }
   const double tolerance = std::max(overlap, 8 * world.tolerance);
   Separation separation(tolerance, world.tolerance);
-  // Whether all that is in a volume may become one with what is around it, tags aside.
+  // Whether all that is in a volume may be mixed with what is around the volume, apart from tags.
   std::vector<bool> dissolves(world.volumes.size());
   for (const VolumeId v : daughters_first(world)) {
     const LogicalVolume& volume = world.volumes[v];
@@ -78,7 +79,7 @@ Mixtures::Mixtures(const World& world, const Marks& marks, const std::vector<dou
       known = known && inner >= 0;
       own -= inner;
     }
-    // Rounding may leave a little less than nothing where daughters fill the volume.
+    // Rounding may give a little less than nothing if daughters fill the volume.
     if (!known || !(own > -1e-9 * whole)) {
       why_[v] = "its volume, or that of a daughter, is not known in closed form";
       continue;
@@ -97,7 +98,7 @@ Mixtures::Mixtures(const World& world, const Marks& marks, const std::vector<dou
         dissolves[v] = false;
       }
     }
-    // Only what is within something else as a whole is asked for its parts.
+    // Only volumes that are within others as a whole need their parts.
     if (dissolves[v]) whole_[v] = parts(v, possible_[v]);
     if (!volume.daughters.empty() && possible_[v].empty()) {
       why_[v] = "what is in it is observed, of another region or other tags, or cannot be mixed";
@@ -140,7 +141,7 @@ Material Mixtures::material(VolumeId mother, const std::set<VolumeId>& daughters
     for (const ElementShare& share : m.elements) {
       elements[share.element] += part * m.density * share.fraction;
     }
-    // State, temperature and pressure are those of what most of its mass is.
+    // State, temperature and pressure are those of the part with the largest mass.
     if (part * m.density > most) {
       most = part * m.density;
       mixture.state = m.state;

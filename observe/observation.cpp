@@ -20,7 +20,7 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-/// Numbers with slashes between them; throws if there are not so many.
+/// Numbers separated by slashes. Throws unless there are exactly `count`.
 std::vector<double> numbers(std::string_view text, std::size_t count, const char* what) {
   std::vector<double> values;
   for (std::string_view rest = text;;) {
@@ -81,7 +81,7 @@ void read_mixtures(std::string_view text, Observation& observation) {
 }
 
 std::string text_of(double value) {
-  // Whatever the program's locale is: it is read again.
+  // This text is read again, so it must not depend on the program's locale.
   char text[32];
   const auto written =
       std::to_chars(text, text + sizeof text, value, std::chars_format::general, 9);

@@ -28,7 +28,8 @@ struct ObservedDetector::Data {
 
 namespace {
 
-/// Rays that tell which volumes are passed, and how: few, since nothing but speed depends on them.
+/// The number of rays that tell which volumes are passed, and how. It is small, since only speed
+/// depends on them.
 constexpr std::uint64_t rays_to_count = 500;
 
 void see_all(ObservedDetector::Data& data) {
@@ -40,12 +41,12 @@ void see_all(ObservedDetector::Data& data) {
   report.touchables_before = report.touchables_after = data.original.touchables();
 }
 
-/// `world` has the original's tree, and its materials up to mixtures.
+/// `world` has the tree of the original and also its materials, except for mixtures.
 void simplify(ObservedDetector::Data& data, const World& world, double budget,
               const ChosenMixtures& mixed) {
   MaterialGroups groups;
   const bool merges = data.observation.kind == Observation::Kind::budget;
-  // Materials that are nearly the same may take half of it, small volumes what is left.
+  // Materials that are nearly the same may use half of the budget, and small volumes the rest.
   const Observation::Unit unit = data.observation.unit;
   if (merges) {
     const bool all_of_it = unit == Observation::Unit::relative;
@@ -134,11 +135,11 @@ State ObservedDetector::original(const State& state, const Vec3& point,
   const World& world = *data_->original.model();
   const Transformation frame = data_->original.frame(at);
   Vec3 p = to_local(frame, point), v = direction_to_local(frame, direction);
-  bool in_mixture = false;  // then all that is below was mixed, whatever is left of it elsewhere
+  bool in_mixture = false;  // then all below was mixed, whatever is left of it elsewhere
   for (bool deeper = true; deeper;) {
     deeper = false;
     const auto& daughters = world.volumes[at.volume()].daughters;
-    // Where daughters overlap the last counts, as in navigation.
+    // If daughters overlap the last one counts, as in navigation.
     for (std::size_t k = daughters.size(); k-- > 0 && !deeper;) {
       if (!in_mixture && !data_->gone[at.volume()][k]) continue;
       const Placement& daughter = daughters[k];

@@ -11,7 +11,7 @@
 namespace navjit {
 namespace {
 
-/// Rays that make this many steps in a row without getting ahead are left where they are.
+/// Rays that make this many steps in a row without getting ahead are given up.
 constexpr int most_standing = 100;
 
 class Recorder {
@@ -54,7 +54,7 @@ class Recorder {
   }
 
  private:
-  /// Makes `levels` those of the stack. Returns how deep it shares touchables with what was there.
+  /// Makes `levels` those of the stack. Returns how many levels have the same touchables as before.
   std::size_t enter(std::vector<std::pair<TouchableId, std::uint32_t>>& levels) {
     const auto depth = static_cast<std::size_t>(stack_->depth);
     std::size_t same = 0;

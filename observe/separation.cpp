@@ -52,7 +52,7 @@ void for_each_corner(const PlacedSolid& s, const F& f) {
   }
 }
 
-/// Is the one turned about the other's z axis at the most, and on it?
+/// Is the solid on the other's z axis, and turned at most about this axis?
 bool on_one_axis(const Transformation& t) {
   return t.translation[0] == 0 && t.translation[1] == 0 && std::abs(t.rotation[8]) == 1;
 }
@@ -69,7 +69,7 @@ Transformation between(const PlacedSolid& a, const PlacedSolid& b) {
   return compose(inverse, b.transformation);
 }
 
-/// How far from the z axis of its frame a placed solid reaches, at the most.
+/// A bound of the distance of a placed solid's points from the z axis of its frame.
 double reach_across(const Solid& solid, const Transformation& t) {
   const auto* tube = tube_of(solid);
   if (tube != nullptr && on_one_axis(t)) return tube->rmax;
@@ -79,14 +79,14 @@ double reach_across(const Solid& solid, const Transformation& t) {
   return reach;
 }
 
-/// Is `inner` in the bore of `outer`? In the frame of the latter.
+/// Is `inner` in the bore of `outer`? `t` places it in the frame of `outer`.
 bool in_the_bore(const Solid& inner, const Transformation& t, const Solid& outer,
                  double tolerance) {
   const auto* tube = tube_of(outer);
   return tube != nullptr && reach_across(inner, t) <= tube->rmin + tolerance;
 }
 
-/// Both are about one axis, and the radii and ends of the one are within the other's.
+/// Are both tubes about one axis, with the radii and ends of `inner` within those of `outer`?
 bool within_tube(const PlacedSolid& inner, const Solid& outer, double tolerance) {
   const auto *in = tube_of(inner.solid), *out = tube_of(outer);
   return in != nullptr && out != nullptr && whole(out->wedge) &&
@@ -135,8 +135,8 @@ Verdict Separation::within(const PlacedSolid& inner, const Solid& outer) {
   return beyond ? Verdict::no : Verdict::sampled;
 }
 
-/// Does it fill a part of a bore or a notch of the other, in whose frame it is placed? Then that
-/// has points of its surface, or none at all, where this one is.
+/// Does `inner` fill a part of a bore or a notch of `outer`, in whose frame it is placed? If so,
+/// `outer` has points of its surface, or none at all, where `inner` is.
 bool Separation::holds_hole_of(const PlacedSolid& inner, const Solid& outer) {
   const auto holds = [&](const Vec3& p) {
     return kernels::inside(inner.solid.any(), to_local(inner.transformation, p), tolerance_) ==
@@ -169,7 +169,7 @@ Verdict Separation::apart(const PlacedSolid& a, const PlacedSolid& b) {
         return Verdict::proved;
       }
     } catch (const GeometryError&) {
-      // Two rotations that are each as orthonormal as they must be may not be so together.
+      // The product of two rotations that are orthonormal enough may not be so itself.
     }
   }
   if (reaches_into(a, b) || reaches_into(b, a)) return Verdict::no;

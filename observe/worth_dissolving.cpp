@@ -9,15 +9,15 @@
 namespace navjit {
 namespace {
 
-/// What a step takes in a volume with so many daughters, in units of a step in a leaf. A guess,
+/// The time of a step in a volume with so many daughters, in units of a step in a leaf. A guess,
 /// from scenes of LHCb's calorimeters (a leaf 20 ns, eight daughters 47) and of the CMS preshower
 /// (70 and, with 287 daughters, 560).
 double cost_of_step(double daughters) { return 1 + 0.6 * std::log2(1 + std::max(daughters, 0.0)); }
 
-/// With more volumes than this to choose from in a mother, all of them are dissolved or none.
+/// If a mother has more volumes than this to choose from, all of them are dissolved or none.
 constexpr std::size_t most_to_choose_from = 64;
 
-/// The tree as it becomes, from the leaves up, and the steps of rays in it.
+/// The tree as it is being changed, from the leaves up, and the steps of rays in it.
 class Thinning {
  public:
   Thinning(const World& world, const Passages& passages)
@@ -43,14 +43,14 @@ class Thinning {
     }
   }
 
-  /// Whether dissolve() leaves a volume where it is because of its daughters.
+  /// Whether dissolve() keeps a volume because of its daughters.
   bool is_kept_anyway(VolumeId volume, VolumeId mother, std::size_t most_daughters) const {
     const bool alone = world_.volumes[mother].daughters.size() == 1;
     return (daughters_[volume] > static_cast<double>(most_daughters) && !alone) ||
            (uses_[volume] > 1 && daughters_[volume] > 1);
   }
 
-  /// Of these daughters' volumes those that are to be dissolved.
+  /// Those of the daughters' volumes that should be dissolved.
   std::set<VolumeId> choose(VolumeId mother, const std::vector<VolumeId>& volumes) const {
     const Steps steps = steps_in(mother, volumes);
     std::vector<bool> chosen(volumes.size(), true);
@@ -92,7 +92,7 @@ class Thinning {
   }
 
  private:
-  /// Steps in a mother and its daughters. Number 0 is the mother, the others are the daughters'
+  /// Steps in a mother and its daughters. Index 0 is the mother; the others are the daughters'
   /// volumes in their order.
   struct Steps {
     std::vector<std::uint64_t> made;
@@ -162,10 +162,10 @@ class Thinning {
   std::vector<std::vector<std::uint32_t>> nodes_of_;                 ///< by volume
   std::vector<std::vector<std::uint32_t>> daughters_of_;             ///< by node
   std::vector<std::vector<const PassedBoundaries*>> boundaries_of_;  ///< by node that is left
-  std::vector<double> daughters_;                  ///< by volume, as the tree is by now
+  std::vector<double> daughters_;                  ///< by volume, in the present tree
   std::vector<std::uint64_t> uses_;                ///< by volume
-  std::vector<std::vector<std::uint32_t>> parts_;  ///< by node: itself, and what is part of it
-  std::vector<std::uint32_t> top_;                 ///< by node: what it is part of
+  std::vector<std::vector<std::uint32_t>> parts_;  ///< by node: itself, and its parts
+  std::vector<std::uint32_t> top_;                 ///< by node: the node that it is part of
 };
 
 }  // namespace

@@ -31,8 +31,8 @@ Grid layout(const Extent& scene, const std::array<int, 3>& count) {
   return b;
 }
 
-/// Of an oblique box: the sums of |det| over the choices of one, two and three of its edges,
-/// projected onto one axis, onto two (that of the number left out) and onto all three.
+/// For an oblique box: the sums of |det| over the choices of one, two and three of its edges,
+/// projected onto one axis, onto two axes (indexed by the axis left out) and onto all three.
 struct Spread {
   double one[3], two[3], three;
 };
@@ -61,10 +61,11 @@ Spread spread_of(const PlacedBox& box) {
   return s;
 }
 
-/// The expected number of cells that an oblique box reaches into: the volume of its Minkowski sum
-/// with a cell over the cell's, both projected onto the axes that are split. The volume of a
-/// sum of segments is the sum of |det| over the choices of as many as there are dimensions (e.g.
-/// G. M. Ziegler, "Lectures on Polytopes", 7.3); the cell's own segments are the axes.
+/// The expected number of cells that an oblique box reaches into. It is the volume of the Minkowski
+/// sum of the box and a cell divided by the volume of the cell, both projected onto the axes that
+/// are split. The volume of a sum of segments is the sum of |det| over the choices of as many
+/// segments as there are dimensions (e.g. G. M. Ziegler, "Lectures on Polytopes", 7.3); the cell's
+/// own segments are the axes.
 double expected_cells(const Grid& b, const Spread& s) {
   double per_mm[3];  // 0 along axes that are not split
   for (int axis = 0; axis < 3; ++axis) per_mm[axis] = b.count[axis] > 1 ? 1 / b.width[axis] : 0;
@@ -73,10 +74,10 @@ double expected_cells(const Grid& b, const Spread& s) {
          s.two[1] * z * x + s.three * x * y * z;
 }
 
-/// Boxes whose cells are counted for many grids; of very many some that stand for all.
+/// Boxes whose cells are counted for many grids. If there are very many boxes, a few stand for all.
 struct Counted {
   std::vector<const PlacedBox*> boxes;
-  std::vector<Spread> spreads;  ///< of those that are oblique; of others nothing
+  std::vector<Spread> spreads;  ///< those of oblique boxes; zero for others
   double each = 1;              ///< how many boxes each of these stands for
 
   explicit Counted(std::span<const PlacedBox> all) {
@@ -90,8 +91,8 @@ struct Counted {
   }
 
  private:
-  /// Indices that are evenly spread, and in step with no row of daughters: multiples of the golden
-  /// ratio, modulo 1.
+  /// Indices that are evenly spread, and not in step with any row of daughters: multiples of the
+  /// golden ratio, modulo 1.
   static std::size_t scattered(std::size_t k, std::size_t of) {
     double whole = 0;
     const double at = std::modf(0.6180339887498949 * static_cast<double>(k), &whole);
@@ -115,8 +116,8 @@ double total_members(const Grid& b, const Counted& counted, double margin) {
 }
 
 /// Whether one of an oblique box's own faces separates it from a box along the axes, both inflated
-/// by `margin` (S. Gottschalk et al., "OBBTree", 1996; the axes of the other box are what the
-/// bounds are for, those of pairs of edges are left out: rarely do they tell more).
+/// by `margin` (S. Gottschalk et al., "OBBTree", 1996). The axes of the other box were tested with
+/// the bounds. Those of pairs of edges are left out, because they rarely tell more.
 bool separated(const PlacedBox& box, const Extent& cell, double margin) {
   const Vec3 between = 0.5 * (cell.min + cell.max) - 0.5 * (box.bounds.min + box.bounds.max);
   const Vec3 half = 0.5 * (cell.max - cell.min);
@@ -130,16 +131,16 @@ bool separated(const PlacedBox& box, const Extent& cell, double margin) {
   return false;
 }
 
-/// What a ray pays: the candidates of a cell, and the walk from cell to cell. The
-/// weights are guesses that served well, not yet fitted to measurements.
+/// The cost for a ray: the candidates of a cell, and the walk from cell to cell. The weights are
+/// guesses that served well; they are not fitted to measurements.
 double cost(const Grid& b, double members, CellUse use) {
   const double cells =
       static_cast<double>(b.count[0]) * static_cast<double>(b.count[1]) * b.count[2];
   const double per_cell = members / cells;
   const int walk = b.count[0] + b.count[1] + b.count[2] - 3;
   if (use == CellUse::blocks) {
-    // In cycles: rays pass a fifth of the cells along an axis, and each cell takes 25, and 20 for a
-    // block.
+    // In cycles. Rays pass a fifth of the cells along an axis; each cell takes 25, and each block
+    // 20.
     return (1 + 0.2 * walk) * (25 + 20 * (0.5 + per_cell / 8));
   }
   return per_cell + 0.02 * walk + 0.3 * ((b.count[0] > 1) + (b.count[1] > 1) + (b.count[2] > 1));
@@ -170,7 +171,7 @@ void fill(Grid& b, const Extent& scene, std::span<const PlacedBox> boxes, double
     const PlacedBox& box = boxes[k];
     const Range x = range_of(b, box.bounds, 0, margin), y = range_of(b, box.bounds, 1, margin),
                 z = range_of(b, box.bounds, 2, margin);
-    // The outermost cells reach to infinity, which matters to what reaches out of the scene.
+    // The outermost cells reach to infinity, which matters for boxes that reach out of the scene.
     const bool bounds_only = protrudes(box.bounds, scene);
     for (int i = x.first; i <= x.last; ++i) {
       for (int j = y.first; j <= y.last; ++j) {
@@ -210,7 +211,7 @@ PlacedBox placed_box(const Solid& solid, const Transformation& t) {
 
 Grid make_grid(const Extent& scene, std::span<const PlacedBox> boxes, double margin, CellUse use,
                const Apart& apart, const GridLimits& limits) {
-  // Greedy: refine whichever axis lowers the cost most, until none does.
+  // A greedy search: the axis whose refinement lowers the cost most is refined, until none does.
   const Counted counted(boxes);
   std::array<int, 3> count{1, 1, 1};
   Grid best = layout(scene, count);
@@ -219,7 +220,8 @@ Grid make_grid(const Extent& scene, std::span<const PlacedBox> boxes, double mar
     std::array<int, 3> chosen = count;
     double chosen_cost = best_cost;
     for (int axis = 0; axis < 3; ++axis) {
-      // Any count up to a limit: grids want just their own pitch, not the next power of two.
+      // Any count up to a limit is tried, because a grid needs exactly its own pitch, not the next
+      // power of two.
       for (int n = count[axis] + 1; n <= std::min(limits.max_per_axis, 4 * count[axis] + 8); ++n) {
         std::array<int, 3> trial = count;
         trial[axis] = n;

@@ -10,18 +10,18 @@
 namespace navjit {
 namespace {
 
-/// Levels of slabs: more than three follow one another only where layers are unlike.
+/// The levels of slabs. More than three follow one another only if layers differ.
 constexpr int most_levels = 8;
-/// A group of more daughters than this is better searched by the hierarchy of boxes: a guess, as is
-/// how many may be asked together on average.
+/// A group of more daughters than this is better searched by the hierarchy of boxes. A guess, as is
+/// the mean number that may be asked together.
 constexpr std::size_t most_in_group = 64;
 constexpr double most_mean_group = 8;
 /// Slabs may overlap by this share of the thinner one. Rows of straws that stand on the gaps
-/// between others overlap by an eighth, and in one detector layers did by mistake.
+/// between others overlap by an eighth, and in one detector layers overlap by mistake.
 constexpr double most_overlap = 0.25;
 constexpr std::size_t cells_per_slab = 2, most_cells = 4096;
 
-/// Members in an order along an axis, and where each slab begins in it; the end, too.
+/// Members in an order along an axis, where each slab begins in this order, and the end.
 struct Cut {
   std::vector<std::uint32_t> order;
   std::vector<std::size_t> first;
@@ -38,7 +38,8 @@ Cut cut_along(std::span<const std::uint32_t> members, std::span<const Extent> bo
   double begin = 0, reach = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < cut.order.size(); ++i) {
     const double from = low(boxes[cut.order[i]], axis), to = high(boxes[cut.order[i]], axis);
-    // The overlap is less than the next slab is thick, so that lower and upper bounds both ascend.
+    // The overlap is less than the thickness of the next slab, so that lower and upper bounds both
+    // ascend.
     const double overlap =
         std::max(tolerance / 4, most_overlap * std::min(reach - begin, to - from));
     if (i == 0 || (from >= reach - overlap && to > reach)) {
@@ -73,8 +74,8 @@ struct Builder {
       layers.mean_group += 1 / static_cast<double>(boxes.size());
       return {Layers::Kind::daughter, members[0]};
     }
-    // Divides along the axis with the most slabs: layers come before the rows in each of them, if
-    // there are more of them.
+    // Divides along the axis with the most slabs. So layers come before the rows in each of them,
+    // if there are more layers than rows.
     Cut best;
     int axis = 3;
     for (int a = 0; a < 3 && level < most_levels; ++a) {
@@ -123,7 +124,7 @@ std::optional<Layers> find_layers(std::span<const Extent> boxes, double toleranc
 
 std::string describe_layers(const Layers& layers) {
   std::string text;
-  // Follows the largest part of each division, which stands for the others.
+  // Follows the largest part of each division, which represents the others.
   for (std::size_t at = 0;;) {
     const Layers::Division& d = layers.divisions[at];
     text += (text.empty() ? "" : " of ") + std::to_string(d.parts.size()) +

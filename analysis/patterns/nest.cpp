@@ -9,11 +9,11 @@
 namespace navjit {
 namespace {
 
-/// Layers that overlap more than this on average, counted over the radii that they cover, narrow a
-/// search down little.
+/// If shells overlap more than this on average, counted over the radii that they cover, they hardly
+/// narrow a search down.
 constexpr double most_overlap = 1.5;
 
-/// With fewer layers it is no nest.
+/// Fewer shells are not a nest.
 constexpr std::size_t fewest = 3;
 
 constexpr double half_turn = std::numbers::pi;
@@ -22,7 +22,7 @@ AxialExtent extent_about(const Solid& solid, const Transformation& frame, int ax
   return axis == 3 ? central_extent(solid, frame) : axial_extent(solid, frame, axis);
 }
 
-/// Whether both radii ascend, and most radii are in one layer alone.
+/// Whether both radii ascend, and most radii are in one shell only.
 bool ascend(const std::vector<AxialExtent>& extents, const std::vector<std::uint32_t>& order) {
   double sum = 0, covered = 0, end = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -38,8 +38,8 @@ bool ascend(const std::vector<AxialExtent>& extents, const std::vector<std::uint
   return sum <= most_overlap * covered;
 }
 
-/// Sets the ends of all layers, and whether the mother reaches so far beyond them that a test of
-/// the ends is worth it.
+/// Sets the ends of all shells, and whether the mother reaches so far beyond them that a test of
+/// the ends pays.
 void clip_ends(const std::vector<AxialExtent>& extents, const AxialExtent& mother, double margin,
                Nest& nest) {
   nest.low = mother.high;
@@ -68,7 +68,7 @@ std::optional<Nest> find_nest(const World& world, const Solid& mother,
                                      daughters[k].transformation, axis));
       const AxialExtent& e = extents.back();
       largest = std::max(largest, e.far);
-      // Layers go around the axis by more than half a turn; other daughters are no layers.
+      // Shells go around the axis by more than half a turn. Other daughters are not shells.
       (e.around || e.span > half_turn ? nest.members : nest.others).push_back(k);
     }
     std::sort(nest.members.begin(), nest.members.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -76,8 +76,8 @@ std::optional<Nest> find_nest(const World& world, const Solid& mother,
     });
     if (nest.members.size() < fewest || !ascend(extents, nest.members)) continue;
     if (best && best->members.size() >= nest.members.size()) continue;
-    // Squares of radii near the axis are lost among those of positions far from it, up to the
-    // mother's own surface.
+    // Squares of radii near the axis are lost in the rounding of squared radii far from it, up to
+    // the mother's own surface.
     const double slack = 0x1p-44 * largest * largest;
     for (const std::uint32_t k : nest.members) {
       const double near = std::max(extents[k].near - margin, 0.0), far = extents[k].far + margin;

@@ -10,7 +10,7 @@
 namespace navjit {
 namespace {
 
-/// The number of distinct values, those closer than `tolerance` taken as one.
+/// The number of distinct values, where values closer than `tolerance` count as one.
 std::size_t distinct(std::vector<double> values, double tolerance) {
   std::sort(values.begin(), values.end());
   std::size_t count = 1;

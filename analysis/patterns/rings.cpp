@@ -17,20 +17,20 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Radii and heights of one ring agree to this, relative to the largest radius; azimuths to as
-/// much, rad.
+/// Radii and heights in one ring agree to this, relative to the largest radius. Azimuths agree to
+/// this as well, in rad.
 constexpr double alike = 1e-6;
 
-/// Fewer daughters are no ring, and more steps no ring that sectors serve.
+/// Fewer daughters are not a ring, and with more steps sectors do not serve.
 constexpr std::size_t fewest = 3;
 constexpr int most_steps = 1024;
 
-/// Among so many different radii, heights and spans there are no rings: each daughter is compared
-/// with all of these. A guess.
+/// With more different radii, heights and spans than this, no rings are searched: each daughter is
+/// compared with all of these. A guess.
 constexpr std::size_t most_groups = 256;
 
 /// A ray is tested against a surface of a ring only if the mother reaches farther than the ring by
-/// this share of the ring's own thickness; what is less is not worth a square root.
+/// this share of the ring's own thickness. Less is not worth a square root.
 constexpr double worth_clipping = 0.1;
 
 double turn(double phi) { return phi - 2 * pi * std::floor(phi / (2 * pi)); }
@@ -39,7 +39,7 @@ double middle(const TangentSpan& s) { return turn(s.first + s.span / 2); }
 
 /// A daughter as seen from the axis.
 struct Seen : AxialExtent {
-  double lean = 0;  ///< of the tangents that tell it best, mm; 0: radii
+  double lean = 0;  ///< of the tangents that separate it best, mm; 0: radii
 };
 
 /// All daughters, as seen from an axis.
@@ -56,7 +56,8 @@ struct View {
     if (!e.around && !e.segment) e.lean = lean_of(solid(k), place(k), axis);
     return e;
   }
-  /// The directions that a daughter is in; nothing if tangents of this circle do not tell.
+  /// The azimuths or tangents that a daughter spans; nothing if tangents of this circle do not
+  /// tell.
   std::optional<TangentSpan> directions(std::uint32_t k, double lean) const {
     if (lean == 0) return TangentSpan{seen[k].first, seen[k].span};
     return tangent_span(solid(k), place(k), axis, lean);
@@ -87,9 +88,9 @@ int steps_of(std::vector<double> azimuths) {
   return steps;
 }
 
-/// Lists the daughters of each sector. `directions`: those that each member is in. A daughter
+/// Lists the daughters of each sector. `directions` are those that each member spans. A daughter
 /// belongs to the sectors into which it reaches by more than the margin, measured across the edge.
-/// The margin is an angle here, taken at the ring's far end, where it is smallest.
+/// The margin is used as an angle, taken at the ring's far end, where it is smallest.
 void fill(Ring& ring, double start, const std::vector<TangentSpan>& directions,
           const std::vector<std::uint32_t>& members, double margin) {
   const double width = 2 * pi / ring.steps;
@@ -113,7 +114,7 @@ void fill(Ring& ring, double start, const std::vector<TangentSpan>& directions,
   }
 }
 
-/// Sectors from `start` on, and the tables by which a point's is found.
+/// Makes sectors from `start` on, and the tables by which the sector of a point is found.
 void lay_edges(Ring& ring, double start) {
   std::vector<std::pair<double, std::uint32_t>> angles;
   for (int s = 0; s <= ring.steps; ++s) {
@@ -124,7 +125,8 @@ void lay_edges(Ring& ring, double start) {
                         static_cast<std::uint32_t>(s));
   }
   std::sort(angles.begin(), angles.end());
-  // Steps of the square angle are at least half of those of the azimuth: no cell has two edges.
+  // Equal steps of azimuth are at least half as large in the square angle, so no cell has two
+  // edges.
   const int cells = 4 * ring.steps;
   for (int cell = 0; cell < cells; ++cell) {
     const std::pair begin{4.0 * cell / cells, ~0U};
@@ -160,12 +162,12 @@ std::optional<Ring> make_ring(const View& view, const std::vector<std::uint32_t>
   ring.present = static_cast<int>(members.size());
   if (ring.steps == 0) return {};
   const double width = 2 * pi / ring.steps;
-  // Where sectors are hardly wider than margins they tell nothing.
+  // Sectors that are hardly wider than margins tell nothing.
   const double near = std::sqrt(std::max(ring.near * ring.near - ring.lean * ring.lean, 0.0));
   if (!(near * width > 1e3 * margin)) return {};
   const double thick = ring.far - ring.near, tall = ring.high - ring.low;
   ring.hole = mother.near < ring.near - worth_clipping * thick;
-  // Within the circle there are no tangents to go by.
+  // Points within the circle are on no tangent.
   if (ring.lean != 0 && !(mother.near > 1.001 * std::abs(ring.lean))) ring.hole = true;
   ring.outside = mother.far > ring.far + worth_clipping * thick;
   ring.ends = mother.low < ring.low - worth_clipping * tall ||

@@ -9,12 +9,12 @@
 namespace navjit {
 namespace {
 
-/// Cells for each daughter: if cells are small compared with daughters and gaps, most have just one
+/// Cells for each daughter. If cells are small compared with daughters and gaps, most have only one
 /// first candidate.
 constexpr std::size_t cells_per_daughter = 8;
 constexpr std::size_t most_cells = 4096;
 
-/// Daughters by position; empty unless each is well thicker than the tolerance and ends before the
+/// Daughters by position. Empty unless each is much thicker than the tolerance and ends before the
 /// next begins, so that a ray enters them one after the other.
 std::vector<std::uint32_t> in_order(std::span<const Extent> boxes, int axis, double tolerance) {
   std::vector<std::uint32_t> order(boxes.size());
@@ -52,7 +52,7 @@ void divide_into_cells(Slabs& slabs, double from, double to, std::size_t cells) 
   slabs.width = (to - from) / static_cast<double>(cells);
   for (std::size_t b = 0; b < cells; ++b) {
     const double begin = from + static_cast<double>(b) * slabs.width;
-    // The outermost cells hold what lies beyond them, too.
+    // The outermost cells also hold what lies beyond them.
     const auto up =
         b == 0 ? slabs.high.begin() : std::lower_bound(slabs.high.begin(), slabs.high.end(), begin);
     const auto beyond = b + 1 == cells ? slabs.low.end()

@@ -8,30 +8,31 @@ namespace {
 
 using Plane = std::array<double, 2>;
 
-/// Fewer places are no row, and fewer in all rows are not worth turning a ray into their frame.
+/// Fewer places are not a row. If fewer are in all rows together, it does not pay to transform a
+/// ray into the rows' frame.
 constexpr std::size_t fewest_in_row = 4, fewest = 8;
 
 /// A new row begins where places leave a gap across the row of more than this share of the radius.
 constexpr double gap = 0.5;
 
-/// What a row costs every ray, and a place that is in none, in units of what it costs to be offered
-/// a place. Guesses.
+/// The cost for every ray of a row, and of a place that is in no row, in units of the cost of being
+/// offered a place. Guesses.
 constexpr double cost_of_row = 0.3, cost_of_other = 1;
 
-/// Once rows as good as this are found, no others are looked for.
+/// Once rows as good as this are found, no others are searched.
 constexpr double good_spread = 0.05, good_offer = 1.5;
 constexpr std::size_t good_count = 4;
 
-/// In a lattice rows run from a place to its nearest ones: directions are tried from this many
+/// In a lattice rows run from a place to its nearest ones. Directions are tried from this many
 /// places to this many neighbours.
 constexpr std::size_t samples = 6, neighbours = 3;
 
 struct Attempt {
   RowsAcross found;
-  std::vector<std::size_t> longest;  ///< the row with most places, by their numbers
+  std::vector<std::size_t> longest;  ///< the row with most places, by their indices
   double cost = INFINITY;
-  double spread = 0;   ///< the most that places deviate from the middle of their row
-  double offered = 0;  ///< places that a row offers a ray on average, at most
+  double spread = 0;   ///< the largest distance of places from the middle of their row
+  double offered = 0;  ///< a bound of the mean number of places that a row offers a ray
   std::size_t others = 0;
 };
 
@@ -143,7 +144,7 @@ std::optional<RowsAcross> find_rows(std::span<const PlaceAcross> places,
       Attempt a = attempt(places, d, radius);
       if (!(a.cost < best.cost || (a.cost == best.cost && a.spread < best.spread))) return;
       best = std::move(a);
-      // Rows that are exact cannot be fitted any better.
+      // Rows that are exact cannot be fitted better.
       if (best.longest.empty() || best.spread < 1e-9 * radius) return;
       d = fitted(places, best);
     }

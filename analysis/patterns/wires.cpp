@@ -14,21 +14,22 @@
 namespace navjit {
 namespace {
 
-/// Fewer are served as well by boxes, eight at once. A guess.
+/// Boxes, tested eight at once, are as good for fewer wires. A guess.
 constexpr std::size_t fewest = 12;
-/// Each row costs every ray a comparison, each bundle a turn of the ray. Guesses.
+/// Each row costs every ray a comparison, each bundle a rotation of the ray. Guesses.
 constexpr std::size_t most_rows = 32, most_bundles = 4, most_directions = 8;
-/// How many wires there have to be for each other daughter, and how many others there may be in any
+/// How many wires there must be for each other daughter, and how many others there may be in any
 /// case.
 constexpr std::size_t wires_per_other = 8, few_others = 4;
-/// Wires that a ray across a row is offered, on average; with more rows tell little.
+/// The largest mean number of wires that a row may offer a ray across it. With more, rows tell
+/// little.
 constexpr double most_offered = 3;
 
 /// A daughter that is this many times as long as it is thick has a direction.
 constexpr double elongated = 3;
 /// Wires of one direction may be askew by this share of their thickness.
 constexpr double most_askew = 0.25;
-/// A daughter that is this many times as thick as most is no wire.
+/// A daughter that is this many times as thick as most is not a wire.
 constexpr double too_thick = 3;
 /// Rays are tested against the ends of wires only if the mother reaches beyond these by this share
 /// of their length.
@@ -50,7 +51,7 @@ Placed place(const Solid& solid, const Transformation& t) {
   placed.box = solid.kind == SolidKind::box;
   placed.half = {half.x, half.y, half.z};
   if (placed.tube) {
-    // Cut to a segment or not, it stays about its axis.
+    // Whether it is cut to a segment or not, it stays about its axis.
     const auto& tube = *static_cast<const kernels::Tube<double>*>(solid.shape.get());
     placed.half = {tube.rmax, tube.rmax, tube.hz};
     placed.middle = to_outer(t, Vec3{0, 0, 0});
@@ -69,7 +70,7 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The daughter's own axis along which it is elongated; 3 for none.
+/// The daughter's own axis along which it is elongated; 3 if there is none.
 std::size_t long_axis(const Placed& p) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (p.tube && i != 2) continue;
@@ -86,7 +87,7 @@ bool runs_along(const Placed& p, std::size_t i, const Vec3& along) {
   return askew <= 0.1 && askew * p.half[i] <= most_askew * thick;
 }
 
-/// The own axis that makes a daughter a wire of this direction; 3 for none.
+/// The own axis that makes a daughter a wire of this direction; 3 if there is none.
 std::size_t axis_along(const Placed& p, const Vec3& along) {
   for (std::size_t i = 0; i < 3; ++i) {
     if ((!p.tube || i == 2) && runs_along(p, i, along)) return i;
@@ -99,8 +100,8 @@ struct SameDirection {
   std::vector<std::uint32_t> members;
 };
 
-/// Groups daughters by the direction that they are elongated in. Short ones join a direction that
-/// one of their own axes has; what has none goes to `others`.
+/// Groups daughters by the direction in which they are elongated. Short daughters join a direction
+/// that one of their own axes has. Daughters that fit no direction go to `others`.
 std::vector<SameDirection> by_direction(const std::vector<Placed>& placed,
                                         std::vector<std::uint32_t>& others) {
   std::vector<SameDirection> directions;
@@ -135,7 +136,7 @@ double reach_along(const Placed& p, const Vec3& d) {
   return reach;
 }
 
-/// The radius of the circle across `along` that holds it, mm.
+/// The radius of the circle across `along` that holds the wire, mm.
 double radius_across(const Placed& p, const Vec3& along) {
   const std::size_t i = axis_along(p, along);
   const double tilt = p.half[i] * norm(cross(p.axis[i], along));
@@ -156,7 +157,8 @@ std::pair<Vec3, Vec3> axes_across(const Vec3& along) {
 std::array<double, 3> numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
 Vec3 as_vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
-/// Cells along a row, about one a wire, and the first wire of each, as kernels look them up.
+/// Makes the cells along a row, about one for each wire, and the first wire of each cell, as the
+/// kernels look them up.
 void lay_cells(WireRow& row) {
   const std::size_t cells = std::max<std::size_t>(row.u.size(), 2);
   row.origin = row.u.front();
@@ -217,7 +219,7 @@ bool safety_is_known(const WireBundle& bundle, const Placed& p, double largest, 
   return p.box && is_axis(bundle.across) && is_axis(bundle.normal);
 }
 
-/// Where all wires of a bundle end, and whether the mother reaches farther.
+/// Sets where all wires of a bundle end, and whether the mother reaches farther.
 void clip_ends(const std::vector<Placed>& placed, const Placed& mother, double margin,
                WireBundle& bundle) {
   const Vec3 along = as_vector(bundle.along);
@@ -242,8 +244,8 @@ bool tells_wires_apart(const WireRow& row) {
   return 2 * row.radius * static_cast<double>(row.u.size()) <= most_offered * span;
 }
 
-/// The wires of one direction in bundles; nothing if a row tells too little. What is in no row is
-/// left in `places`.
+/// The wires of one direction in bundles; nothing if a row tells too little. Places in no row
+/// remain in `places`.
 std::optional<std::vector<WireBundle>> make_bundles(const Vec3& along, double radius,
                                                     const std::vector<Placed>& placed,
                                                     const Placed& mother, double margin,
