@@ -57,16 +57,30 @@ template <class Real>
   return is_along(q.vx) & is_along(q.vy) & is_along(q.rate);
 }
 
+/// A path to where a ray leaves the nappe, or to the tip if that is nearer: nothing of the nappe is
+/// beyond. For a ray along the face the path itself may be nothing but rounding errors.
+template <class Real>
+[[gnu::always_inline]] inline Real not_after_tip(const ConicalForm<Real>& q, Real leave) {
+  const bool is_beyond = (q.rate < 0) & (leave * -q.rate > q.radius);
+  return __builtin_expect(is_beyond, 0) ? larger(q.radius, Real(0)) / -q.rate : leave;
+}
+/// Likewise a path to where a ray enters the nappe, or to the tip if that is farther.
+template <class Real>
+[[gnu::always_inline]] inline Real not_before_tip(const ConicalForm<Real>& q, Real enter) {
+  const bool is_before = (q.rate > 0) & (enter * q.rate < -q.radius);
+  return __builtin_expect(is_before, 0) ? -q.radius / q.rate : enter;
+}
+
 /// Exit from the nappe, for points known to be in it and not leaving now.
 template <class Real>
 [[gnu::always_inline]] inline Real nappe_exit(const ConicalForm<Real>& q) {
   if (stays_in_nappe(q) || is_along_nappe(q)) return infinity<Real>();
   const Real root = square_root(larger(conical_discriminant(q), Real(0)));
-  if (q.b < 0) return larger((root - q.b) / q.a, Real(0));
+  if (q.b < 0) return not_after_tip(q, larger((root - q.b) / q.a, Real(0)));
   const Real h = q.b + root, c = q.r2 - q.radius * q.radius;
-  if (h > 0) return larger(-c / h, Real(0));
+  if (h > 0) return not_after_tip(q, larger(-c / h, Real(0)));
   if (!(c < 0)) return Real(0);
-  return q.a > 0 ? square_root(-c / q.a) : infinity<Real>();
+  return not_after_tip(q, q.a > 0 ? square_root(-c / q.a) : infinity<Real>());
 }
 
 /// Directional containment, for points that are not outside by more than the tolerance. A tangent
@@ -134,15 +148,15 @@ template <class Real>
   if (stays) {
     const Real root = square_root(larger(discriminant, Real(0)));
     const Real enter = q.b < 0 ? -c / (q.b - root) : -(q.b + root) / q.a;
-    return {larger(enter, Real(0)), infinity<Real>(), infinity<Real>()};
+    return {not_before_tip(q, larger(enter, Real(0))), infinity<Real>(), infinity<Real>()};
   }
   // The last condition distinguishes this nappe from the other one.
   if (!(q.b < 0) || !(discriminant > 0) || !(q.a >= 0) || !(q.radius * q.a > q.rate * q.b)) {
     return no_span<Real>();
   }
   const Real h = q.b - square_root(discriminant);
-  const Real leave = -h / q.a;
-  return {larger(-c / h, Real(0)), leave, leave};
+  const Real leave = not_after_tip(q, -h / q.a);
+  return {not_before_tip(q, larger(-c / h, Real(0))), leave, leave};
 }
 
 /// Signed distance to the nappe, a lower bound on the distance on either side; rho = |(x, y)|.

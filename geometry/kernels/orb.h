@@ -24,12 +24,14 @@ template <class Real>
   return larger((root - b) / a, Real(0));
 }
 
-/// Does a direction head in from the surface? A tangent leaves a round surface, and so does a ray
-/// that would be out again within the tolerance, by a step too short to move the point.
+/// Does a direction head in from the surface? `b` is p.v. A tangent leaves a round surface, and so
+/// does a ray that would come no deeper than the tolerance: by rounding it could leave and enter
+/// again.
 template <class Real>
-bool heads_into_ball(Real r, const Vec3<Real>& p, const Direction<Real>& v, Real tol, Real b,
-                     Real r2) {
-  return b < -tol || (b <= 0 && ball_exit(r, p, v, b, r2) > tol);
+[[gnu::always_inline]] inline bool heads_into_ball(Real r, const Vec3<Real>& p,
+                                                   const Direction<Real>& v, Real tol, Real b) {
+  const Real inner = larger(r - tol, Real(0)), a = v.x * v.x + v.y * v.y + v.z * v.z;
+  return (b <= 0) & (ball_discriminant(inner, p, v, a) > 0);
 }
 
 /// Directional containment in the ball of radius r.
@@ -40,7 +42,7 @@ template <class Real>
   const Real outer = r + tol, inner = r - tol;
   if (r2 > outer * outer) return false;
   if (r2 < inner * inner && inner > 0) return true;
-  return heads_into_ball(r, p, v, tol, p.x * v.x + p.y * v.y + p.z * v.z, r2);
+  return heads_into_ball(r, p, v, tol, p.x * v.x + p.y * v.y + p.z * v.z);
 }
 
 /// Exit from the ball of radius r, for points known to be in it.
@@ -50,7 +52,7 @@ template <class Real>
   const Real b = p.x * v.x + p.y * v.y + p.z * v.z;
   const Real r2 = p.x * p.x + p.y * p.y + p.z * p.z, inner = r - tol;
   const bool deep = r2 < inner * inner && inner > 0;
-  if (!deep && !heads_into_ball(r, p, v, tol, b, r2)) return Real(0);
+  if (!deep && !heads_into_ball(r, p, v, tol, b)) return Real(0);
   return ball_exit(r, p, v, b, r2);
 }
 

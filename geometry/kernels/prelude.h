@@ -102,11 +102,18 @@ constexpr bool is_along(Real nv) {
   return absolute(nv) <= along_a_face<Real>();
 }
 
-/// Does a direction run along none of the coordinate planes of its frame? It may run along other
+/// Does a direction hardly cross the planes of an axis, given its component along the axis? Within
+/// a layer that is as thin as the tolerance it may then go far.
+template <class Real>
+constexpr bool is_nearly_across(Real component) {
+  return absolute(component) <= static_cast<Real>(0x1p-20);
+}
+
+/// Does a direction run well away from all coordinate planes of its frame? It may run along other
 /// faces.
 template <class Real>
 constexpr bool is_oblique(const Direction<Real>& v) {
-  return smaller(absolute(v.x), smaller(absolute(v.y), absolute(v.z))) > along_a_face<Real>();
+  return !is_nearly_across(smaller(absolute(v.x), smaller(absolute(v.y), absolute(v.z))));
 }
 
 /// The verdict on one face for `contains`: `s` is the signed distance of the point beyond the face

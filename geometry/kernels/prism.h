@@ -365,7 +365,7 @@ Real path_into_polygon(EdgesAhead<Real>& c, const Span<Real>& slab) {
 
 template <class Real>
 Real distance_to_in(const Prism<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
-  const Span<Real> slab = slab_span(s.z_low, s.z_high, p, v, tol);
+  Span<Real> slab = slab_span(s.z_low, s.z_high, p, v, tol);
   if (!is_ahead(slab)) return infinity<Real>();
   const PlanarRay<Real> ray = seen_along_z(p, v);
   if (ray.parallel) {
@@ -373,7 +373,13 @@ Real distance_to_in(const Prism<Real>& s, const Vec3<Real>& p, const Direction<R
     return starts_in(slab) ? distance_from_within(s, p, tol) : slab.enter;
   }
   EdgesAhead<Real> c = edges_ahead_inside<Keep::all>(s, ray, tol);
-  if (c.total < 0 && starts_in(slab) && !(outside_box(s, ray.x, ray.y) > tol)) {
+  if (c.total < 0 && outside_box(s, ray.x, ray.y) > tol) {
+    // The ray runs along an edge and was moved into the solid. As it is it has to come to it first.
+    clip_slab(slab, (s.x_high - s.x_low) / 2, p.x - (s.x_low + s.x_high) / 2, v.x, v.inverse_x,
+              Real(0));
+    clip_slab(slab, (s.y_high - s.y_low) / 2, p.y - (s.y_low + s.y_high) / 2, v.y, v.inverse_y,
+              Real(0));
+  } else if (c.total < 0 && starts_in(slab)) {
     return distance_from_within(s, p, tol);
   }
   return path_into_polygon(c, slab);

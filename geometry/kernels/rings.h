@@ -63,7 +63,10 @@ inline int sector_at(const RingSectors<Index>& g, double x, double y) {
                               static_cast<double>(g.cells - 1));
   const int sector = static_cast<int>(g.at_angle[static_cast<int>(cell)]);
   const int next = sector + 1 == g.sectors ? 0 : sector + 1;
-  return beyond_edge(g, sector + 1, x, y) >= 0 ? next : sector;
+  // Directions of tangents are compared, since the distance from an edge has the sign of the angle
+  // only near it, if sectors are wide and daughters lean.
+  const double turn = g.edges[sector + 1][0] * along_y - g.edges[sector + 1][1] * along_x;
+  return turn >= 0 ? next : sector;
 }
 
 template <class Index>

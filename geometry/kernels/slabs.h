@@ -26,7 +26,7 @@ struct SlabRow {
 template <bool oblique, class Index>
 inline int first_slab(const SlabRow<Index>& s, double p, double v, unsigned left) {
   const bool down = v < 0;
-  if (s.skin > 0 && left < static_cast<unsigned>(s.count) && (oblique || !is_along(v))) {
+  if (s.skin > 0 && left < static_cast<unsigned>(s.count) && (oblique || !is_nearly_across(v))) {
     const int at = static_cast<int>(s.position[left]), next = down ? at - 1 : at + 1;
     const bool behind = down ? p <= s.low[at] + s.skin : p >= s.high[at] - s.skin;
     const bool ends = static_cast<unsigned>(next) >= static_cast<unsigned>(s.count);
@@ -53,15 +53,15 @@ inline bool slab_is_beyond(const SlabRow<Index>& s, int i, double p, double v, d
 /// Calls visit(daughter), which returns whether the ray meets the daughter, for daughters along the
 /// ray from position `i` on until one is met or the next is beyond `reach`. `p`, `v` and `inverse`
 /// are the ray's along the axis. The first daughter that is met is the nearest, because the next
-/// one begins where it ends. But a ray along the slabs may run on a face that two daughters share,
-/// and then both are offered.
+/// one begins where it ends. But a ray along the slabs, or nearly so, may run where two daughters
+/// touch or overlap within the tolerance, and then both are offered.
 template <class Index, class Visit>
 inline void walk_slabs_from(const SlabRow<Index>& s, int i, double p, double v, double inverse,
                             double reach, const Visit& visit) {
   const int last = end_of_slabs(s, v), next = v < 0 ? -1 : 1;
   for (; i != last; i += next) {
     if (slab_is_beyond(s, i, p, v, inverse, reach)) return;
-    if (visit(static_cast<unsigned>(s.daughter[i])) && !is_along(v)) return;
+    if (visit(static_cast<unsigned>(s.daughter[i])) && !is_nearly_across(v)) return;
   }
 }
 

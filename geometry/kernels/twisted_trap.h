@@ -75,15 +75,6 @@ Real rate_along(const TwistedValue<Real>& at, const Direction<Real>& v) {
   return at.nx * v.x + at.ny * v.y + at.nz * v.z;
 }
 
-/// Directional containment behind one side.
-template <class Real>
-bool within_side(const TwistedValue<Real>& at, const Direction<Real>& v, Real tol) {
-  const Real width = tol * gradient(at);
-  if (absolute(at.value) > width) return at.value < 0;
-  const Real nv = rate_along(at, v);
-  return nv < 0 || (nv == 0 && at.value <= 0);
-}
-
 /// Bounds on the first and the second derivatives of a side's (nx, ny) along z.
 template <class Real>
 struct TwistedRates {
@@ -93,6 +84,57 @@ template <class Real>
 TwistedRates<Real> normal_rates(const TwistedTrap<Real>& s) {
   const Real turning = absolute(s.rate);
   return {turning * s.steep + s.steepening, turning * (turning * s.steep + 2 * s.steepening)};
+}
+
+/// How much room there is about the solid in which rays are followed, as a part of its size.
+template <class Real>
+constexpr Real twisted_room() {
+  return Real(1) + Real(1) / 32;
+}
+/// A bound on the second derivatives of the sides along a ray, within that room.
+template <class Real>
+Real bend_along(const TwistedTrap<Real>& s, const Direction<Real>& v) {
+  const Real shear = absolute(s.shear_x) + absolute(s.shear_y);
+  const TwistedRates<Real> rates = normal_rates(s);
+  const Real far = (s.hx + s.hy + shear * s.hz) * twisted_room<Real>();
+  const Real vz = absolute(v.z), across = square_root(v.x * v.x + v.y * v.y);
+  return vz * (vz * (rates.second * far + 2 * (rates.first * shear + s.curve)) +
+               2 * rates.first * across);
+}
+
+/// Where a ray is first off the surface of a side by more than the tolerance, and whether it is
+/// behind the side there. Infinity: it stays on the surface, and counts as behind the side.
+template <class Real>
+struct OffSide {
+  Real path;
+  bool within;
+};
+/// Decides for a ray that starts anywhere. A ray that grazes the side on which it starts is
+/// followed, so that it neither enters for less than the tolerance nor leaves and enters for ever.
+template <class Real>
+OffSide<Real> off_side(const TwistedTrap<Real>& s, const TwistedSide<Real>& side,
+                       const Vec3<Real>& p, const Direction<Real>& v,
+                       const TwistedValue<Real>& start, Real bend, Real tol) {
+  const Real width = tol * gradient(start);
+  if (absolute(start.value) > width) return {Real(0), start.value < 0};
+  const Real slope = rate_along(start, v);
+  // From the far edge of the tolerance it goes beyond the other one.
+  if (slope * slope > 4 * (bend * width)) return {Real(0), slope < 0};
+  if (!(bend > 0)) return {infinity<Real>(), true};
+  Real step = square_root(2 * width / bend);
+  const Real room = twisted_room<Real>();
+  for (Real t = step; step < infinity<Real>(); t += step) {
+    const Vec3<Real> q = advance(p, v, t);
+    if (!(absolute(q.x) <= s.hx * room && absolute(q.y) <= s.hy * room &&
+          absolute(q.z) <= s.hz * room)) {
+      break;
+    }
+    const TwistedValue<Real> at = value_at(s, side, q, turn_by(s.rate * q.z));
+    if (absolute(at.value) > tol * gradient(at)) return {t, at.value < 0};
+    // The bound is far above what bends the side here.
+    step = step + step / 4;
+  }
+  return {infinity<Real>(), true};
 }
 
 /// A ray near the solid, with a bound on the second derivatives of the sides along it.
@@ -107,20 +149,13 @@ struct TwistedRay {
 template <class Real>
 TwistedRay<Real> twisted_ray(const TwistedTrap<Real>& s, const Vec3<Real>& p,
                              const Direction<Real>& v) {
-  // Within the box that `approach` goes to, with some room, points are no farther than this from
-  // the middle.
-  const Real shear = absolute(s.shear_x) + absolute(s.shear_y);
-  const TwistedRates<Real> rates = normal_rates(s);
-  const Real room = Real(1) + Real(1) / 32, size = s.hx + s.hy + s.hz;
-  const Real far = (s.hx + s.hy + shear * s.hz) * room;
-  const Real vz = absolute(v.z), across = square_root(v.x * v.x + v.y * v.y);
+  // The box that `approach` goes to, with some room.
+  const Real room = twisted_room<Real>(), size = s.hx + s.hy + s.hz;
   Span<Real> span = whole_ray<Real>();
   clip_slab(span, s.hx * room, p.x, v.x, v.inverse_x, Real(0));
   clip_slab(span, s.hy * room, p.y, v.y, v.inverse_y, Real(0));
   clip_slab(span, s.hz * room, p.z, v.z, v.inverse_z, Real(0));
-  return {p, v, larger(span.leave, Real(0)),
-          vz * (vz * (rates.second * far + 2 * (rates.first * shear + s.curve)) +
-                2 * rates.first * across),
+  return {p, v, larger(span.leave, Real(0)), bend_along(s, v),
           size / (Real(1024) * 1024 * 1024 * 16)};
 }
 
@@ -136,9 +171,13 @@ Real next_crossing(const TwistedTrap<Real>& s, const TwistedSide<Real>& side,
     const Real slope = rate_along(at, ray.v);
     return within ? Sample<Real>{at.value, slope} : Sample<Real>{-at.value, -slope};
   };
+  if (!(from < ray.end)) return infinity<Real>();
   Real t = from;
   Sample<Real> at = f(t);
-  while (t < ray.end) {
+  // Steps become short near a side. More than this are needed by no solid that is thicker than the
+  // tolerance.
+  constexpr int most_steps = 100000;
+  for (int step_count = 0; t < ray.end && step_count < most_steps; ++step_count) {
     // A start on the surface may have the value of the other side than the one that it counts as
     // on.
     const bool ahead = at.value > 0;
@@ -179,8 +218,10 @@ template <class Real>
 bool contains(const TwistedTrap<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
   if (beyond_face(absolute(p.z) - s.hz, p.z < 0 ? -v.z : v.z, tol)) return false;
   const Turn<Real> turn = turn_by(s.rate * p.z);
+  const Real bend = bend_along(s, v);
   for (int k = 0; k < 4; ++k) {
-    if (!within_side(value_at(s, side_of(s, k), p, turn), v, tol)) return false;
+    const TwistedSide<Real>& side = side_of(s, k);
+    if (!off_side(s, side, p, v, value_at(s, side, p, turn), bend, tol).within) return false;
   }
   return true;
 }
@@ -199,8 +240,11 @@ Real distance_to_in(const TwistedTrap<Real>& s, const Vec3<Real>& p, const Direc
   bool within[4];
   Real event[4];
   for (int k = 0; k < 4; ++k) {
-    within[k] = within_side(value_at(s, side_of(s, k), ray.p, turn), v, tol);
-    event[k] = next_crossing(s, side_of(s, k), ray, Real(0), within[k]);
+    const TwistedSide<Real>& side = side_of(s, k);
+    const OffSide<Real> off =
+        off_side(s, side, ray.p, v, value_at(s, side, ray.p, turn), ray.bend, tol);
+    within[k] = off.within;
+    event[k] = next_crossing(s, side, ray, off.path, off.within);
   }
   Real t = larger(slab.enter, Real(0));
   bool waited = t > 0 || shift > 0;
@@ -231,9 +275,10 @@ Real distance_to_out(const TwistedTrap<Real>& s, const Vec3<Real>& p, const Dire
   const Turn<Real> turn = turn_by(s.rate * p.z);
   for (int k = 0; k < 4; ++k) {
     const TwistedSide<Real>& face = side_of(s, k);
-    if (!within_side(value_at(s, face, p, turn), v, tol)) return Real(0);
+    const OffSide<Real> off = off_side(s, face, p, v, value_at(s, face, p, turn), ray.bend, tol);
+    if (!off.within) return Real(0);
     ray.end = smaller(leave, ray.end);
-    leave = smaller(next_crossing(s, face, ray, Real(0), true), leave);
+    leave = smaller(next_crossing(s, face, ray, off.path, true), leave);
   }
   return leave;
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "geometry/solids/bodies.hpp"
@@ -90,6 +91,45 @@ Measure measure(const std::vector<Plane>& planes, const Vec3& apex, double reach
   return m;
 }
 
+Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Where three planes meet; nothing if they are parallel to a line.
+std::optional<Vec3> meeting_of(const Plane& f, const Plane& g, const Plane& h) {
+  const Vec3 a{f.a, f.b, f.c}, b{g.a, g.b, g.c}, c{h.a, h.b, h.c};
+  const Vec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+  const double det = dot(a, bc);
+  if (!(std::abs(det) > 0)) return std::nullopt;
+  const Vec3 p = (-1 / det) * (f.d * bc + g.d * ca + h.d * ab);
+  if (!std::isfinite(p.x + p.y + p.z)) return std::nullopt;
+  return p;
+}
+
+/// The corners of a body with few faces, which may be flat: nearly parallel faces say little about
+/// how far it reaches.
+std::vector<Vec3> corners_of(const std::vector<Plane>& planes) {
+  std::vector<Vec3> corners;
+  constexpr std::size_t most_faces = 16;
+  if (planes.size() > most_faces) return corners;
+  // Parallel faces seem to meet somewhere very far away, by rounding.
+  double farthest = 0;
+  for (const Plane& f : planes) farthest = std::max(farthest, std::abs(f.d));
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t k = 0; k < j; ++k) {
+        const std::optional<Vec3> p = meeting_of(planes[i], planes[j], planes[k]);
+        if (!p) continue;
+        const double rounding = 1e-12 + 1e-7 * std::min(norm(*p), farthest);
+        const bool holds = std::all_of(planes.begin(), planes.end(),
+                                       [&](const Plane& f) { return distance(f, *p) <= rounding; });
+        if (holds) corners.push_back(*p);
+      }
+    }
+  }
+  return corners;
+}
+
 }  // namespace
 
 namespace detail {
@@ -118,6 +158,13 @@ Solid make_hull(std::string name, std::vector<Plane> planes, const Extent& exten
 
 double SolidFacts<kernels::Hull<double>>::volume(const Shape& s) {
   const std::vector<Plane> planes(s.planes, s.planes + s.count);
+  if (const std::vector<Vec3> corners = corners_of(planes); corners.size() > 3) {
+    Vec3 middle{0, 0, 0};
+    for (const Vec3& p : corners) middle += (1.0 / static_cast<double>(corners.size())) * p;
+    double reach = 0;
+    for (const Vec3& p : corners) reach = std::max(reach, norm(p - middle));
+    return measure(planes, middle, 1.01 * reach).volume;
+  }
   // The planes' distances from the origin are a good enough bound for any reasonable body.
   double reach = 0;
   for (const Plane& f : planes) reach = std::max(reach, std::abs(f.d));

@@ -15,6 +15,19 @@ Extent extent_of(const QuadricShape& s) {
   return {{-s.hx, -s.hy, s.z_low}, {s.hx, s.hy, s.z_high}};
 }
 
+/// The solid, unless squares of its lengths are too small or too large for their reciprocals: then
+/// its equation would hold everything, or nothing.
+Solid made_of(std::string name, SolidKind kind, const QuadricShape& shape, const Extent& extent) {
+  for (const Quadric<double>* face : {&shape.outer, &shape.inner}) {
+    for (const double x : {face->a, face->b, face->c, face->d, face->e}) {
+      detail::require(std::isfinite(x), name, "its lengths are too small or too large");
+    }
+  }
+  detail::require(shape.outer.a > 0 && shape.outer.b > 0, name,
+                  "its lengths are too small or too large");
+  return detail::make_solid(std::move(name), kind, shape, extent);
+}
+
 double tangent_squared(double angle) {
   const double tangent = std::tan(angle);
   return tangent * tangent;
@@ -44,14 +57,14 @@ Solid make_ellipsoid(std::string name, double ax, double by, double cz, double z
   Extent extent = extent_of(shape);
   extent.min.z = low;
   extent.max.z = high;
-  return detail::make_solid(std::move(name), SolidKind::ellipsoid, shape, extent);
+  return made_of(std::move(name), SolidKind::ellipsoid, shape, extent);
 }
 
 Solid make_eltube(std::string name, double hx, double hy, double hz) {
   detail::require_finite({hx, hy, hz}, name);
   detail::require(hx > 0 && hy > 0 && hz > 0, name, "an elliptical tube needs positive lengths");
   const QuadricShape shape{hx, hy, -hz, hz, {1 / (hx * hx), 1 / (hy * hy), 0, 0, -1, 0}, {}, 0};
-  return detail::make_solid(std::move(name), SolidKind::eltube, shape, extent_of(shape));
+  return made_of(std::move(name), SolidKind::eltube, shape, extent_of(shape));
 }
 
 Solid make_elcone(std::string name, double x_slope, double y_slope, double z_max, double z_cut) {
@@ -67,7 +80,7 @@ Solid make_elcone(std::string name, double x_slope, double y_slope, double z_max
                            {1 / (x_slope * x_slope), 1 / (y_slope * y_slope), -1, 0, 0, z_max},
                            {},
                            0};
-  return detail::make_solid(std::move(name), SolidKind::elcone, shape, extent_of(shape));
+  return made_of(std::move(name), SolidKind::elcone, shape, extent_of(shape));
 }
 
 Solid make_paraboloid(std::string name, double r_low, double r_high, double hz) {
@@ -77,7 +90,7 @@ Solid make_paraboloid(std::string name, double r_low, double r_high, double hz) 
   detail::require(hz > 0, name, "a paraboloid needs a positive length");
   const double rise = (r_high - r_low) * (r_high + r_low) / (2 * hz);
   const QuadricShape shape{r_high, r_high, -hz, hz, {1, 1, 0, -rise, -r_low * r_low, -hz}, {}, 0};
-  return detail::make_solid(std::move(name), SolidKind::paraboloid, shape, extent_of(shape));
+  return made_of(std::move(name), SolidKind::paraboloid, shape, extent_of(shape));
 }
 
 Solid make_hype(std::string name, double rmin, double rmax, double inner_stereo,
@@ -99,7 +112,7 @@ Solid make_hype(std::string name, double rmin, double rmax, double inner_stereo,
       {1, 1, -outer, 0, -rmax * rmax, 0},
       bored ? Quadric<double>{1, 1, -inner, 0, -rmin * rmin, 0} : Quadric<double>{},
       bored ? 1 : 0};
-  return detail::make_solid(std::move(name), SolidKind::hype, shape, extent_of(shape));
+  return made_of(std::move(name), SolidKind::hype, shape, extent_of(shape));
 }
 
 double detail::quadric_volume(const kernels::Quadric<double>& f, double low, double high) {

@@ -78,6 +78,10 @@ Solid make_twisted(std::string name, SolidKind kind, double twist, double hz, do
   detail::require_finite({twist, hz, theta, phi, hy1, hx1, hx2, hy2, hx3, hx4, alpha}, name);
   detail::require(hz > 0 && hy1 > 0 && hx1 > 0 && hx2 > 0 && hy2 > 0 && hx3 > 0 && hx4 > 0, name,
                   "a twisted solid needs positive lengths");
+  // A thinner one is nothing but surface to any navigator, and rays would be followed in it by
+  // steps as short as it is thin.
+  detail::require(std::min({hz, hy1, hx1, hx2, hy2, hx3, hx4}) >= 1e-9, name,
+                  "a twisted solid needs half lengths of at least 1e-9 mm");
   detail::require(twist != 0 && std::abs(twist) < pi / 2, name,
                   "the twist must be less than 90 degrees and not zero");
   detail::require(theta >= 0 && theta < pi / 2 && std::abs(alpha) < pi / 2, name,

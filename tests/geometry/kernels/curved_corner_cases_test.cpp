@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <sstream>
 
 #include "geometry/solids/solid.hpp"
@@ -26,6 +27,59 @@ double to_out(const Solid& s, const Vec3& p, double x, double y, double z) {
 bool in(const Solid& s, const Vec3& p, double x, double y, double z) {
   const double n = std::hypot(x, y, z);
   return contains(s.any(), p, kernels::make_direction(x / n, y / n, z / n), tol);
+}
+
+TEST(SphereRays, AlongAPolarLimitDoNotMeetTheOtherNappe) {
+  // From the bore, where only the other half of the line through the centre is ahead.
+  for (int i = 1; i < 150; ++i) {
+    const double theta = 0.01 * i;
+    const Solid cap = make_sphere("cap", 10, 20, 0, turn, 0, theta);
+    const double x = std::sin(theta), z = std::cos(theta);
+    for (const double phi : {0.0, 1.0, 4.0}) {
+      const Vec3 along{x * std::cos(phi), x * std::sin(phi), z};
+      const Vec3 p = 75 * along - 65.5 * along;
+      EXPECT_EQ(to_in(cap, p, -along.x, -along.y, -along.z), inf) << theta;
+      // From the other side only the true half is met, somewhere on the limit, or it is passed.
+      const double t = to_in(cap, -75 * along, along.x, along.y, along.z);
+      EXPECT_TRUE(t == inf || (t > 85 - 1e-6 && t < 95 + 1e-6)) << theta << ' ' << t;
+      const Solid full = make_sphere("full", 0, 20, 0, turn, 0, theta);
+      const double to_tip = to_in(full, -75 * along, along.x, along.y, along.z);
+      EXPECT_GE(to_tip, 75 - 1e-6) << theta;
+    }
+  }
+}
+
+TEST(TwistedRays, ThatTouchASideNeitherStickNorVanish) {
+  for (const double twist : {1e-9, 1e-7, 1e-5, 1e-3, 0.1, 1.0}) {
+    const Solid box = make_twistedbox("box", twist, 10, 10, 20);
+    std::minstd_rand random(1);
+    const auto number = [&](double low, double high) {
+      return low + (high - low) * static_cast<double>(random()) / 2147483647.0;
+    };
+    for (int i = 0; i < 2000; ++i) {
+      // On the side x = 10 of the section at this z, along its tangents.
+      const double z = number(-19, 19), y = number(-9, 9), angle = twist * z / 40;
+      const double c = std::cos(angle), s = std::sin(angle);
+      const Vec3 p{10 * c - y * s, 10 * s + y * c, z};
+      // The side's direction along z is that of its points at this y.
+      const double turning = twist / 40;
+      const Vec3 up{-turning * p.y, turning * p.x, 1}, side{-s, c, 0};
+      const double share = number(-1, 1);
+      Vec3 v = share * up + (1 - std::abs(share)) * side;
+      v = (1 / norm(v)) * v;
+      Vec3 at = p;
+      bool inside = in(box, at, v.x, v.y, v.z);
+      int steps = 0;
+      for (; steps < 20; ++steps) {
+        const double t = inside ? to_out(box, at, v.x, v.y, v.z) : to_in(box, at, v.x, v.y, v.z);
+        ASSERT_GE(t, 0);
+        if (t == inf) break;
+        at += t * v;
+        inside = !inside;
+      }
+      ASSERT_LT(steps, 20) << twist << ' ' << i;
+    }
+  }
 }
 
 TEST(TorusRays, CrossTheTubeUpToFourTimes) {

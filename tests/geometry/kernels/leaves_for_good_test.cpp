@@ -2,6 +2,8 @@
 // detector they are asked.
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "geometry/navigation/scene.hpp"
 #include "geometry/solids/any_solid.hpp"
 #include "geometry/solids/extent.hpp"
@@ -149,13 +151,13 @@ TEST(LeavesForGood, WhatIsInABoxIsNotMetOutsideOfIt) {
   EXPECT_GT(for_good, scaled(20000));
 }
 
-/// A ray that runs nearly along a face of a tube, and hardly enters it.
-TEST(LeavesForGood, RaysThatGrazeDoNotComeBack) {
+/// A ray that runs nearly along a face of a tube or a ball, and hardly enters it.
+void graze(const std::function<Solid(double)>& make) {
   Random random(6);
   int grazing = 0;
   for (int i = 0; i < scaled(20000); ++i) {
     const double r = random.scale(1e-2, 1e4), depth = random.scale(1e-10, 1e-3) * r;
-    const Solid tube = make_tube("tube", 0, r, 10 * r, 0, 7);
+    const Solid solid = make(r);
     const double phi = random.uniform(0, 6.3), x = std::cos(phi), y = std::sin(phi);
     const Direction v = kernels::make_direction(-y, x, 0.0);
     const double half_chord = std::sqrt(2 * r * depth);
@@ -163,15 +165,20 @@ TEST(LeavesForGood, RaysThatGrazeDoNotComeBack) {
     const Vec3 start =
         at + Vec3{(r - depth) * x + half_chord * y / 2, (r - depth) * y - half_chord * x / 2, 0};
     const Vec3 local = start - at;
-    if (!contains(tube.any(), local, v, tolerance)) continue;
-    const double t = distance_to_out(tube.any(), local, v, tolerance);
+    if (!contains(solid.any(), local, v, tolerance)) continue;
+    const double t = distance_to_out(solid.any(), local, v, tolerance);
     if (!(t > 0)) continue;
     ++grazing;
     const Vec3 p = (start + t * Vec3{v.x, v.y, v.z}) - at;
-    ASSERT_TRUE(BySolid{}(tube, {0, 0, 0}, p, v));
-    EXPECT_EQ(distance_to_in(tube.any(), p, v, tolerance), INFINITY) << r << ' ' << depth;
+    ASSERT_TRUE(BySolid{}(solid, {0, 0, 0}, p, v));
+    EXPECT_EQ(distance_to_in(solid.any(), p, v, tolerance), INFINITY) << r << ' ' << depth;
   }
   EXPECT_GT(grazing, scaled(5000));
+}
+
+TEST(LeavesForGood, RaysThatGrazeDoNotComeBack) {
+  graze([](double r) { return make_tube("tube", 0, r, 10 * r, 0, 7); });
+  graze([](double r) { return make_orb("orb", r); });
 }
 
 }  // namespace

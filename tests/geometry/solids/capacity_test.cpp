@@ -80,6 +80,15 @@ TEST(Capacity, MatchesTextbookVolumes) {
   EXPECT_NEAR(capacity(make_polyhedra("s", planes, 4, 0, 2 * pi)), 20, 1e-13);
 }
 
+TEST(Capacity, OfFlatSolidsIsRight) {
+  for (const double height : {1.0, 1e-3, 3e-6, 1e-6}) {
+    for (const double x : {0.0, 1000.0, -1e5}) {
+      const Solid tet = make_tet("s", {x, 0, 0}, {x + 20, 0, 0}, {x, 20, 0}, {x + 5, 5, height});
+      EXPECT_NEAR(capacity(tet), 200 * height / 3, 1e-4 * 200 * height / 3) << height << ' ' << x;
+    }
+  }
+}
+
 TEST(Capacity, MatchesTextbookVolumesOfCurvedSolids) {
   constexpr double pi = std::numbers::pi;
   EXPECT_DOUBLE_EQ(capacity(make_torus("s", 1, 2, 5, 0.3, pi)), 15 * pi * pi);

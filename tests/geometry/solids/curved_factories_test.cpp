@@ -29,6 +29,14 @@ TEST(CurvedFactories, RefuseDimensionsThatMakeNoSolid) {
   EXPECT_THROW(make_ellipsoid("s", 1, 1, 1, 1, 2), GeometryError);
   EXPECT_THROW(make_ellipsoid("s", 1, 1, 1, -2, -1), GeometryError);
   EXPECT_THROW(make_eltube("s", 1, -1, 1), GeometryError);
+  // The squares of such lengths have no reciprocals, and the equation would hold everything.
+  EXPECT_THROW(make_ellipsoid("s", 1e-160, 50, 40, 0, 0), GeometryError);
+  EXPECT_THROW(make_ellipsoid("s", 1e200, 50, 40, 0, 0), GeometryError);
+  EXPECT_THROW(make_eltube("s", 1e-170, 50, 40), GeometryError);
+  EXPECT_THROW(make_elcone("s", 1e-170, 1, 50, 40), GeometryError);
+  // Steps in them would be as short as they are thin.
+  EXPECT_THROW(make_twistedbox("s", 0.5, 1e-20, 40, 50), GeometryError);
+  EXPECT_NO_THROW(make_twistedbox("s", 0.5, 1e-6, 40, 50));
   EXPECT_THROW(make_elcone("s", 1, 1, 1, 0), GeometryError);
   EXPECT_THROW(make_elcone("s", 0, 1, 1, 1), GeometryError);
   EXPECT_THROW(make_paraboloid("s", 1, 1, 1), GeometryError);
