@@ -38,6 +38,7 @@ std::vector<VolumeId> topological_order(const Geometry& geometry) {
 struct FrameSet {
   std::vector<std::array<double, 9>> rotations;
   bool many_rotations = false;
+  bool turned = false;  ///< somewhere on the way to it, though the turns may cancel out
   std::vector<std::array<double, 3>> translations;
 
   void add_rotation(const std::array<double, 9>& r) {
@@ -108,6 +109,7 @@ WorldFacts analyse_world(const Geometry& geometry) {
       mother = volume;
       FrameSet& inner = sets[d.volume];
       inner.many_rotations |= outer.many_rotations;
+      inner.turned |= outer.turned || d.transformation.rotated;
       std::array<double, 9> rotation;
       std::array<double, 3> translation;
       for (const auto& r : outer.rotations) {
@@ -127,7 +129,7 @@ WorldFacts analyse_world(const Geometry& geometry) {
     const FrameSet& set = sets[v];
     FrameFacts& frame = facts.frames[v];
     if (!set.many_rotations && set.rotations.size() == 1) {
-      frame.never_rotated = set.rotations[0] == identity;
+      frame.never_rotated = set.rotations[0] == identity && !set.turned;
       if (!frame.never_rotated) {
         frame.only_rotation = set.rotations[0];
         const auto next = static_cast<unsigned>(rotations.size() + 1);

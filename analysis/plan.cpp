@@ -205,21 +205,21 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
       out << "none";
       break;
     case Candidates::all:
-      out << "all, spelled out";
+      out << "all: spelled out one by one";
       break;
     case Candidates::lanes:
-      out << "all, four boxes at once";
+      out << "lanes: all, four boxes at once";
       break;
     case Candidates::slabs:
-      out << "the next slab along "
+      out << "slabs: the next along "
           << "xyz"[plan.slabs.axis];
       break;
     case Candidates::nest:
-      out << "the next of " << plan.nest.members.size() << " shells about "
+      out << "nest: the next of " << plan.nest.members.size() << " shells about "
           << axis_names[plan.nest.axis];
       break;
     case Candidates::rings:
-      out << "sectors about " << axis_names[plan.rings.axis] << ":";
+      out << "rings: sectors about " << axis_names[plan.rings.axis] << ":";
       for (const Ring& ring : plan.rings.rings) {
         out << " " << ring.present << " of " << ring.steps << " in a ring"
             << (ring.lean != 0 ? " that leans," : ",");
@@ -227,28 +227,29 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
       out << " " << plan.rings.others.size() << " besides";
       break;
     case Candidates::wires:
-      out << "the next across:";
+      out << "wires: the next across:";
       for (const WireBundle& bundle : plan.wires.bundles) {
         for (const WireRow& row : bundle.rows) out << " " << row.members.size() << " in a row,";
       }
       out << " " << plan.wires.others.size() << " besides";
       break;
     case Candidates::scan:
-      out << "those whose boxes it meets, all of " << plan.boxes.size() << " looked at first";
+      out << "scan: those whose boxes it meets, all of " << plan.boxes.size() << " looked at first";
       break;
     case Candidates::groups:
-      out << "those whose boxes it meets, looked at by groups of eight";
+      out << "groups: those whose boxes it meets, looked at by groups of eight";
       break;
     case Candidates::tree:
-      out << "by the hierarchy of boxes";
+      out << "tree: by the hierarchy of boxes";
       break;
     case Candidates::layers:
-      out << describe_layers(plan.layers);
+      out << "layers: " << describe_layers(plan.layers);
       break;
     case Candidates::grid:
     case Candidates::boxes:
-      out << "cells " << plan.grid.count[0] << " x " << plan.grid.count[1] << " x "
-          << plan.grid.count[2] << ", " << plan.mean_candidates << " candidates a cell"
+      out << (plan.candidates == Candidates::boxes ? "boxes: " : "grid: ") << "cells "
+          << plan.grid.count[0] << " x " << plan.grid.count[1] << " x " << plan.grid.count[2]
+          << ", " << plan.mean_candidates << " candidates a cell"
           << (plan.candidates == Candidates::boxes ? ", boxes tested eight at once" : "");
   }
   out << "\n";

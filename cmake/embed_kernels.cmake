@@ -5,7 +5,7 @@ foreach(path IN LISTS KERNELS)
   get_filename_component(name ${path} NAME_WE)
   file(READ ${path} text)
   # Generated code does without what follows.
-  string(FIND "${text}" "\n// Beside navigation." end)
+  string(FIND "${text}" "\n// Beside navigation.\n" end)
   if(end GREATER -1)
     string(SUBSTRING "${text}" 0 ${end} text)
   endif()

@@ -11,9 +11,13 @@
 #include <llvm/Support/MemoryBuffer.h>
 #include <llvm/TargetParser/Host.h>
 #include <llvm/TargetParser/Triple.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -232,7 +236,24 @@ Linker::Linker(Linker&&) noexcept = default;
 Linker& Linker::operator=(Linker&&) noexcept = default;
 Linker::~Linker() = default;
 
+namespace {
+
+/// Why memory that was written cannot become code; nothing if it can. Systems may forbid it.
+std::optional<Failure> no_executable_memory() {
+  const auto bytes = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  void* page = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (page == MAP_FAILED) return std::nullopt;  // there is none at all: whoever links says so
+  const int error = mprotect(page, bytes, PROT_READ | PROT_EXEC) == 0 ? 0 : errno;
+  munmap(page, bytes);
+  if (error == 0) return std::nullopt;
+  return Failure{std::string("this system lets no program run code that it has made (mprotect: ") +
+                 std::strerror(error) + "); use JitMode::off (--jit off), or a plugin"};
+}
+
+}  // namespace
+
 Expected<Linker> Linker::create(const LinkerOptions& options) {
+  if (std::optional<Failure> failure = no_executable_memory()) return *failure;
   // Work is done by the thread that asks for it.
   auto control = orc::SelfExecutorProcessControl::Create(
       nullptr, std::make_unique<orc::InPlaceTaskDispatcher>());

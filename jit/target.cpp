@@ -130,11 +130,16 @@ Expected<std::shared_ptr<llvm::TargetMachine>> make_target_machine(const Target&
 
 }  // namespace detail
 
+/// To be raised with each change of jit/ that changes the code which comes from one and the same
+/// text (passes, strictness of floating-point arithmetic): caches then hold old code.
+constexpr const char* passes_version = "1";
+
 std::string target_description(const CompileOptions& options) {
   const detail::Target target = detail::resolve_target(options);
   return "llvm " LLVM_VERSION_STRING "; " + clang::getClangFullVersion() + "; " + target.triple +
          "; cpu=" + target.cpu + "; features=" + detail::joined(target.features) +
-         "; flags=" + detail::joined(detail::frontend_flags(options));
+         "; flags=" + detail::joined(detail::frontend_flags(options)) +
+         "; passes=" + passes_version;
 }
 
 bool has_compiler() { return true; }

@@ -33,17 +33,13 @@ const char* processor(InstructionSet set, spdlog::logger& log) {
   return "";
 }
 
-/// The largest processor time for a module, several times the longest expected time. A module that
-/// the cost model misjudges must not keep all others waiting.
-constexpr double most_module_ms = 4000;
-
 constexpr const char* unit_name = "navjit_module";
 
 jit::CompileOptions compile_options(const SpecialiserOptions& options, spdlog::logger& log) {
   jit::CompileOptions result;
   result.optimisation = options.optimisation;
   result.debug_info = options.debug_info;
-  result.most_ms = most_module_ms;
+  result.most_ms = longest_module_ms;
   // A debugger shows the source by line numbers that count from its beginning. So it cannot be
   // compiled on top of a parsed preamble.
   if (!options.debug_info) result.preamble = codegen::common_text();

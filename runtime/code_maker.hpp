@@ -18,6 +18,10 @@
 
 namespace navjit {
 
+/// The largest processor time for a module, several times the longest expected time. A module that
+/// the cost model misjudges must not keep all others waiting.
+constexpr double longest_module_ms = 4000;
+
 /// For one thread at a time. The compiler is made when it is first needed, so a run that finds
 /// everything in the cache never makes one. The cache is never a reason to fail: trouble with it is
 /// reported in one line of the log for each kind.

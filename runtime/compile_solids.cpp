@@ -208,7 +208,9 @@ bool make(Specialisation& spec, const std::vector<ComposedSolid*>& solids) {
     made = compile(spec, module.source);
   }
   if (!made) {
-    if (made.failure().stopped || nothing_more(spec, made.failure())) return false;
+    if (made.failure().stopped) return false;
+    count_in_vain(spec, start);
+    if (nothing_more(spec, made.failure())) return false;
     spec.shared->log->warn("solids are not compiled: {}", one_line(made.failure().message));
     return true;
   }

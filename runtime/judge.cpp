@@ -53,7 +53,11 @@ void install_side(Specialisation& spec, VolumeId volume, Trial& trial, bool goes
                   : spec.structures.contains(owner) ? Binding::structure
                                                     : Binding::constants;
   // A trial of a navigator that is bound to data says nothing about constants, which are still to
-  // be tried.
+  // be tried, unless they have failed or lost before.
+  if (holds_no_constants(spec, trial.candidate_owner) && scene.binding != Binding::constants &&
+      (scene.status == SceneStatus::failed || spec.try_again_at.contains(volume))) {
+    return;
+  }
   scene.status = scene.binding == Binding::constants               ? SceneStatus::specialised
                  : holds_no_constants(spec, trial.candidate_owner) ? SceneStatus::generic
                                                                    : SceneStatus::unprofitable;

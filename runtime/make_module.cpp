@@ -93,13 +93,16 @@ std::vector<Batch> without_module(Specialisation& spec, const Batch& batch,
     }
     return made;
   }
-  spec.shared->log->warn("scene {} stays generic: {}",
-                         spec.shared->geometry.world().volumes[batch[0]].name, one_line(why));
-  note(spec, batch[0], SceneStatus::failed, why);
+  note_failure(spec, batch[0], why);
   return {};
 }
 
 }  // namespace
+
+void count_in_vain(Specialisation& spec, double start) {
+  const std::lock_guard lock(spec.mutex);
+  spec.totals.compile_ms += (steady_seconds() - start) * 1e3;
+}
 
 bool nothing_more(Specialisation& spec, const Failure& failure) {
   if (!failure.exhausted && spec.maker->no_compiler().empty() && spec.maker->no_linker().empty()) {
@@ -133,11 +136,7 @@ std::vector<Batch> make_modules(Specialisation& spec, const Batch& batch) {
   auto made = compile(spec, module.source);
   if (!made) {
     if (made.failure().stopped) return {};
-    {
-      // Time that was spent in vain counts, too, if compiling is limited to a share of the run.
-      const std::lock_guard lock(spec.mutex);
-      spec.totals.compile_ms += (steady_seconds() - start) * 1e3;
-    }
+    count_in_vain(spec, start);
     return without_module(spec, batch, made.failure());
   }
   const jit::CompileReport& report = made->object.report;

@@ -16,6 +16,10 @@ using Batch = std::vector<VolumeId>;
 codegen::Module generate(Specialisation& spec, const Batch& batch, bool along_faces,
                          codegen::Leaves leaves);
 
+/// Must be called after a compilation that failed and was not stopped: time that was spent in vain
+/// counts, too, where compiling is limited to a share of the run. `start` is in steady_seconds().
+void count_in_vain(Specialisation& spec, double start);
+
 /// Must be called after a failure to compile. Returns whether nothing more can be compiled in this
 /// run; if so, says it in the log.
 bool nothing_more(Specialisation& spec, const Failure& failure);

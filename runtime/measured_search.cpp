@@ -1,5 +1,8 @@
 #include "runtime/measured_search.hpp"
 
+#include <map>
+#include <set>
+
 #include "analysis/plan.hpp"
 
 namespace navjit {
@@ -42,11 +45,22 @@ void search_as_listed(Specialisation& spec, const ListedScene& scene) {
   }
 }
 
-ListedScene to_be_listed(const Specialisation& spec, VolumeId volume) {
-  const VolumeId first = spec.facts.first_equal[volume];
-  const auto measured = spec.facts.forced_candidates.find(first);
-  const bool none = measured == spec.facts.forced_candidates.end() || spec.forced.contains(first);
-  return none ? ListedScene{volume} : ListedScene{volume, measured->second};
+ListedModule to_be_listed(const Specialisation& spec, const std::vector<VolumeId>& scenes) {
+  const std::map<VolumeId, Candidates>& measured = spec.facts.forced_candidates;
+  ListedModule module;
+  std::set<VolumeId> firsts;
+  for (const VolumeId volume : scenes) {
+    const VolumeId first = spec.facts.first_equal[volume];
+    firsts.insert(first);
+    const auto found = measured.find(first);
+    const bool none = found == measured.end() || spec.forced.contains(first);
+    module.scenes.push_back(none ? ListedScene{volume} : ListedScene{volume, found->second});
+  }
+  for (const auto& [first, search] : measured) {
+    if (firsts.contains(first) || spec.forced.contains(first)) continue;
+    module.beside.push_back({first, search});
+  }
+  return module;
 }
 
 }  // namespace navjit

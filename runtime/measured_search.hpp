@@ -21,7 +21,8 @@ void search_as_bound(Specialisation& spec, VolumeId volume);
 /// volume.
 void search_as_listed(Specialisation& spec, const ListedScene& scene);
 
-/// What later runs should know about a scene whose code was made.
-ListedScene to_be_listed(const Specialisation& spec, VolumeId volume);
+/// What later runs have to know about a module that was made of these scenes, to make the same text
+/// again.
+ListedModule to_be_listed(const Specialisation& spec, const std::vector<VolumeId>& scenes);
 
 }  // namespace navjit

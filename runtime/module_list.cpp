@@ -8,11 +8,11 @@
 namespace navjit {
 namespace {
 
-constexpr std::string_view first_line = "navjit hot scenes 2\n";
+constexpr std::string_view first_line = "navjit hot scenes 3\n";
 
 /// A scene is compiled again when it is sixteen times as hot as before, or when its code left out
 /// too many steps.
-constexpr unsigned most_batches_of_a_scene = 16;
+constexpr unsigned most_modules_of_a_scene = 16;
 
 struct Name {
   std::string_view text;
@@ -39,12 +39,20 @@ std::optional<ListedScene> take_scene(std::string_view& text) {
 
 std::string write_module_list(const ModuleList& list) {
   std::string text(first_line);
-  for (const auto& batch : list) {
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-      text += (i == 0 ? "" : " ") + std::to_string(batch[i].volume);
-      for (const Name& name : names) {
-        if (batch[i].search == name.search) text += name.text;
-      }
+  const auto write = [&](const ListedScene& scene) {
+    text += std::to_string(scene.volume);
+    for (const Name& name : names) {
+      if (scene.search == name.search) text += name.text;
+    }
+  };
+  for (const ListedModule& module : list) {
+    for (std::size_t i = 0; i < module.scenes.size(); ++i) {
+      if (i > 0) text += ' ';
+      write(module.scenes[i]);
+    }
+    for (std::size_t i = 0; i < module.beside.size(); ++i) {
+      text += i == 0 ? '|' : ' ';
+      write(module.beside[i]);
     }
     text += '\n';
   }
@@ -55,21 +63,23 @@ std::optional<ModuleList> read_module_list(std::string_view text, std::size_t vo
   if (text.substr(0, first_line.size()) != first_line) return std::nullopt;
   text.remove_prefix(first_line.size());
   ModuleList list;
-  std::map<VolumeId, unsigned> batches_of;
+  std::map<VolumeId, unsigned> modules_of;
   while (!text.empty()) {
-    std::vector<ListedScene>& batch = list.emplace_back();
+    ListedModule& module = list.emplace_back();
     std::set<VolumeId> seen;
-    for (char end = ' '; end == ' ';) {
+    bool beside = false;
+    for (char end = ' '; end != '\n';) {
       const std::optional<ListedScene> scene = take_scene(text);
       if (!scene || scene->volume >= volumes || !seen.insert(scene->volume).second ||
-          ++batches_of[scene->volume] > most_batches_of_a_scene) {
+          (beside ? !scene->search : ++modules_of[scene->volume] > most_modules_of_a_scene) ||
+          text.empty()) {
         return std::nullopt;
       }
-      if (text.empty()) return std::nullopt;
+      (beside ? module.beside : module.scenes).push_back(*scene);
       end = text[0];
-      if (end != ' ' && end != '\n') return std::nullopt;
+      if (end != ' ' && end != '\n' && (end != '|' || beside)) return std::nullopt;
+      beside = beside || end == '|';
       text.remove_prefix(1);
-      batch.push_back(*scene);
     }
   }
   return list;
@@ -78,13 +88,13 @@ std::optional<ModuleList> read_module_list(std::string_view text, std::size_t vo
 ModuleList merge(const ModuleList& mine, const ModuleList& others) {
   ModuleList merged = mine;
   std::set<VolumeId> taken;
-  for (const auto& batch : mine) {
-    for (const ListedScene& scene : batch) taken.insert(scene.volume);
+  for (const ListedModule& module : mine) {
+    for (const ListedScene& scene : module.scenes) taken.insert(scene.volume);
   }
-  for (const auto& batch : others) {
-    if (std::none_of(batch.begin(), batch.end(),
+  for (const ListedModule& module : others) {
+    if (std::none_of(module.scenes.begin(), module.scenes.end(),
                      [&](const ListedScene& s) { return taken.contains(s.volume); })) {
-      merged.push_back(batch);
+      merged.push_back(module);
     }
   }
   return merged;

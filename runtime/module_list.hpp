@@ -20,8 +20,16 @@ struct ListedScene {
   bool operator==(const ListedScene&) const = default;
 };
 
-/// Batches of scenes, as they were compiled.
-using ModuleList = std::vector<std::vector<ListedScene>>;
+/// A batch of scenes, as they were compiled.
+struct ListedModule {
+  std::vector<ListedScene> scenes{};
+  /// Scenes that are not in the batch, but had a measured search when it was compiled: the text of
+  /// a module contains the searches of the mothers and daughters of its scenes, too.
+  std::vector<ListedScene> beside{};
+
+  bool operator==(const ListedModule&) const = default;
+};
+using ModuleList = std::vector<ListedModule>;
 
 /// The measured searches that code can use.
 constexpr bool may_be_listed(Candidates search) {
@@ -31,11 +39,11 @@ constexpr bool may_be_listed(Candidates search) {
 std::string write_module_list(const ModuleList& list);
 
 /// The list in the text; nothing if the text is not a list of modules for `volumes` volumes. Every
-/// number is checked, and none may occur twice in a batch. A scene is in several batches if it was
+/// number is checked, and none may occur twice in a module. A scene is in several batches if it was
 /// compiled again, with others or alone. More occurrences than a run can make are refused.
 std::optional<ModuleList> read_module_list(std::string_view text, std::size_t volumes);
 
-/// `mine`, and the batches of `others` that share no volume with it.
+/// `mine`, and the modules of `others` that share no scene with it.
 ModuleList merge(const ModuleList& mine, const ModuleList& others);
 
 }  // namespace navjit

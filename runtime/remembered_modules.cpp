@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -42,8 +43,12 @@ void install_remembered(Specialisation& spec) {
   spec.module_list_name = "hot scenes of " + geometry_fingerprint(geometry);
   const std::optional<ModuleList> list = recall(spec);
   if (!list) return;
-  for (const std::vector<ListedScene>& listed : *list) {
-    const std::vector<VolumeId> batch = volumes_of(listed);
+  // Each module has the searches that it was compiled with. They stay for the scenes of modules
+  // that are installed.
+  const std::map<VolumeId, Candidates> before = spec.facts.forced_candidates;
+  std::map<VolumeId, Candidates> after = before;
+  for (const ListedModule& listed : *list) {
+    const std::vector<VolumeId> batch = volumes_of(listed.scenes);
     {
       const std::lock_guard lock(spec.mutex);
       const bool fresh = std::all_of(batch.begin(), batch.end(), [&](VolumeId v) {
@@ -53,9 +58,10 @@ void install_remembered(Specialisation& spec) {
       if (spec.stopping()) return;
       if (!fresh) continue;
     }
-    for (const ListedScene& scene : listed) search_as_listed(spec, scene);
+    spec.facts.forced_candidates = before;
+    for (const ListedScene& scene : listed.scenes) search_as_listed(spec, scene);
+    for (const ListedScene& scene : listed.beside) search_as_listed(spec, scene);
     // Modules whose code the cache does not have any more are left to the profile of this run.
-    bool installed = false;
     using codegen::Leaves;
     for (const auto& [along_faces, leaves] :
          {std::pair(false, Leaves::apart), std::pair(false, Leaves::shared),
@@ -66,23 +72,25 @@ void install_remembered(Specialisation& spec) {
       if (!found) continue;
       if (install(spec, module, std::move(found->code), true, start)) {
         spec.module_list.push_back(listed);
-        installed = true;
+        for (const VolumeId volume : batch) {
+          const VolumeId first = spec.facts.first_equal[volume];
+          const auto measured = spec.facts.forced_candidates.find(first);
+          if (measured != spec.facts.forced_candidates.end()) after[first] = measured->second;
+        }
       } else if (!spec.stopping()) {
         spec.maker->reject(module.source);
       }
       break;
     }
-    if (installed) continue;
-    for (const VolumeId volume : batch) search_as_bound(spec, volume);
   }
+  spec.facts.forced_candidates = std::move(after);
 }
 
 namespace {
 
 void remember(Specialisation& spec, const std::vector<VolumeId>& batch) {
   if (!spec.maker->has_cache() || spec.shared->options.jit == JitMode::wait) return;
-  std::vector<ListedScene> listed;
-  for (const VolumeId volume : batch) listed.push_back(to_be_listed(spec, volume));
+  ListedModule listed = to_be_listed(spec, batch);
   ModuleList& list = spec.module_list;
   if (std::find(list.begin(), list.end(), listed) == list.end()) list.push_back(std::move(listed));
   // Other runs of the same detector may meanwhile have found other scenes.

@@ -7,6 +7,7 @@
 
 #include "runtime/log_text.hpp"
 #include "runtime/processor_time.hpp"
+#include "runtime/verify.hpp"
 
 namespace navjit {
 
@@ -69,6 +70,13 @@ void note(Specialisation& spec, VolumeId volume, SceneStatus status, const std::
 
 void note_failure(Specialisation& spec, VolumeId volume, const std::string& why) {
   const std::lock_guard lock(spec.mutex);
+  if (why == no_state_to_verify_on) {
+    // The volume holds hardly a point, and so hardly a step: nothing is wrong with the code.
+    spec.shared->log->debug("event=unverified scene={}",
+                            in_quotes(spec.shared->geometry.world().volumes[volume].name));
+    spec.scenes[volume].note = why;
+    return;
+  }
   spec.shared->log->warn(
       "scene {} stays {}: {}", spec.shared->geometry.world().volumes[volume].name,
       spec.scenes[volume].binding == Binding::generic ? "generic" : "bound as before",

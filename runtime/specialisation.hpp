@@ -86,7 +86,8 @@ struct Specialisation {
   /// By volume: another entry that is bound to data, to be tried once the first was judged.
   std::map<VolumeId, const kernels::DispatchEntry*> second_choices;
   std::uint64_t structures_again_at = 0;  ///< steps of the run before which no structure pays
-  std::set<VolumeId> structure_tried;     ///< volumes whose structure was compiled, or need not be
+  std::map<VolumeId, cache::Digest> structures_of;  ///< digests of texts, of those looked at
+  std::set<VolumeId> structure_tried;  ///< volumes whose structure was compiled, or need not be
   std::set<std::shared_ptr<const void>> structures;  ///< code of structures, with its tables
   std::optional<std::vector<ComposedSolid>> composed_solids{};  ///< set once they were searched
   codegen::CodeOfSolids code_of_solids;

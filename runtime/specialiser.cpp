@@ -210,9 +210,9 @@ void Specialiser::specialise_all() {
   const SpecialiserOptions& options = spec_.shared->options.specialiser;
   double expected = 0, of_module = module_base_ms;
   for (const VolumeId volume : volumes) {
-    const double ms = expected_compile_ms(spec_.shared->geometry,
-                                          plan_scene(spec_.shared->geometry, spec_.facts, volume));
-    if (ms > most_scene_ms) continue;
+    const ScenePlan plan = plan_scene(spec_.shared->geometry, spec_.facts, volume);
+    const double ms = expected_compile_ms(spec_.shared->geometry, plan);
+    if (ms > most_scene_ms || !worth_compiling(spec_.shared->geometry, plan)) continue;
     // On a slow machine a larger module might exceed the limit for modules, and be given up.
     if (batch.size() == options.batch || (!batch.empty() && of_module + ms > options.module_ms)) {
       flush();

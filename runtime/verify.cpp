@@ -144,7 +144,7 @@ std::string verify(const Geometry& geometry, const kernels::Context& context,
     }
     if (!problem.empty()) return problem;
   }
-  return verified > 0 ? "" : "no state in the volume was found to verify it on";
+  return verified > 0 ? "" : std::string(no_state_to_verify_on);
 }
 
 double time_per_step(const Geometry& geometry, const kernels::Context& context,

@@ -3,11 +3,16 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "geometry/navigation/geometry.hpp"
 #include "navjit/detail/profile.hpp"
 
 namespace navjit {
+
+/// What verify() says if there was no sample of the volume.
+inline constexpr std::string_view no_state_to_verify_on =
+    "no state in the volume was found to verify it on";
 
 /// Compares, from each sample of the volume, the bits of a step's length, its boundary flag and the
 /// whole next stack; the stack after relocation at the sample's point, on entering the volume and

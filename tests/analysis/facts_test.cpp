@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <set>
@@ -47,6 +49,26 @@ TEST(WorldFacts, CountTouchablesMothersAndFramesAsTheTreeHasThem) {
       EXPECT_EQ(*frames[v].begin(), (std::vector<double>{t[0], t[1], t[2]}));
     }
   }
+}
+
+/// Levels below a rotated one have a rotation, also if it is the identity again.
+TEST(WorldFacts, TurnsThatCancelOutAreTurns) {
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 40, 40, 30));
+  const VolumeId outer = tests::add_volume(world, "outer", make_box("outer", 20, 20, 20));
+  const VolumeId inner = tests::add_volume(world, "inner", make_box("inner", 5, 5, 5));
+  const VolumeId beside = tests::add_volume(world, "beside", make_box("beside", 5, 5, 5));
+  tests::place(world, world.top, outer, {0, 0, 0}, {0, 0, M_PI});
+  tests::place(world, outer, inner, {0, 0, 0}, {0, 0, -M_PI});
+  tests::place(world, world.top, beside, {30, 0, 0});
+  finish(world);
+  const Geometry geometry(std::make_shared<const World>(std::move(world)));
+  const WorldFacts facts = analyse_world(geometry);
+  EXPECT_FALSE(facts.frames[inner].never_rotated);
+  EXPECT_TRUE(facts.frames[beside].never_rotated);
+  constexpr std::array<double, 9> identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  ASSERT_TRUE(facts.frames[inner].only_rotation.has_value());
+  EXPECT_EQ(*facts.frames[inner].only_rotation, identity);
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ Counts run_file(const std::string& file, const Options& options,
     for (std::uint64_t i;
          steps.load() < options.steps && (i = next.fetch_add(1)) < options.steps;) {
       const std::uint64_t before = counts.steps;
-      run_ray(generic, specialised, campaign::make_ray(*world, options.seed, i), i,
+      run_ray(generic, specialised, campaign::make_grazing_ray(*world, options.seed, i), i,
               world->tolerance, counts, found);
       steps += counts.steps - before;
     }

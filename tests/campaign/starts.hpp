@@ -14,6 +14,12 @@ namespace navjit::campaign {
 /// middle or the surface of a random touchable's solid, or along one of its axes.
 Ray make_ray(const World& world, std::uint64_t seed, std::uint64_t index);
 
+/// The same, but every eighth ray grazes: it passes a solid's surface from afar, as near to a
+/// tangent as rounding allows, or starts within a few tolerances of the end of a solid's box and
+/// runs nearly along that end. Who is right about such a ray is often arguable, and navigators
+/// still have to agree on it.
+Ray make_grazing_ray(const World& world, std::uint64_t seed, std::uint64_t index);
+
 /// Only rays that start in the world's box or in that of a random touchable, half of them each.
 Ray make_plain_ray(const World& world, std::uint64_t seed, std::uint64_t index);
 

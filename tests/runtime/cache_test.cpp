@@ -119,12 +119,13 @@ TEST(RuntimeCache, AModuleListThatIsHostileIsNotFollowed) {
   for (std::size_t i = 0; i < key.size(); ++i) {
     key[i] = static_cast<unsigned char>(std::stoi(list->file.substr(2 * i, 2), nullptr, 16));
   }
-  const std::string begin = "navjit hot scenes 2\n";
+  const std::string begin = "navjit hot scenes 3\n";
   for (const std::string& text :
        {std::string(), std::string("garbage"), begin + "4294967295\n", begin + "1 2 1\n",
         begin + "1\n1\n", begin + "-1\n", begin + "1", begin + "\n", begin + " 1\n",
-        begin + "1:scan 2:scan 3:scan 4:scan 5:scan\n", begin + "1:all\n",
-        begin + "1 2 3 4 5 6 7 8\n", begin + std::string(100000, '1') + "\n"}) {
+        begin + "1:scan 2:scan 3:scan 4:scan 5:scan\n", begin + "1:all\n", begin + "1|2\n",
+        begin + "1|2:scan 3:scan\n", begin + "1 2 3 4 5 6 7 8\n",
+        begin + std::string(100000, '1') + "\n"}) {
     ASSERT_FALSE(cache->store(key, "hot in a detector", text));
     Runtime runtime(mixed(), with_cache(folder.path(), JitMode::on));
     expect_right(runtime, text.substr(0, 100));

@@ -2,6 +2,7 @@
 // the other one, and so does the code of the next run.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 
@@ -150,6 +151,50 @@ TEST(MeasuredSearch, IsRememberedByTheNextRun) {
     hot = specialised(first);
     ASSERT_EQ(hot, 2U);
     ASSERT_NE(sources->text.find("constexpr SearchScan "), std::string::npos);
+  }
+  sources->text.clear();
+  FaultyOptions patient = options_with(folder.path(), {}, sources);
+  patient.specialiser.min_steps = 1'000'000'000;  // nothing becomes hot by itself
+  FaultyRuntime second(world, patient);
+  second.wait_until_idle();
+  expect_right(second);
+  EXPECT_EQ(specialised(second), hot);
+  EXPECT_EQ(sources->text, "") << "all of it is in the cache";
+}
+
+/// The plates again, and beside them a small stack that few rays meet.
+std::shared_ptr<const World> plates_and_a_stack() {
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 60, 40, 30));
+  const VolumeId plate = tests::add_volume(world, "plate", make_box("plate", 40, 40, 1.5));
+  for (int i = 0; i < 12; ++i) tests::place(world, world.top, plate, {-20, 0, 5.0 * i - 27.5});
+  const VolumeId stack = tests::add_volume(world, "stack", make_box("stack", 6, 6, 12));
+  tests::place(world, world.top, stack, {45, 0, 0});
+  const VolumeId sheet = tests::add_volume(world, "sheet", make_box("sheet", 6, 6, 0.5));
+  for (int i = 0; i < 12; ++i) tests::place(world, stack, sheet, {0, 0, 2.0 * i - 11});
+  finish(world);
+  return std::make_shared<const World>(std::move(world));
+}
+
+TEST(MeasuredSearch, IsRememberedOfScenesThatOnlyOtherCodeContains) {
+  // The stack has a measured search, and no code of its own: the world's code contains the search.
+  const std::shared_ptr<const World> world = plates_and_a_stack();
+  const tests::TemporaryFolder folder;
+  const auto sources = std::make_shared<Sources>();
+  std::size_t hot = 0;
+  {
+    FaultyRuntime first(world, options_with(folder.path(), Candidates::scan, sources));
+    for (int pass = 0; pass < 3; ++pass) {
+      expect_right(first);
+      first.wait_until_idle();
+    }
+    const RuntimeReport report = first.report();
+    const auto stack = std::find_if(report.scenes.begin(), report.scenes.end(),
+                                    [](const SceneReport& s) { return s.volume == "stack"; });
+    ASSERT_NE(stack, report.scenes.end());
+    ASSERT_EQ(stack->binding, Binding::data);
+    hot = specialised(first);
+    ASSERT_GE(hot, 1U);
   }
   sources->text.clear();
   FaultyOptions patient = options_with(folder.path(), {}, sources);

@@ -17,10 +17,15 @@ TEST(ModuleList, ReadsWhatItWrites) {
     std::shuffle(volumes.begin(), volumes.end(), random);
     for (std::size_t at = 0; at < volumes.size();) {
       const std::size_t n = std::min<std::size_t>(1 + random() % 12, volumes.size() - at);
-      for (auto& batch = list.emplace_back(); batch.size() < n; ++at) {
-        batch.push_back({volumes[at]});
-        if (random() % 3 == 0) batch.back().search = Candidates::scan;
-        if (random() % 5 == 0) batch.back().search = Candidates::slabs;
+      ListedModule& module = list.emplace_back();
+      for (auto& scenes = module.scenes; scenes.size() < n; ++at) {
+        scenes.push_back({volumes[at]});
+        if (random() % 3 == 0) scenes.back().search = Candidates::scan;
+        if (random() % 5 == 0) scenes.back().search = Candidates::slabs;
+      }
+      // Beside it, any that are not in it.
+      for (std::size_t k = at; k < volumes.size() && random() % 2 == 0; ++k) {
+        module.beside.push_back({volumes[k], Candidates::rings});
       }
     }
     const std::string text = write_module_list(list);
@@ -32,8 +37,10 @@ TEST(ModuleList, ReadsWhatItWrites) {
     EXPECT_TRUE(!cut || cut->size() < list.size());
   }
   EXPECT_EQ(read_module_list(write_module_list({}), 0), ModuleList{});
-  for (const char* scene : {"1:", "1:2", "1:wires", "1:scan:scan", ":scan", "1 :scan", "1:scan,"}) {
-    EXPECT_FALSE(read_module_list(std::string("navjit hot scenes 2\n") + scene + "\n", 9)) << scene;
+  for (const char* scene :
+       {"1:", "1:2", "1:wires", "1:scan:scan", ":scan", "1 :scan", "1:scan,", "1|", "|1:scan",
+        "1|2", "1|1:scan", "1|2:scan|3:scan", "1|2:scan 2:scan", "1|9:scan"}) {
+    EXPECT_FALSE(read_module_list(std::string("navjit hot scenes 3\n") + scene + "\n", 9)) << scene;
   }
 }
 
@@ -44,12 +51,12 @@ TEST(ModuleList, MergedBatchesShareNoVolume) {
     for (ModuleList& list : lists) {
       std::set<VolumeId> seen;
       for (int b = 0; b < 5; ++b) {
-        std::vector<ListedScene> batch;
+        ListedModule module;
         for (int i = 0; i < 3; ++i) {
           const auto v = static_cast<VolumeId>(random() % 30);
-          if (seen.insert(v).second) batch.push_back({v});
+          if (seen.insert(v).second) module.scenes.push_back({v});
         }
-        if (!batch.empty()) list.push_back(batch);
+        if (!module.scenes.empty()) list.push_back(module);
       }
     }
     const ModuleList merged = merge(lists[0], lists[1]);
@@ -61,10 +68,11 @@ TEST(ModuleList, MergedBatchesShareNoVolume) {
 }
 
 TEST(ModuleList, AScenesNextModuleIsListedBesideItsFirst) {
-  const ModuleList list{{{17}, {12}}, {{12}}, {{12, Candidates::rings}, {3}}};
+  const ModuleList list{{{{17}, {12}}}, {{{12}}}, {{{12, Candidates::rings}, {3}}}};
   EXPECT_EQ(read_module_list(write_module_list(list), 20), list);
-  EXPECT_FALSE(read_module_list(write_module_list({{{12}, {12}}}), 20)) << "twice in one";
-  EXPECT_FALSE(read_module_list(write_module_list(ModuleList(100, {{1}})), 20)) << "without end";
+  EXPECT_FALSE(read_module_list(write_module_list({{{{12}, {12}}}}), 20)) << "twice in one";
+  EXPECT_FALSE(read_module_list(write_module_list(ModuleList(100, ListedModule{{{1}}})), 20))
+      << "without end";
 }
 
 }  // namespace

@@ -189,6 +189,34 @@ TEST(Specialised, TracesLeaningBladesAlike) {
   }
 }
 
+/// A few wide blades, each of which has much of a turn to itself, and leans so far that it nearly
+/// lies along its ring.
+World wide_blades(int count, double lean) {
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 130, 130, 60));
+  const VolumeId bath = tests::add_volume(world, "bath", make_tube("bath", 0, 120, 55, 0, 7));
+  tests::place(world, world.top, bath, {0, 0, 0});
+  const VolumeId blade = tests::add_volume(world, "blade", make_box("blade", 20, 1, 50));
+  for (int i = 0; i < count; ++i) {
+    const double phi = 2 * M_PI / count * i;
+    tests::place(world, bath, blade, {80 * std::cos(phi), 80 * std::sin(phi), 0},
+                 {0, 0, -(phi + lean)});
+  }
+  finish(world);
+  return world;
+}
+
+TEST(Specialised, TracesAFewWideBladesAlike) {
+  setenv(overrides_variable, "*=rings", 1);
+  for (const int count : {4, 6, 9, 12}) {
+    for (const double lean : {1.4, 1.0, -1.0, -1.4}) {
+      SCOPED_TRACE(std::to_string(count) + " blades that lean by " + std::to_string(lean));
+      expect_same_traces(std::make_shared<const World>(wide_blades(count, lean)), 19, 400);
+    }
+  }
+  unsetenv(overrides_variable);
+}
+
 /// Everything is in one frame, turned by right angles about each axis in turn and both ways, and at
 /// coordinates of both signs: entries of -1 and 1 meet negative numbers wherever text is put
 /// together.
