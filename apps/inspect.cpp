@@ -187,7 +187,10 @@ void print_structures(const Geometry& geometry) {
 
 int inspect(const Options& options) {
   GdmlReport report;
-  const Geometry geometry(read(options.detector, report), options.geometry);
+  // The list of volumes has the notes in it, and elsewhere they are logged.
+  const bool lists = !options.structures && options.scene.empty();
+  const Geometry geometry(lists ? read(options.detector, report) : read(options.detector),
+                          options.geometry);
   if (options.structures) {
     print_structures(geometry);
   } else if (options.scene.empty()) {

@@ -39,13 +39,41 @@ void print_error(const std::string& text) {
   std::fprintf(stderr, "navjit: %s\n", common::printable(one_line(text, 4000)).c_str());
 }
 
-/// The word in the place of a subcommand that is none, where that is what is wrong.
-std::string unknown_subcommand(const CLI::App& app, const CLI::Error& error) {
-  if (error.get_name() != "RequiredError") return {};
-  for (const std::string& word : app.remaining(true)) {
-    if (!word.starts_with("-")) return word;
+/// The innermost command that was named.
+const CLI::App& named_command(const CLI::App& app) {
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  return parsed.empty() ? app : named_command(*parsed.front());
+}
+
+/// What is wrong with the words after `navjit`, and where to look it up. Words that no option takes
+/// are more to the point than the options that are missing for them.
+std::string wrong_usage(const CLI::App& app, const CLI::Error& error) {
+  const CLI::App& command = named_command(app);
+  std::string name;
+  for (const CLI::App* at = &command; at->get_parent() != nullptr; at = at->get_parent()) {
+    name = at->get_name() + " " + name;
   }
-  return {};
+  std::string what = error.what();
+  if (error.get_name() == "RequiredError") {
+    const std::vector<std::string> left = app.remaining(true);
+    const bool wants_command = command.get_require_subcommand_min() > 0;
+    for (const std::string& word : left) {
+      if (word.starts_with("-") == wants_command) continue;
+      what = wants_command ? "'" + word + "' is no subcommand"
+                           : "'" + word + "' is no option of " + name.substr(0, name.size() - 1);
+      break;
+    }
+  }
+  return what + "; see navjit " + name + "--help";
+}
+
+/// Help names the values of options, and says which options are required besides.
+void mark_required(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    const std::string& text = option->get_option_text();
+    if (option->get_required() && !text.empty()) option->option_text(text + " REQUIRED");
+  }
+  for (CLI::App* command : app.get_subcommands({})) mark_required(*command);
 }
 
 int parse_and_run(int argc, char** argv) {
@@ -61,14 +89,13 @@ int parse_and_run(int argc, char** argv) {
       ->excludes(talk);
   apps::Action action;
   for (const auto add : commands) add(app, action);
+  mark_required(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::Error& error) {
-    const std::string unknown = unknown_subcommand(app, error);
-    print_error((unknown.empty() ? error.what() : "'" + unknown + "' is no subcommand") +
-                "; see navjit --help");
+    print_error(wrong_usage(app, error));
     return 2;
   }
   spdlog::set_default_logger(spdlog::stderr_color_mt("navjit"));

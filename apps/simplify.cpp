@@ -78,7 +78,8 @@ void add_simplify(CLI::App& app, Action& action) {
   CLI::App& command =
       *app.add_subcommand("simplify", "Write the detector without what is not observed");
   add_detector(command, options->detector);
-  add_observe(command, options->observation)->default_str("materials");
+  add_observe(command, options->observation)
+      ->option_text("all|materials|budget:E|mixtures:E[,VOLUME...] (default: materials)");
   add_output(command, "-o,--out", options->out, "GDML file")->required();
   add_output(command, "--report", options->report, "write a JSON report");
   command.callback([options, &action] {

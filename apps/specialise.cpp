@@ -81,7 +81,7 @@ int specialise(const Options& options) {
     out.write(*plugin);
   }
   out.finish();
-  std::printf("%zu scenes\n", scenes.size());
+  std::printf("%zu scene%s\n", scenes.size(), scenes.size() == 1 ? "" : "s");
   return 0;
 }
 

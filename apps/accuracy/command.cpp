@@ -154,8 +154,8 @@ int accuracy(const Options& options) {
 
 void add_accuracy(CLI::App& app, Action& action) {
   const auto options = std::make_shared<Options>();
-  CLI::App& command =
-      *app.add_subcommand("accuracy", "Hold every step against 113 bits: error and speed by level");
+  CLI::App& command = *app.add_subcommand(
+      "accuracy", "Hold every step against 113 bits: errors, and speed beside VecGeom's");
   add_detector(command, options->detector);
   add_rays(command, options->rays);
   command

@@ -192,6 +192,14 @@ nlohmann::ordered_json ReportMerger::merged() const {
   if (first.contains("observe")) made["observe"] = first["observe"];
   made["share_specialised"] = steps > 0 ? specialised / steps : 0;
   made["speedup"] = nullptr;
+  made["compared"] = nullptr;
+  // Where nothing was specialised there is nothing to compare, and 1 is known.
+  const auto is_one = [](const json& r) {
+    const auto speedup = r.find("speedup");
+    return speedup != r.end() && speedup->is_number() && *speedup == 1 &&
+           member(r, "compared").is_null();
+  };
+  if (std::all_of(reports_.begin(), reports_.end(), is_one)) made["speedup"] = 1.0;
   if (compared_ == reports_.size()) {
     made["speedup"] = with_ / without_;
     made["compared"] = {{"rays", compared_rays_},

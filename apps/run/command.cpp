@@ -50,9 +50,10 @@ struct Run {
         world(checked(options)),
         rays(options.rays.rays, options.rays.source, *world, options.part.value_or(common::Part{})),
         seen(world, options.observation),
-        runtime((log_observation(seen), seen.detector()), options.runtime) {
-    // With --jit wait this thread has compiled.
-    own_made = options.runtime.jit == JitMode::wait ? 0 : thread_seconds() - own_begun;
+        own_seen((log_observation(seen), thread_seconds())),
+        runtime(seen.detector(), options.runtime) {
+    // With --jit wait this thread has compiled since the runtime was begun.
+    own_made = (options.runtime.jit == JitMode::wait ? own_seen : thread_seconds()) - own_begun;
   }
   static std::shared_ptr<const World> checked(const Options& options) {
     auto world = read(options.detector);
@@ -65,6 +66,7 @@ struct Run {
   common::RayStream rays;
   double all_begun = process_seconds(), own_begun = thread_seconds(), own_made = 0;
   ObservedDetector seen;
+  double own_seen;
   Runtime runtime;
 };
 

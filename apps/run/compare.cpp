@@ -28,7 +28,7 @@ std::optional<Comparison> compare_with_generic(Runtime& specialised, const Obser
   off.cache = {};
   off.plugin = {};
   Runtime generic(specialised.share_world(), off);
-  Side with{RayMaker(specialised, seen, basket)}, without{RayMaker(generic, seen, 0)};
+  Side with{RayMaker(specialised, seen, basket)}, without{RayMaker(generic, seen, basket)};
   const double tolerance = specialised.world().tolerance;
   const auto make = [&](Side& side, std::uint64_t first, std::uint64_t last) {
     const double start = thread_seconds();

@@ -70,8 +70,7 @@ void take(const ordered_json& sum, RunReport& report) {
   report.interrupted = sum["interrupted"];
   report.compile_cpu_seconds = sum["compile_cpu_seconds"];
   report.compared.reset();
-  if (sum.contains("compared")) {
-    const ordered_json& c = sum["compared"];
+  if (const ordered_json& c = sum["compared"]; !c.is_null()) {
     report.compared =
         Comparison{c["rays"], c["steps_per_second_with"], c["steps_per_second_without"]};
   }

@@ -65,8 +65,8 @@ struct Progress {
   std::atomic<std::uint64_t> steps{0};
 };
 
-/// Looks at a run a hundred times a second until it is done: the progress line, and when the last
-/// swap was.
+/// Looks at a run a hundred times a second until it is done: the progress line, and how many steps
+/// there were when.
 class Watch {
  public:
   Watch(const Runtime& runtime, const Progress& progress, std::uint64_t rays,
@@ -94,8 +94,7 @@ class Watch {
 
   /// Steps so far: at every look or, in long runs, at every second, fourth, ... one.
   std::vector<std::pair<double, std::uint64_t>> series{};
-  double last_swap_s = 0, processor_s = 0;
-  std::uint64_t steps_at_last_swap = 0;
+  double processor_s = 0;
 
  private:
   void record(double t, std::uint64_t steps) {
@@ -113,11 +112,6 @@ class Watch {
     const double t = seconds_since(start_);
     const std::uint64_t steps = progress_.steps.load();
     record(t, steps);
-    if (const std::size_t now = runtime_.specialised(); now != swapped_) {
-      swapped_ = now;
-      last_swap_s = t;
-      steps_at_last_swap = steps;
-    }
     const std::size_t columns = common::terminal_columns();
     if (columns == 0 || t - shown_s_ < 0.2) return;
     RunProgress progress{t, progress_.rays.load(), rays_,
@@ -143,10 +137,31 @@ class Watch {
   Clock::time_point start_;
   double shown_s_ = 0;
   std::uint64_t shown_steps_ = 0;
-  std::size_t swapped_ = 0;
   std::uint64_t looks_ = 0, every_ = 1;
   std::jthread thread_;  ///< last: it uses all of them
 };
+
+/// Steps per second after the last swap of a navigator; of the whole run where hardly anything is
+/// left then.
+double warm_rate(const Transport& made, const RuntimeReport& report) {
+  double last_swap_s = 0;
+  for (const SceneReport& scene : report.scenes) {
+    if (scene.swapped_at_s > 0)
+      last_swap_s = std::max(last_swap_s, scene.swapped_at_s - made.begun_s);
+  }
+  // The first look at or after it.
+  const auto look = std::lower_bound(
+      made.series.begin(), made.series.end(), last_swap_s,
+      [](const std::pair<double, std::uint64_t>& a, double t) { return a.first < t; });
+  const bool from_start = last_swap_s == 0;
+  if (!from_start && look != made.series.end()) {
+    const double after = made.seconds - look->first;
+    if (after > 0.01 && made.steps > look->second) {
+      return static_cast<double>(made.steps - look->second) / after;
+    }
+  }
+  return static_cast<double>(made.steps) / made.seconds;
+}
 
 }  // namespace
 
@@ -212,11 +227,7 @@ Transport transport_rays(Runtime& runtime, const ObservedDetector& seen, common:
   watch.end();
   result.watch_seconds = watch.processor_s;
   result.series = std::move(watch.series);
-  const double after = result.seconds - watch.last_swap_s;
-  result.warm_steps_per_second =
-      after > 0.01 && result.steps > watch.steps_at_last_swap
-          ? static_cast<double>(result.steps - watch.steps_at_last_swap) / after
-          : static_cast<double>(result.steps) / result.seconds;
+  result.warm_steps_per_second = warm_rate(result, runtime.report());
   return result;
 }
 

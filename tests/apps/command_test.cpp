@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tests/support/command.hpp"
+#include "tests/support/folder.hpp"
 
 namespace navjit {
 namespace {
@@ -111,8 +112,26 @@ TEST(Inspect, ShowsVolumesAndTheAnalysisOfAScene) {
       << structures.text;
   const tests::Output scene = run_navjit("inspect " + shashlik + " --scene InnerLead --emit");
   EXPECT_EQ(scene.status, 0);
-  EXPECT_NE(scene.text.find("grid"), std::string::npos);
+  EXPECT_NE(scene.text.find("candidates   grid: cells"), std::string::npos) << scene.text;
   EXPECT_NE(scene.text.find("navjit_step_"), std::string::npos);
+}
+
+TEST(Inspect, TellsWhatIsOddInWhateverItShows) {
+  const tests::TemporaryFolder folder;
+  const std::string file = folder.file("odd.gdml");
+  tests::write_file(file, R"(<gdml><materials>
+<material name="air" Z="7"><D value="0.0012"/><atom value="14"/></material></materials><solids>
+<box name="a" x="9" y="9" z="9"/><box name="b" x="1" y="1" z="1"/></solids><structure>
+<volume name="B"><materialref ref="air"/><solidref ref="b"/></volume>
+<volume name="A"><materialref ref="air"/><solidref ref="a"/>
+<physvol copynumber="many"><volumeref ref="B"/></physvol></volume></structure>
+<setup name="s" version="1"><world ref="A"/></setup></gdml>
+)");
+  for (const std::string option : {"", " --scene B", " --structures"}) {
+    const tests::Output output = run_navjit("inspect " + file + option);
+    EXPECT_EQ(output.status, 0) << output.text;
+    EXPECT_NE(output.text.find("copynumber"), std::string::npos) << output.text;
+  }
 }
 
 TEST(Inspect, ShowsWhoSharesTheCode) {

@@ -170,6 +170,29 @@ TEST(Options, AWordThatIsNoSubcommandIsNamed) {
   refuses("", "A subcommand is required");
 }
 
+TEST(Options, AnOptionThatIsNoneIsNamed) {
+  refuses("trace " + detector + " --ray 100",
+          "'--ray' is no option of trace; see navjit trace --help");
+  refuses("picture " + detector + " --out t.png", "'--out' is no option of picture");
+  refuses("report merge a.json --output x.json", "'--output' is no option of report merge");
+}
+
+TEST(Options, HelpSaysWhatIsRequired) {
+  const Output help = run_navjit("trace --help");
+  EXPECT_EQ(help.status, 0);
+  EXPECT_NE(help.text.find("--rays"), npos);
+  EXPECT_NE(help.text.find("REQUIRED"), npos) << help.text;
+}
+
+TEST(Options, EmptyNamesOfFilesAreWrongUsage) {
+  for (const std::string& words :
+       {"run " + detector + " --rays 1 --plugin \"\"", std::string("profile merge \"\" -o x"),
+        std::string("plugin seal \"\""),
+        "specialise " + detector + " --profile \"\" --emit so -o x.so"}) {
+    refuses(words, "the value is empty");
+  }
+}
+
 TEST(Options, ACacheThatIsOffIsToldSo) {
   const Output output = run_navjit("cache --cache off list");
   EXPECT_EQ(output.status, 1) << output.text;

@@ -100,6 +100,18 @@ TEST_F(Parts, OfFewRaysMayBeEmpty) {
   EXPECT_EQ(rays, 3U);
 }
 
+TEST_F(Parts, OfWhichNoneIsSpecialisedHaveASpeedUpOfOne) {
+  for (int part = 1; part <= 2; ++part) {
+    const std::string number = std::to_string(part);
+    const json r = run(number + ".json", "--cache off --rays 4 --part " + number + "/2");
+    ASSERT_EQ(r.at("speedup"), 1.0);
+  }
+  ASSERT_EQ(merge("1.json 2.json").status, 0);
+  const json all = json::parse(tests::read_file(file("all.json")));
+  EXPECT_EQ(all.at("speedup"), 1.0);
+  EXPECT_TRUE(all.at("compared").is_null());
+}
+
 TEST_F(Parts, MissingOnesAreSaid) {
   run("a.json", "--jit off --rays 100 --part 1/3");
   run("c.json", "--jit off --rays 100 --part 3/3");

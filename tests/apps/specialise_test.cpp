@@ -56,6 +56,41 @@ TEST(Production, BindsScenesToData) {
   EXPECT_GT(share, 0.5) << report.dump(1);
 }
 
+TEST(Production, APluginMayBeOfWhatARunObserves) {
+  const TemporaryFolder folder;
+  const std::string observe = shashlik + " --observe mixtures:10% ";
+  const std::string profile = folder.file("p.json"), plugin = folder.file("p.so");
+  tests::Output output = run_navjit("run " + observe +
+                                    "--origin 0,0,0 --eta 2,5 --rays 300 "
+                                    "--cache off --save-profile " +
+                                    profile);
+  ASSERT_EQ(output.status, 0) << output.text;
+  const std::string make = " --emit so -o " + plugin + " --profile " + profile;
+  output = run_navjit("specialise " + shashlik + make);
+  EXPECT_EQ(output.status, 1) << output.text;
+  EXPECT_NE(output.text.find("another observation"), std::string::npos) << output.text;
+  output = run_navjit("specialise " + observe + make);
+  ASSERT_EQ(output.status, 0) << output.text;
+  output = run_production("run " + observe + "--origin 0,0,0 --eta 2,5 --rays 200 --plugin " +
+                          plugin + " --report " + folder.file("r.json"));
+  ASSERT_EQ(output.status, 0) << output.text;
+  const auto report = nlohmann::json::parse(std::ifstream(folder.file("r.json")));
+  EXPECT_GT(report.at("plugin_scenes"), 0);
+}
+
+TEST(Production, APluginHasEachSceneOnce) {
+  const TemporaryFolder folder;
+  const std::string plugin = folder.file("p.so");
+  std::string scenes;
+  for (int i = 0; i < 60; ++i) scenes += " InnerLead";
+  tests::Output output =
+      run_navjit("specialise " + shashlik + " --emit so -o " + plugin + " --scene" + scenes);
+  ASSERT_EQ(output.status, 0) << output.text;
+  EXPECT_NE(output.text.find("1 scene\n"), std::string::npos) << output.text;
+  output = run_production("run " + shashlik + " --rays 10 --plugin " + plugin);
+  EXPECT_EQ(output.text.find("no complete plugin"), std::string::npos) << output.text;
+}
+
 TEST(Production, RunsAPluginFromAProfile) {
   const TemporaryFolder folder;
   const std::string source = " --origin 0,0,0 --eta 2,5";
