@@ -220,8 +220,10 @@ void add_picture(CLI::App& app, Action& action) {
     }
     if (surface && asked.logarithmic)
       throw CLI::ValidationError("--log", "needs a --mode of numbers");
-    if ((asked.mode == Mode::steps || asked.mode == Mode::time) && !asked.frame.cuts.empty()) {
-      throw CLI::ValidationError("--cut", "rays pass everything with this --mode");
+    if (asked.mode == Mode::steps || asked.mode == Mode::time) {
+      const char* const everything = "rays pass everything with this --mode";
+      if (!asked.frame.cuts.empty()) throw CLI::ValidationError("--cut", everything);
+      if (!asked.show.hide.empty()) throw CLI::ValidationError("--hide", everything);
     }
     action = [options] { return draw(*options); };
   });

@@ -124,6 +124,8 @@ TEST(PictureCommand, RefusesWhatItCannotDraw) {
   refused("--mode x0 --flat", 2, "x0 has no surfaces");
   refused("--log", 2, "--log: needs a --mode of numbers");
   refused("--mode time --cut 'x>0'", 2, "--cut");
+  refused("--mode time --hide Foil", 2, "--hide: rays pass everything with this --mode");
+  refused("--mode steps --hide Foil", 2, "--hide: rays pass everything with this --mode");
   refused("--hide NoSuchVolume", 1, "no volume or material is called 'NoSuchVolume'");
   refused("--eye 1,2,3 --at 1,2,3", 1, "the eye is where it looks at");
   refused("--view +x --up 1,0,0", 1, "up is along the view");
