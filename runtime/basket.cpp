@@ -128,8 +128,9 @@ void Basket::sort(std::span<const State> state) {
 
 State Basket::locate(std::size_t place, const Vec3& point, const Vec3& direction) {
   if (place >= places()) {
-    throw UsageError("place " + std::to_string(place) + " of a basket that has " +
-                     std::to_string(places()));
+    throw UsageError("there is no place " + std::to_string(place) + " in this basket: its " +
+                     std::to_string(places()) + " places count from 0; make a larger one by " +
+                     "Runtime::basket() for more");
   }
   return navigator_.locate_in(stacks_->at(place), point, direction);
 }

@@ -220,7 +220,14 @@ TEST_P(BasketApi, ArraysAreOfOneLength) {
   short_by_one(&Arrays::limit, "limit");
   short_by_one(&Arrays::boundary, "boundary");
   short_by_one(&Arrays::next, "next");
-  EXPECT_THROW(basket.locate(8, {0, 0, 0}, {0, 0, 1}), UsageError);
+  try {
+    basket.locate(8, {0, 0, 0}, {0, 0, 1});
+    ADD_FAILURE() << "there is no place 8";
+  } catch (const UsageError& error) {
+    EXPECT_STREQ(error.what(),
+                 "there is no place 8 in this basket: its 8 places count from 0; make a larger one "
+                 "by Runtime::basket() for more");
+  }
   EXPECT_THROW(basket.locate(0, {nan, 0, 0}, {0, 0, 1}), UsageError);
   EXPECT_THROW(runtime_.basket(0), UsageError);
 }
