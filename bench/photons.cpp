@@ -39,7 +39,8 @@ std::vector<peers::Flight> photons(Runtime& runtime, const std::vector<Ray>& ray
   for (const Ray& ray : rays) {
     Vec3 point = start_along(navigator, ray, random), direction = unit_vector(random);
     State state = navigator.locate(point, direction);
-    if (!state.inside()) continue;
+    // A flight that makes no step is none: whoever repeats flights looks at their first steps.
+    if (!state.inside() || options.most_steps <= 0) continue;
     peers::Flight flight{{point.x, point.y, point.z}, {}};
     for (int left = options.most_steps; left > 0 && state.inside(); --left) {
       flight.steps.push_back(

@@ -13,7 +13,7 @@ namespace {
 struct Particle {
   State state;
   Vec3 point, direction;
-  int left;
+  std::int64_t left;
 };
 
 /// The mean step in a material, mm; infinite where particles fly without interaction.
@@ -42,8 +42,9 @@ std::vector<peers::Flight> shower(Runtime& runtime, const std::vector<Ray>& prim
     const Vec3& start = primary.position;
     peers::Flight flight{{start.x, start.y, start.z}, {}};
     std::vector<Particle> waiting{{navigator.locate(start, primary.direction), start,
-                                   primary.direction, 10 * options.most_steps}};
-    if (!waiting[0].state.inside()) continue;
+                                   primary.direction, std::int64_t{10} * options.most_steps}};
+    // A flight that makes no step is none: whoever repeats flights looks at their first steps.
+    if (!waiting[0].state.inside() || waiting[0].left <= 0) continue;
     while (!waiting.empty()) {
       Particle particle = waiting.back();
       waiting.pop_back();

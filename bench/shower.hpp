@@ -25,7 +25,8 @@ struct ShowerOptions {
 /// no density) particles fly to the next boundary. Elsewhere a step has an exponential length; at
 /// its end the direction changes by 0.1 rad on average, or one time in twenty to any other. In that
 /// case a secondary starts there, too, with half of what the particle has left; it is followed once
-/// its parent has stopped.
+/// its parent has stopped. Primaries that make no step have no flight: those that start outside the
+/// world, and all of them if `most_steps` is not positive.
 std::vector<peers::Flight> shower(Runtime& runtime, const std::vector<Ray>& primaries,
                                   const ShowerOptions& options);
 

@@ -64,6 +64,14 @@ TEST(Photons, WithoutMirrorsMostLeave) {
             45);
 }
 
+TEST(Photons, ThatMakeNoStepHaveNoFlight) {
+  Runtime runtime = runtime_of(JitMode::off);
+  EXPECT_TRUE(photons_of(runtime, 0.5, 0).empty());
+  EXPECT_TRUE(photons_of(runtime, 0.5, -1).empty());
+  const std::vector<Ray> outside{{{1e7, 0, 0}, {1, 0, 0}}};
+  EXPECT_TRUE(bench::photons(runtime, outside, {}).empty());
+}
+
 TEST(Photons, SpecialisedNavigatorsMakeTheSameFlights) {
   Runtime off = runtime_of(JitMode::off), wait = runtime_of(JitMode::wait);
   const auto flights = photons_of(off, 0.5, 100);

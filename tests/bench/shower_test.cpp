@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 #include "bench/flights.hpp"
 #include "common/rays.hpp"
@@ -82,6 +83,17 @@ TEST(Shower, SpecialisedNavigatorsMakeTheSameFlights) {
   EXPECT_EQ(bench::follow(other, flights, bench::Asked::enough).safeties, enough.safeties);
 }
 
+TEST(Shower, PrimariesThatMakeNoStepHaveNoFlight) {
+  Runtime runtime(calorimeter(), generic());
+  const std::vector<Ray> rays = primaries(runtime, 5);
+  for (const int none : {0, -1}) {
+    bench::ShowerOptions options;
+    options.most_steps = none;
+    EXPECT_TRUE(bench::shower(runtime, rays, options).empty()) << none;
+  }
+  EXPECT_TRUE(bench::shower(runtime, {{{1e7, 0, 0}, {1, 0, 0}}}, {}).empty()) << "outside";
+}
+
 /// A block in a hall: its filling decides whether particles scatter there.
 Detector block_of(double density) {
   DetectorBuilder builder;
@@ -118,6 +130,15 @@ TEST(Shower, ParticlesScatterInWhatIsDense) {
   }
   ASSERT_GT(limited, 300);
   EXPECT_NEAR(limits / limited, 5, 1.5);
+}
+
+TEST(Shower, MayHaveAsManyStepsAsItsTypeCanSay) {
+  Runtime gas(block_of(0.001), generic());
+  bench::ShowerOptions options;
+  options.most_steps = std::numeric_limits<int>::max();
+  const auto flights = bench::shower(gas, {{{-900, 10, 20}, {1, 0, 0}}}, options);
+  ASSERT_EQ(flights.size(), 1U);
+  EXPECT_EQ(flights[0].steps.size(), 3U) << "to the block, through it, and out of the hall";
 }
 
 }  // namespace
