@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 
+#include "bench/ranges.hpp"
 #include "bench/ray_options.hpp"
 #include "bench/warm_up.hpp"
 #include "common/clock.hpp"
@@ -178,7 +179,8 @@ int main(int argc, char** argv) try {
   bool constants = true, log = false, judged = true;
   app.add_option("detectors", detectors, "GDML files")->required();
   bench::add_ray_options(app, options);
-  app.add_option("--repetitions", repetitions, "of each engine, in turn");
+  app.add_option("--repetitions", repetitions, "of each engine, in turn")
+      ->check(bench::range_of_repetitions());
   app.add_flag("!--without-constants", constants, "scenes are bound to data alone");
   app.add_flag("!--unjudged", judged, "what is slower in the run stays, too");
   app.add_flag("--log", log, "what is bound, compiled and judged, on the standard error");

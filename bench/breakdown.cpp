@@ -12,6 +12,7 @@
 #include "bench/code_map.hpp"
 #include "bench/floor.hpp"
 #include "bench/ladder_table.hpp"
+#include "bench/ranges.hpp"
 #include "bench/ray_options.hpp"
 #include "bench/sampler.hpp"
 #include "common/clock.hpp"
@@ -144,7 +145,7 @@ int main(int argc, char** argv) try {
   std::vector<InstructionSet> sets{InstructionSet::native};
   app.add_option("detector", detector, "GDML file")->required();
   bench::add_ray_options(app, ray_options);
-  app.add_option("--seconds", seconds, "of sampling");
+  app.add_option("--seconds", seconds, "of sampling")->check(bench::range_of_seconds());
   app.add_option("--scenes", top, "rows of the table by scene");
   app.add_flag("--instructions", instructions,
                "count the instructions of some thousand steps, too");

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "bench/bvh_scenes.hpp"
+#include "bench/ranges.hpp"
 #include "common/clock.hpp"
 #include "common/statistics.hpp"
 #include "geometry/bvh/box_tree.hpp"
@@ -164,8 +165,9 @@ int main(int argc, char** argv) {
   app.add_option("--groups", groups, "groups per cluster of two levels; 0: the default")
       ->delimiter(',');
   app.add_option("--volumes", most, "of each file, those with most daughters");
-  app.add_option("--queries", queries, "in a repetition");
-  app.add_option("--repetitions", repetitions, "medians are over these");
+  app.add_option("--queries", queries, "in a repetition")->check(range_of_counts());
+  app.add_option("--repetitions", repetitions, "medians are over these")
+      ->check(range_of_repetitions());
   CLI11_PARSE(app, argc, argv);
   try {
     const auto list = candidates(groups);

@@ -15,6 +15,7 @@
 #include "bench/agreement.hpp"
 #include "bench/flights.hpp"
 #include "bench/peers/geant4_peer.hpp"
+#include "bench/ranges.hpp"
 #include "bench/ray_options.hpp"
 #include "bench/shower.hpp"
 #include "bench/warm_up.hpp"
@@ -122,6 +123,7 @@ Row measure(const std::string& file, const Options& options) {
   auto primaries = alike;
   primaries.resize(std::min<std::size_t>(primaries.size(), options.primaries));
   const auto flights = bench::shower(generic.runtime, primaries, {});
+  if (flights.empty()) throw std::runtime_error("no primary starts within the world");
   double safeties = 0;
   std::uint64_t made_steps[2]{};
   const auto run = [&](int engine, int kind) {
@@ -228,10 +230,14 @@ int main(int argc, char** argv) try {
   options.rays.aim = "auto";
   app.add_option("detectors", detectors, "GDML files")->required();
   bench::add_ray_options(app, options.rays);
-  app.add_option("--primaries", options.primaries, "of the particles that scatter");
-  app.add_option("--repetitions", options.repetitions, "of each engine, in turn");
-  app.add_option("--warm-up", options.warm_up, "seconds of specialisation before, at least");
-  app.add_option("--patience", options.patience, "seconds for a detector");
+  app.add_option("--primaries", options.primaries, "of the particles that scatter")
+      ->check(bench::range_of_counts());
+  app.add_option("--repetitions", options.repetitions, "of each engine, in turn")
+      ->check(bench::range_of_repetitions());
+  app.add_option("--warm-up", options.warm_up, "seconds of specialisation before, at least")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--patience", options.patience, "seconds for a detector")
+      ->check(CLI::Range(1.0, 86400.0));
   app.add_flag("--show", options.show, "the first ray that differs; what Geant4 has to say");
   CLI11_PARSE(app, argc, argv);
   std::printf(

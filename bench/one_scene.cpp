@@ -14,6 +14,7 @@
 #include <span>
 
 #include "bench/choices.hpp"
+#include "bench/ranges.hpp"
 #include "bench/scene_states.hpp"
 #include "common/clock.hpp"
 #include "common/statistics.hpp"
@@ -137,9 +138,9 @@ int main(int argc, char** argv) try {
   std::vector<std::string> variants;
   app.add_option("detector", detector, "GDML file")->required();
   app.add_option("--volume", volumes, "logical volumes, each a table")->required()->delimiter(',');
-  app.add_option("--count", count, "rays");
+  app.add_option("--count", count, "rays")->check(bench::range_of_counts());
   app.add_option("--seed", seed, "of the rays");
-  app.add_option("--repetitions", repetitions, "of all rays");
+  app.add_option("--repetitions", repetitions, "of all rays")->check(bench::range_of_repetitions());
   app.add_option("--blocks", blocks, "of rays, timed engine by engine in turn")
       ->check(CLI::PositiveNumber);
   app.add_option("--json", json_file, "write the figures");

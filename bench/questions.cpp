@@ -13,6 +13,7 @@
 #include <memory>
 #include <random>
 
+#include "bench/ranges.hpp"
 #include "bench/ray_options.hpp"
 #include "bench/warm_up.hpp"
 #include "common/clock.hpp"
@@ -199,9 +200,9 @@ int main(int argc, char** argv) try {
   app.add_option("detectors", detectors, "GDML files")->required();
   bench::add_ray_options(app, rays);
   app.add_option("--repetitions", repetitions, "of each navigator, in turn")
-      ->check(CLI::PositiveNumber);
+      ->check(bench::range_of_repetitions());
   app.add_option("--displacement", displacement, "mm")->check(CLI::NonNegativeNumber);
-  app.add_option("--tracks", tracks, "that take turns")->check(CLI::PositiveNumber);
+  app.add_option("--tracks", tracks, "that take turns")->check(bench::range_of_counts());
   app.add_option("--warm-up", warm_s, "s of processor time for each question")
       ->check(CLI::NonNegativeNumber);
   bool verbose = false;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/ranges.hpp"
 #include "common/rays.hpp"
 
 namespace navjit::bench {
@@ -18,7 +19,7 @@ struct RayOptions {
 
 inline void add_ray_options(CLI::App& app, RayOptions& options) {
   app.add_option("--rays", options.file, "CSV file of rays (default: random ones)");
-  app.add_option("--count", options.count, "random rays");
+  app.add_option("--count", options.count, "random rays")->check(range_of_counts());
   app.add_option("--seed", options.seed, "of random rays");
   app.add_flag("--forward", options.forward, "random rays from the origin with eta 2..5");
   app.add_option("--aim", options.aim, "random rays through this volume's boxes, or auto");

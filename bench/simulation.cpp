@@ -14,6 +14,7 @@
 #include "bench/choices.hpp"
 #include "bench/flights.hpp"
 #include "bench/photons.hpp"
+#include "bench/ranges.hpp"
 #include "bench/ray_options.hpp"
 #include "bench/shower.hpp"
 #include "bench/warm_up.hpp"
@@ -131,14 +132,17 @@ int main(int argc, char** argv) try {
   app.add_option("detectors", detectors, "GDML files")->required();
   bench::add_ray_options(app, options.rays);
   app.add_option("--mean-step", options.shower.mean_step,
-                 "mm, in what is denser than a gas (default: a fifth of the radiation length)");
-  app.add_option("--steps", options.shower.most_steps, "that end within a volume, of a primary");
+                 "mm, in what is denser than a gas (default: a fifth of the radiation length)")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--steps", options.shower.most_steps, "that end within a volume, of a primary")
+      ->check(bench::range_of_steps());
   auto* photons = app.add_flag("--photons", options.only_photons,
                                "optical photons instead of a shower: they fly on or are reflected");
   app.add_option("--reflected", options.photons.reflected, "of the photons at a boundary, 0 to 1")
       ->check(CLI::Range(0.0, 1.0))
       ->needs(photons);
-  app.add_option("--repetitions", options.repetitions, "of each engine, in turn");
+  app.add_option("--repetitions", options.repetitions, "of each engine, in turn")
+      ->check(bench::range_of_repetitions());
   const std::map<std::string, bench::Asked> safeties{{"whole", bench::Asked::whole},
                                                      {"enough", bench::Asked::enough},
                                                      {"none", bench::Asked::none}};

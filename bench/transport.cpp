@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/choices.hpp"
+#include "bench/ranges.hpp"
 #include "bench/ray_options.hpp"
 #include "common/clock.hpp"
 #include "common/statistics.hpp"
@@ -139,7 +140,8 @@ int main(int argc, char** argv) try {
   std::vector<std::size_t> baskets, at_once;
   app.add_option("detector", detector, "GDML file")->required();
   bench::add_ray_options(app, ray_options);
-  app.add_option("--repetitions", repetitions, "of each engine, in turn");
+  app.add_option("--repetitions", repetitions, "of each engine, in turn")
+      ->check(bench::range_of_repetitions());
   app.add_option("--json", json_file, "write the figures");
   app.add_flag("--without-peers", without_peers, "navjit alone");
   app.add_flag("--without-jit", without_jit, "no specialised navigators");
