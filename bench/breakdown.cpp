@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "bench/choices.hpp"
 #include "bench/code_map.hpp"
 #include "bench/floor.hpp"
+#include "bench/json_file.hpp"
 #include "bench/ladder_table.hpp"
 #include "bench/ranges.hpp"
 #include "bench/ray_options.hpp"
@@ -154,6 +154,7 @@ int main(int argc, char** argv) try {
   bench::add_isa_option(app, sets);
   CLI11_PARSE(app, argc, argv);
 
+  bench::JsonFile figures(json_file);
   const auto world = std::make_shared<const World>(read_world(detector));
   const std::vector<Ray> rays = bench::rays_of(ray_options, *world);
 
@@ -291,7 +292,7 @@ int main(int argc, char** argv) try {
                               {"instructions_per_step", instructions_here}});
   }
   if (ladder) bench::print_ladder(geometry, runtime, rays, instructions, json);
-  if (!json_file.empty()) std::ofstream(json_file) << json.dump(2) << '\n';
+  figures.write(json);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "breakdown: %s\n", error.what());

@@ -7,13 +7,13 @@
 // chunks; what brings the states there is not timed.
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <span>
 
 #include "bench/choices.hpp"
+#include "bench/json_file.hpp"
 #include "bench/ranges.hpp"
 #include "bench/scene_states.hpp"
 #include "common/clock.hpp"
@@ -153,6 +153,7 @@ int main(int argc, char** argv) try {
   bench::add_isa_option(app, sets);
   CLI11_PARSE(app, argc, argv);
 
+  bench::JsonFile figures(json_file);
   const auto world = std::make_shared<const World>(read_world(detector));
   RuntimeOptions off;
   off.jit = JitMode::off;
@@ -286,7 +287,7 @@ int main(int argc, char** argv) try {
     std::printf("\n");
     json["volumes"].push_back(table);
   }
-  if (!json_file.empty()) std::ofstream(json_file) << json.dump(2) << '\n';
+  figures.write(json);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "bench_scene: %s\n", error.what());

@@ -2,12 +2,12 @@
 // it was found, VecGeom's, on the same rays in the same process, taking turns at every repetition.
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "bench/choices.hpp"
+#include "bench/json_file.hpp"
 #include "bench/ranges.hpp"
 #include "bench/ray_options.hpp"
 #include "common/clock.hpp"
@@ -157,6 +157,7 @@ int main(int argc, char** argv) try {
   bench::add_isa_option(app, sets);
   CLI11_PARSE(app, argc, argv);
 
+  bench::JsonFile figures(json_file);
   const auto world = std::make_shared<const World>(read_world(detector));
   const std::vector<Ray> rays = bench::rays_of(ray_options, *world);
 
@@ -244,7 +245,7 @@ int main(int argc, char** argv) try {
                                {"ns_per_step", ns.median * per_step},
                                {"speed_up_over_generic", gain.median}});
   }
-  if (!json_file.empty()) std::ofstream(json_file) << json.dump(2) << '\n';
+  figures.write(json);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "transport: %s\n", error.what());

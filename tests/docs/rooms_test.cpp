@@ -30,7 +30,8 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"apps",
      {"navjit", "geometry", "observe", "analysis", "codegen", "jit", "cache", "files", "runtime",
       "common"}},
-    {"bench", {"navjit", "geometry", "observe", "analysis", "codegen", "jit", "runtime", "common"}},
+    {"bench",
+     {"navjit", "geometry", "observe", "analysis", "codegen", "jit", "files", "runtime", "common"}},
     {"examples", {"navjit"}},
     {"python", {"navjit"}}};
 
