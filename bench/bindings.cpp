@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 
+#include "bench/cells.hpp"
 #include "bench/ranges.hpp"
 #include "bench/ray_options.hpp"
 #include "bench/warm_up.hpp"
@@ -92,13 +93,13 @@ struct Engine {
       : runtime(std::make_unique<Runtime>(world, options)), navigator(runtime->navigator()) {}
 };
 
-struct Sums {
-  double log[2][3]{}, worst[2][3]{{1e9, 1e9, 1e9}, {1e9, 1e9, 1e9}};
-  int count = 0;
+/// By kind of work and binding, of all detectors; unmeasured where no step is made.
+struct Gains {
+  std::vector<double> of[2][3];
 };
 
 void measure(const std::string& file, const bench::RayOptions& options, int repetitions,
-             bool constants, bool log, bool judged, Sums& sums) {
+             bool constants, bool log, bool judged, Gains& gains) {
   const auto world = std::make_shared<const World>(read_world(file));
   const std::vector<Ray> rays = bench::rays_of_any(options, *world);
   std::vector<std::unique_ptr<Engine>> engines;
@@ -149,20 +150,20 @@ void measure(const std::string& file, const bench::RayOptions& options, int repe
   std::printf("%-30.30s", std::filesystem::path(file).stem().c_str());
   for (int kind : {0, 1}) {
     const auto per_step = [&](const Engine& e) {
-      return common::summarise(e.ns[kind]).median / static_cast<double>(e.work[kind].steps);
+      return bench::each(common::summarise(e.ns[kind]).median, e.work[kind].steps);
     };
-    std::printf(" | %7.1f", per_step(*engines[0]));
+    std::printf(" | %7s", bench::cell(per_step(*engines[0]), 1).c_str());
     for (std::size_t e = 1; e < engines.size(); ++e) {
-      const double gain = common::ratio(engines[0]->ns[kind], engines[e]->ns[kind]).median;
-      std::printf(" %5.2f", gain);
-      sums.log[kind][e - 1] += std::log(gain);
-      sums.worst[kind][e - 1] = std::min(sums.worst[kind][e - 1], gain);
+      const double gain = engines[0]->work[kind].steps > 0
+                              ? common::ratio(engines[0]->ns[kind], engines[e]->ns[kind]).median
+                              : bench::unmeasured;
+      std::printf(" %5s", bench::cell(gain, 2).c_str());
+      gains.of[kind][e - 1].push_back(gain);
       if (engines[e]->work[kind].length != engines[0]->work[kind].length) {
         std::printf(" DIFFERS");
       }
     }
   }
-  ++sums.count;
   std::printf("\n");
   std::fflush(stdout);
 }
@@ -188,17 +189,18 @@ int main(int argc, char** argv) try {
   std::printf(
       "%-30s | straight: ns/step, speed-up by data, structures, constants | scattering: the same\n",
       "detector");
-  Sums sums;
+  Gains gains;
   for (const std::string& detector : detectors) {
-    measure(detector, options, repetitions, constants, log, judged, sums);
+    measure(detector, options, repetitions, constants, log, judged, gains);
   }
   for (const char* what : {"mean", "worst"}) {
     std::printf("%-30s", what);
     for (int kind : {0, 1}) {
       std::printf(" | %7s", "");
       for (int e = 0; e < (constants ? 3 : 1); ++e) {
-        std::printf(" %5.2f", what[0] == 'm' ? std::exp(sums.log[kind][e] / sums.count)
-                                             : sums.worst[kind][e]);
+        const std::vector<double>& all = gains.of[kind][e];
+        const double figure = what[0] == 'm' ? bench::mean_of(all) : bench::worst_of(all);
+        std::printf(" %5s", bench::cell(figure, 2).c_str());
       }
     }
     std::printf("\n");

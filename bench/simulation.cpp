@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 
+#include "bench/cells.hpp"
 #include "bench/choices.hpp"
 #include "bench/flights.hpp"
 #include "bench/photons.hpp"
@@ -81,7 +82,7 @@ void add_vecgeom(const std::string& detector, const std::vector<peers::Flight>& 
 }
 #endif
 
-/// Returns the speed-up that specialisation brings.
+/// Returns the speed-up that specialisation brings; unmeasured if no flight makes a step.
 double measure(const std::string& file, const Options& options) {
   const auto world = std::make_shared<const World>(read_world(file));
   const std::vector<Ray> primaries = bench::rays_of_any(options.rays, *world);
@@ -109,16 +110,17 @@ double measure(const std::string& file, const Options& options) {
     }
   }
   for (const Engine& engine : engines) {
+    const double ns = bench::each(common::summarise(engine.ns).median, engine.done.steps);
     const common::Summary gain = common::ratio(engines[0].ns, engine.ns);
-    std::printf("| %s | %s | %llu | %.9g | %.7g | %.1f | %.2f (%.2f..%.2f) |\n",
+    std::printf("| %s | %s | %llu | %.9g | %.7g | %s | %s |\n",
                 std::filesystem::path(file).stem().c_str(), engine.name.c_str(),
                 static_cast<unsigned long long>(engine.done.steps), engine.done.length,
-                engine.done.safeties,
-                common::summarise(engine.ns).median / static_cast<double>(engine.done.steps),
-                gain.median, gain.low, gain.high);
+                engine.done.safeties, bench::cell(ns, 1).c_str(),
+                engine.done.steps > 0 ? bench::cell(gain, 2).c_str() : "-");
   }
   std::fflush(stdout);
-  return common::ratio(engines[0].ns, engines[1].ns).median;
+  return engines[1].done.steps > 0 ? common::ratio(engines[0].ns, engines[1].ns).median
+                                   : bench::unmeasured;
 }
 
 }  // namespace
@@ -162,14 +164,11 @@ int main(int argc, char** argv) try {
   std::printf(
       "| detector | engine | steps | length, mm | safeties, mm | ns/step | speed-up over navjit "
       "generic (quartiles) |\n|---|---|--:|--:|--:|--:|--:|\n");
-  double log_sum = 0, worst = INFINITY;
-  for (const std::string& detector : detectors) {
-    const double gain = measure(detector, options);
-    log_sum += std::log(gain);
-    worst = std::min(worst, gain);
-  }
-  std::printf("\nSpecialised: %.2f times on average, %.2f at worst\n",
-              std::exp(log_sum / static_cast<double>(detectors.size())), worst);
+  std::vector<double> gains;
+  for (const std::string& detector : detectors) gains.push_back(measure(detector, options));
+  std::printf("\nSpecialised: %s times on average, %s at worst\n",
+              bench::cell(bench::mean_of(gains), 2).c_str(),
+              bench::cell(bench::worst_of(gains), 2).c_str());
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "simulation: %s\n", error.what());

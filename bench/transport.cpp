@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "bench/cells.hpp"
 #include "bench/choices.hpp"
 #include "bench/json_file.hpp"
 #include "bench/ranges.hpp"
@@ -226,23 +227,25 @@ int main(int argc, char** argv) try {
   nlohmann::ordered_json json{{"detector", detector}, {"rays", rays.size()}};
   for (const Engine& engine : engines) {
     const common::Summary ns = common::summarise(engine.ns_per_ray);
-    const double per_step = static_cast<double>(rays.size()) /
-                            static_cast<double>(std::max<std::uint64_t>(engine.totals.steps, 1));
-    const common::Summary gain = common::ratio(engines[0].ns_per_ray, engine.ns_per_ray);
-    std::printf(
-        "| %s | %llu | %.9g | %llu | %.1f (%.1f..%.1f) | %.0f | %.0f | %.2f (%.2f..%.2f) |\n",
-        engine.name.c_str(), static_cast<unsigned long long>(engine.totals.steps),
-        engine.totals.length, static_cast<unsigned long long>(engine.totals.stuck),
-        ns.median * per_step, ns.low * per_step, ns.high * per_step,
-        common::quantile(engine.cycles_per_ray, 0.25) * per_step, ns.median, gain.median, gain.low,
-        gain.high);
+    // Unmeasured without a step: rays that only miss the world are no transport.
+    const double per_step = bench::each(static_cast<double>(rays.size()), engine.totals.steps);
+    const common::Summary ns_per_step{ns.median * per_step, ns.low * per_step, ns.high * per_step};
+    common::Summary gain = common::ratio(engines[0].ns_per_ray, engine.ns_per_ray);
+    if (engine.totals.steps == 0) gain.median = bench::unmeasured;
+    std::printf("| %s | %llu | %.9g | %llu | %s | %s | %s | %s |\n", engine.name.c_str(),
+                static_cast<unsigned long long>(engine.totals.steps), engine.totals.length,
+                static_cast<unsigned long long>(engine.totals.stuck),
+                bench::cell(ns_per_step, 1).c_str(),
+                bench::cell(common::quantile(engine.cycles_per_ray, 0.25) * per_step, 0).c_str(),
+                bench::cell(rays.empty() ? bench::unmeasured : ns.median, 0).c_str(),
+                bench::cell(gain, 2).c_str());
     json["engines"].push_back({{"name", engine.name},
                                {"steps", engine.totals.steps},
                                {"stuck", engine.totals.stuck},
                                {"length_mm", engine.totals.length},
                                {"ns_per_ray", engine.ns_per_ray},
                                {"cycles_per_ray", engine.cycles_per_ray},
-                               {"ns_per_step", ns.median * per_step},
+                               {"ns_per_step", ns_per_step.median},
                                {"speed_up_over_generic", gain.median}});
   }
   figures.write(json);
