@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "bench/cells.hpp"
 #include "bench/choices.hpp"
 #include "bench/code_map.hpp"
 #include "bench/floor.hpp"
@@ -23,6 +25,7 @@
 namespace {
 
 using namespace navjit;
+using bench::unmeasured;
 
 enum Phase : std::size_t {
   step_frame,
@@ -36,6 +39,7 @@ enum Phase : std::size_t {
   relocation_push,
   relocation_rest,
   dispatch,
+  starts_of_rays,
   generic_navigator,
   elsewhere,
   phases
@@ -52,6 +56,7 @@ constexpr std::array<const char*, phases> phase_names{
     "relocation: frames pushed",
     "relocation: the rest (state, calls, choice)",
     "dispatch, profile, the caller's loop",
+    "starts of rays",
     "generic navigator",
     "elsewhere (libraries, system)"};
 
@@ -91,6 +96,9 @@ Phase phase_of(const bench::CodeMap::Place& place) {
   return candidates ? relocation_candidates : relocation_rest;
 }
 
+/// In place of the scene while it is looked for where a ray starts, which is no step of any scene.
+constexpr VolumeId no_scene = std::numeric_limits<VolumeId>::max();
+
 /// Instructions are counted for so many steps: at a thousand for each, a Sampler can hold them.
 constexpr std::uint64_t steps_counted = 7000;
 
@@ -99,6 +107,7 @@ std::uint64_t transport_all(Navigator& navigator, const std::vector<Ray>& rays, 
   for (const Ray& ray : rays) {
     Vec3 point = ray.position;
     int standing = 0;
+    bench::sampled_scene = no_scene;
     for (State state = navigator.locate(point, ray.direction);
          state.inside() && standing < stuck_after; ++steps) {
       bench::sampled_scene = state.volume();
@@ -111,7 +120,7 @@ std::uint64_t transport_all(Navigator& navigator, const std::vector<Ray>& rays, 
   return steps;
 }
 
-/// Samples by scene and phase.
+/// Samples by phase, and by scene and phase. Those at the starts of rays are of no scene.
 struct Counts {
   std::map<VolumeId, std::array<double, phases>> of;
   std::array<double, phases> all{};
@@ -119,8 +128,8 @@ struct Counts {
 
   void add(bench::CodeMap& map, const std::vector<bench::CodeSample>& samples) {
     for (const bench::CodeSample& s : samples) {
-      const Phase phase = phase_of(map.at(s.address));
-      of[s.scene][phase] += 1;
+      const Phase phase = s.scene == no_scene ? starts_of_rays : phase_of(map.at(s.address));
+      if (s.scene != no_scene) of[s.scene][phase] += 1;
       all[phase] += 1;
       total += 1;
     }
@@ -172,6 +181,7 @@ int main(int argc, char** argv) try {
   // Both are timed in turn.
   std::vector<double> ns, floor_ns, cycles, floor_cycles;
   std::uint64_t steps = transport_all(navigator, rays, tolerance);
+  if (steps == 0) throw Error(detector + ": no ray makes a step; give rays that meet the world");
   double length = floor.run();
   for (int r = 0; r < 15; ++r) {
     const double before = common::cycles_per_ns();
@@ -216,6 +226,8 @@ int main(int argc, char** argv) try {
     instruction.add(map, sampler.take());
   }
 
+  const bool counted = instruction.total > 0;  // not on every machine
+
   std::map<VolumeId, std::uint64_t> steps_in;
   for (const Ray& ray : rays) {
     transport(navigator, ray, tolerance,
@@ -244,10 +256,10 @@ int main(int argc, char** argv) try {
                               {"samples", time.total}};
   for (std::size_t p = 0; p < phases; ++p) {
     const double share = time.all[p] / std::max(time.total, 1.0);
-    const double count_here = instruction.all[p] / std::max(1.0, double(counted_steps));
+    const double count_here = counted ? bench::each(instruction.all[p], counted_steps) : unmeasured;
     if (time.all[p] == 0 && instruction.all[p] == 0) continue;
     std::printf("| %s | %.1f%% | %.0f |", phase_names[p], 100 * share, share * step_cycles);
-    if (instructions) std::printf(" %.1f |", count_here);
+    if (instructions) std::printf(" %s |", bench::cell(count_here, 1).c_str());
     std::printf("\n");
     json["parts"].push_back({{"part", phase_names[p]},
                              {"share", share},
@@ -255,8 +267,8 @@ int main(int argc, char** argv) try {
                              {"instructions_per_step", count_here}});
   }
   if (instructions) {
-    std::printf("| all | 100%% | %.0f | %.1f |\n", step_cycles,
-                instruction.total / double(counted_steps));
+    const double all = counted ? bench::each(instruction.total, counted_steps) : unmeasured;
+    std::printf("| all | 100%% | %.0f | %s |\n", step_cycles, bench::cell(all, 1).c_str());
   }
 
   std::vector<std::pair<double, VolumeId>> hottest;
@@ -279,10 +291,11 @@ int main(int argc, char** argv) try {
     const double here = double(steps_in[volume]) / double(steps);
     const double scale = step_cycles / std::max(here, 1e-12) / time.total;
     const double instructions_here =
-        sum(instruction.of[volume], 0, phases - 1) /
-        static_cast<double>(std::max<std::uint64_t>(counted_in[volume], 1));
-    std::printf("| %s | %.1f%% | %.1f%% | %.0f | %.0f |", world->volumes[volume].name.c_str(),
-                100 * here, 100 * share, samples * scale, instructions_here);
+        counted ? bench::each(sum(instruction.of[volume], 0, phases - 1), counted_in[volume])
+                : unmeasured;
+    std::printf("| %s | %.1f%% | %.1f%% | %.0f | %s |", world->volumes[volume].name.c_str(),
+                100 * here, 100 * share, samples * scale,
+                bench::cell(instructions_here, 0).c_str());
     for (std::size_t p = 0; p <= dispatch; ++p) std::printf(" %.0f |", counts[p] * scale);
     std::printf(" %.0f |\n", sum(counts, generic_navigator, elsewhere) * scale);
     json["scenes"].push_back({{"volume", world->volumes[volume].name},

@@ -1,10 +1,12 @@
 #include "bench/ladder_table.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "bench/cells.hpp"
 #include "bench/floor.hpp"
 #include "bench/ladder.hpp"
 #include "bench/sampler.hpp"
@@ -78,7 +80,7 @@ void print_ladder(const Geometry& geometry, Runtime& specialised, const std::vec
     }
   }
 
-  std::vector<double> counted(lines.all.size(), 0.0);
+  std::vector<double> counted(lines.all.size(), unmeasured);
   if (instructions) {
     std::vector<Ray> few;
     std::uint64_t few_steps = 0;
@@ -93,8 +95,9 @@ void print_ladder(const Geometry& geometry, Runtime& specialised, const std::vec
       sampler.start_stepping();
       small.all[i].run();
       sampler.stop_stepping();
-      counted[i] =
-          static_cast<double>(sampler.take().size()) / static_cast<double>(small.ladder.steps());
+      // Where nothing can be stepped through, nothing is seen.
+      const auto seen = static_cast<double>(sampler.take().size());
+      if (seen > 0) counted[i] = each(seen, small.ladder.steps());
     }
   }
 
@@ -104,7 +107,11 @@ void print_ladder(const Geometry& geometry, Runtime& specialised, const std::vec
   for (std::size_t i = 0; i < lines.all.size(); ++i) {
     const double now = common::quantile(cycles[i], 0.25);
     std::printf("| %s | %.0f | %+.0f |", lines.all[i].name.c_str(), now, now - last);
-    if (instructions) std::printf(" %.0f | %+.0f |", counted[i], counted[i] - last_counted);
+    if (instructions && std::isfinite(counted[i])) {
+      std::printf(" %.0f | %+.0f |", counted[i], counted[i] - last_counted);
+    } else if (instructions) {
+      std::printf(" - | - |");
+    }
     std::printf("\n");
     json["ladder"].push_back({{"promise", lines.all[i].name},
                               {"cycles_per_step", cycles[i]},
