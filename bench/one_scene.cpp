@@ -3,16 +3,19 @@
 // asks instead for the safety at the start of each ray.
 //
 // Every engine gets its own located states, as a simulation would hold them after the step before:
-// VecGeom its navigation states, navjit navigators that stand in the touchable. Time is taken over
-// chunks; what brings the states there is not timed.
+// VecGeom its navigation states, navjit navigators that stand in the touchable. What brings the
+// states there is not timed. So navjit is timed chunk by chunk: by ticks, since to read the
+// thread's time takes as long as several rays. Ticks go on while others have the processor, so
+// chunks in which that happened are left out (bench/interrupted.hpp). VecGeom's states all exist
+// beforehand: it is timed over a whole block, by the thread's time.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <span>
 
 #include "bench/choices.hpp"
+#include "bench/interrupted.hpp"
 #include "bench/json_file.hpp"
 #include "bench/ranges.hpp"
 #include "bench/scene_states.hpp"
@@ -29,9 +32,6 @@ using namespace navjit;
 /// The number of rays in a chunk: the stacks of their navigators stay in the first-level cache, as
 /// the stack of a track does.
 constexpr std::size_t chunk = 16;
-
-/// This fraction of the chunks, the slowest, counts as the mean of the others: it was interrupted.
-constexpr double interrupted = 0.03;
 
 struct Sums {
   double ns = 0;
@@ -67,11 +67,8 @@ class SceneRunner {
       ticks_.push_back(static_cast<double>(common::ticks() - start) /
                        static_cast<double>(part.size()));
     }
-    std::sort(ticks_.begin(), ticks_.end());
-    const auto kept = static_cast<std::size_t>((1 - interrupted) * double(ticks_.size())) + 1;
-    ticks_.resize(std::min(kept, ticks_.size()));
-    sums.ns = std::accumulate(ticks_.begin(), ticks_.end(), 0.0) / double(ticks_.size()) *
-              common::ns_per_tick() * static_cast<double>(rays.size());
+    sums.ns = bench::mean_uninterrupted(ticks_) * common::ns_per_tick() *
+              static_cast<double>(rays.size());
     ticks_.clear();
     return sums;
   }
@@ -86,10 +83,10 @@ class SceneRunner {
     return sums;
   }
 
-  /// Whether the volume has a navigator of its own.
+  /// Whether the volume has a navigator of its own, of whatever binding.
   bool specialised(const std::string& volume) const {
     for (const SceneReport& scene : runtime_.report().scenes) {
-      if (scene.volume == volume) return scene.status == SceneStatus::specialised;
+      if (scene.volume == volume) return scene.binding != Binding::generic;
     }
     return false;
   }
