@@ -10,6 +10,7 @@
 #include "apps/options/numbers.hpp"
 #include "apps/options/observe.hpp"
 #include "apps/options/outputs.hpp"
+#include "apps/options/runtime.hpp"
 #include "files/output_file.hpp"
 #include "navjit/errors.hpp"
 #include "runtime/make_plugin.hpp"
@@ -25,7 +26,7 @@ struct Options {
   std::string profile;              ///< file; empty: the named scenes only
   PluginChoice choice;
   std::string emit;  ///< "so" or "cpp"
-  int optimisation = 2;
+  PluginCode code;
   std::string out;
 };
 
@@ -76,7 +77,7 @@ int specialise(const Options& options) {
   if (source_only) {
     out.write(source);
   } else {
-    const auto plugin = plugin_bytes(source, options.optimisation);
+    const auto plugin = plugin_bytes(source, options.code);
     if (!plugin) throw Error(plugin.failure().message);
     out.write(*plugin);
   }
@@ -108,9 +109,10 @@ void add_specialise(CLI::App& app, Action& action) {
       ->required()
       ->check(one_of({"so", "cpp"}))
       ->option_text("cpp|so");
-  command.add_option("--opt", options->optimisation, "of the compiler, 0 to 3 (default: 2)")
+  command.add_option("--opt", options->code.optimisation, "of the compiler, 0 to 3 (default: 2)")
       ->transform(count(0, 3))
       ->option_text("N");
+  add_isa(command, options->code.instruction_set);
   add_output(command, "-o,--out", options->out, "file to write")->required();
   command.callback([options, &action] {
     if (options->scenes.empty() && options->profile.empty()) {

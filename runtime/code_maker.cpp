@@ -5,33 +5,12 @@
 #include <exception>
 
 #include "codegen/module_text.hpp"
+#include "runtime/instruction_set.hpp"
 
 namespace navjit {
 namespace {
 
 std::string_view view(const std::vector<char>& bytes) { return {bytes.data(), bytes.size()}; }
-
-/// The processor's name for the compiler; empty: the processor of this machine.
-const char* processor(InstructionSet set, spdlog::logger& log) {
-#if defined(__x86_64__)
-  switch (set) {
-    case InstructionSet::native:
-      break;
-    case InstructionSet::sse42:
-      if (__builtin_cpu_supports("x86-64-v2")) return "x86-64-v2";
-      break;
-    case InstructionSet::avx2:
-      if (__builtin_cpu_supports("x86-64-v3")) return "x86-64-v3";
-      break;
-    case InstructionSet::avx512:
-      if (__builtin_cpu_supports("x86-64-v4")) return "x86-64-v4";
-  }
-#endif
-  if (set != InstructionSet::native) {
-    log.warn("this processor has not the instructions asked for: generated code uses its own");
-  }
-  return "";
-}
 
 constexpr const char* unit_name = "navjit_module";
 
@@ -43,7 +22,7 @@ jit::CompileOptions compile_options(const SpecialiserOptions& options, spdlog::l
   // A debugger shows the source by line numbers that count from its beginning. So it cannot be
   // compiled on top of a parsed preamble.
   if (!options.debug_info) result.preamble = codegen::common_text();
-  result.cpu = processor(options.instruction_set, log);
+  result.cpu = processor_for(options.instruction_set, log);
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <spdlog/spdlog.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,6 +18,7 @@
 #include "jit/compiler.hpp"
 #include "navjit/errors.hpp"
 #include "runtime/fingerprint.hpp"
+#include "runtime/instruction_set.hpp"
 #include "runtime/plugin.hpp"
 #include "runtime/plugin_text.hpp"
 #include "runtime/private_folder.hpp"
@@ -106,9 +108,10 @@ std::vector<VolumeId> hot_scenes(const StepProfile& profile, const Geometry& geo
   return scenes;
 }
 
-Expected<std::string> plugin_bytes(const std::string& source, int optimisation) {
+Expected<std::string> plugin_bytes(const std::string& source, const PluginCode& code) {
   jit::CompileOptions options;
-  options.optimisation = optimisation;
+  options.optimisation = code.optimisation;
+  options.cpu = processor_for(code.instruction_set, *spdlog::default_logger());
   options.features = features_to_avoid(jit::host_features());
   const auto object = jit::compile(source, "navjit_plugin", options);
   if (!object) return object.failure();
@@ -125,9 +128,9 @@ Expected<std::string> plugin_bytes(const std::string& source, int optimisation) 
   return sealed(library.path());
 }
 
-void make_plugin(const std::string& source, int optimisation, const std::string& path) {
+void make_plugin(const std::string& source, const PluginCode& code, const std::string& path) {
   OutputFile file(path, plugin_mode);
-  write(plugin_bytes(source, optimisation), file);
+  write(plugin_bytes(source, code), file);
 }
 
 void seal_plugin(const std::string& path) {

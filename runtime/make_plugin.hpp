@@ -8,6 +8,7 @@
 
 #include "analysis/facts.hpp"
 #include "navjit/detail/expected.hpp"
+#include "navjit/options.hpp"
 #include "navjit/step_profile.hpp"
 
 namespace navjit {
@@ -24,16 +25,23 @@ struct PluginChoice {
 std::vector<VolumeId> hot_scenes(const StepProfile& profile, const Geometry& geometry,
                                  const WorldFacts& facts, const PluginChoice& choice = {});
 
+/// What the compiler is told about a plugin.
+struct PluginCode {
+  int optimisation = 2;
+  /// Of this machine's processor. A set that it lacks counts as native, with a warning in the log.
+  InstructionSet instruction_set = InstructionSet::native;
+};
+
 /// Compiles a plugin's source for this machine's processor and links it with the system's linker,
 /// `ld` or the one that NAVJIT_LD names. Returns the plugin's bytes, or why there are none.
 /// Temporary files are in a PrivateFolder, which may throw.
-Expected<std::string> plugin_bytes(const std::string& source, int optimisation);
+Expected<std::string> plugin_bytes(const std::string& source, const PluginCode& code);
 
 /// Permissions of plugins, whatever the umask is. A plugin that a group may write is not loaded.
 constexpr mode_t plugin_mode = 0644;
 
 /// The same, but writes the plugin to a file (files/output_file.hpp). Throws Error.
-void make_plugin(const std::string& source, int optimisation, const std::string& path);
+void make_plugin(const std::string& source, const PluginCode& code, const std::string& path);
 
 /// Seals a library that was compiled by other means: appends the seal with which a plugin ends.
 /// Throws Error.

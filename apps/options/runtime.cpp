@@ -33,6 +33,12 @@ void add_cache_option(CLI::App& command, Cache& cache, bool may_be_off) {
       ->option_text(may_be_off ? "DIR|off" : "DIR");
 }
 
+void add_isa(CLI::App& command, InstructionSet& set) {
+  add_choice(command, "--isa", set, common::instruction_sets,
+             "instructions of generated code: native (default), sse4.2, avx2 or\navx512")
+      ->option_text("SET");
+}
+
 void add_code_options(CLI::App& command, RuntimeOptions& options) {
   // There was a choice once; whoever still makes it is told.
   command
@@ -44,9 +50,7 @@ void add_code_options(CLI::App& command, RuntimeOptions& options) {
           },
           "")
       ->group("");
-  add_choice(command, "--isa", options.specialiser.instruction_set, common::instruction_sets,
-             "instructions of generated code: native (default), sse4.2, avx2 or\navx512")
-      ->option_text("SET");
+  add_isa(command, options.specialiser.instruction_set);
   command
       .add_option("--nice", options.specialiser.nice,
                   "priority of the compiler's thread (default: 0, as the others)")

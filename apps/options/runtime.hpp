@@ -13,6 +13,9 @@ namespace navjit::apps {
 /// cannot change a command line.
 void add_cache_option(CLI::App& command, Cache& cache, bool may_be_off);
 
+/// --isa.
+void add_isa(CLI::App& command, InstructionSet& set);
+
 /// What the code shall be like: --isa, --nice. --level is refused.
 void add_code_options(CLI::App& command, RuntimeOptions& options);
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "runtime/plugin.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/folder.hpp"
 
@@ -138,6 +139,24 @@ TEST(Production, RunsAPluginFromAProfile) {
   EXPECT_TRUE(tests::read_file(right) == tests::read_file(got));
 }
 
+TEST(Specialise, TakesTheInstructionsThatAPluginMayUse) {
+  const TemporaryFolder folder;
+  for (const std::string isa : {"sse4.2", "native"}) {
+    const std::string plugin = folder.file(isa + ".so");
+    const tests::Output made = run_navjit("specialise " + shashlik + " --scene InnerLead --isa " +
+                                          isa + " --emit so -o " + plugin);
+    ASSERT_EQ(made.status, 0) << made.text;
+    const tests::Output run =
+        run_production("run " + shashlik + " --origin 0,0,0 --eta 2,5 --rays 100 --plugin " +
+                       plugin + " --report " + folder.file("report.json"));
+    ASSERT_EQ(run.status, 0) << run.text;
+    const auto report = nlohmann::json::parse(tests::read_file(folder.file("report.json")));
+    EXPECT_GT(report.at("plugin_scenes"), 0) << isa;
+  }
+  if (!processor_has("avx2")) GTEST_SKIP() << "both may be the same";
+  EXPECT_NE(tests::read_file(folder.file("sse4.2.so")), tests::read_file(folder.file("native.so")));
+}
+
 TEST(Specialise, NamesFromTheFileAreNoCode) {
   const TemporaryFolder folder;
   std::string text = tests::read_file(shashlik);
@@ -166,7 +185,8 @@ TEST(Specialise, SaysWhatIsWrong) {
   for (const std::string& wrong :
        {std::string("specialise ") + shashlik, "specialise " + shashlik + so,
         "specialise " + shashlik + " --scene A --emit exe -o x",
-        "specialise " + shashlik + " --scene A --profile p" + so, std::string("profile"),
+        "specialise " + shashlik + " --scene A --profile p" + so,
+        "specialise " + shashlik + " --scene InnerLead --isa mmx" + so, std::string("profile"),
         std::string("profile merge -o x"), std::string("plugin seal")}) {
     EXPECT_EQ(run_navjit(wrong).status, 2) << wrong;
   }

@@ -31,7 +31,7 @@ class PluginTest : public testing::Test {
 
   std::string make(const std::string& source) {
     const std::string path = folder_.file("det.so");
-    make_plugin(source, 1, path);
+    make_plugin(source, {1}, path);
     return path;
   }
 
@@ -210,19 +210,30 @@ TEST_F(PluginTest, FilesOfOthersAreRefused) {
 }
 
 TEST_F(PluginTest, ThatCannotBeMadeLeavesNothing) {
-  EXPECT_THROW(make_plugin(source_, 0, "/nowhere/det.so"), Error);
-  EXPECT_THROW(make_plugin("int broken = ;", 0, folder_.file("det.so")), Error);
+  EXPECT_THROW(make_plugin(source_, {0}, "/nowhere/det.so"), Error);
+  EXPECT_THROW(make_plugin("int broken = ;", {0}, folder_.file("det.so")), Error);
   setenv("NAVJIT_LD", "/nowhere/ld", 1);
   try {
-    make_plugin(source_, 0, folder_.file("det.so"));
+    make_plugin(source_, {0}, folder_.file("det.so"));
     ADD_FAILURE() << "there is no such linker";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("NAVJIT_LD"), std::string::npos) << error.what();
   }
   setenv("NAVJIT_LD", "false", 1);
-  EXPECT_THROW(make_plugin(source_, 0, folder_.file("det.so")), Error);
+  EXPECT_THROW(make_plugin(source_, {0}, folder_.file("det.so")), Error);
   unsetenv("NAVJIT_LD");
   EXPECT_TRUE(fs::is_empty(folder_.path()));
+}
+
+TEST_F(PluginTest, HasTheInstructionsThatAreAskedFor) {
+  if (!processor_has("avx2")) GTEST_SKIP() << "this processor has not the second set";
+  const auto made = [&](InstructionSet set) {
+    const std::string path = folder_.file("det.so");
+    make_plugin(source_, {1, set}, path);
+    EXPECT_GE(scenes_in_use(path), 5U);
+    return tests::read_file(path);
+  };
+  EXPECT_NE(made(InstructionSet::sse42), made(InstructionSet::avx2));
 }
 
 TEST(PluginFeatures, AreThoseOfThisProcessorAndNoOthers) {
