@@ -26,7 +26,7 @@ namespace {
 struct Options {
   warmup::RunSetup every;  ///< what all runs have in common
   /// The same as words of a command line, as far as it was given.
-  std::vector<std::string> words;
+  std::vector<std::string> words, plugin_words;
   double seconds = 5;         ///< of a run
   double prime_seconds = 10;  ///< of the run that fills the cache
   int repetitions = 5;
@@ -68,8 +68,7 @@ int warmup(const Options& options) {
   warmup::ExperimentOptions experiment;
   experiment.program = std::filesystem::read_symlink("/proc/self/exe");
   experiment.words = options.words;
-  experiment.detector = options.every.detector.file;
-  experiment.setup = options.every.detector.setup;
+  experiment.plugin_words = options.plugin_words;
   experiment.variants = variants_of(options);
   experiment.repetitions = options.repetitions;
   experiment.seconds = options.seconds;
@@ -146,6 +145,7 @@ void add_warmup(CLI::App& app, Action& action) {
                        {"--html", options->html}},
                       {{"the detector", options->every.detector.file}});
     options->words = warmup::words_given(shared);
+    options->plugin_words = warmup::words_given(warmup::options_of_plugins(shared));
     action = [options] { return warmup(*options); };
   });
 }

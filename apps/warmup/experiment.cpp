@@ -45,11 +45,7 @@ Prepared prepare(const ExperimentOptions& options, const Variant& variant,
                 Words{"--seconds", std::to_string(options.prime_seconds), "--cache", prepared.cache,
                       "--save-profile", profile},
             limit);
-  Words specialise{
-      options.program, "specialise", options.detector, "--profile", profile, "--emit", "so", "-o",
-      prepared.plugin};
-  if (!options.setup.empty()) specialise = specialise + Words{"--setup", options.setup};
-  output_of(specialise, limit);
+  output_of(specialise_words(options, variant, profile, prepared.plugin), limit);
   return prepared;
 }
 
@@ -68,6 +64,12 @@ Words words_of(const Variant& variant, const Prepared& prepared) {
 }
 
 }  // namespace
+
+Words specialise_words(const ExperimentOptions& options, const Variant& variant,
+                       const std::string& profile, const std::string& plugin) {
+  return Words{options.program, "specialise"} + options.plugin_words + variant.words +
+         Words{"--profile", profile, "--emit", "so", "-o", plugin};
+}
 
 const char* mode_name(Mode mode) {
   switch (mode) {

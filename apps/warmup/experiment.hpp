@@ -24,8 +24,9 @@ struct Variant {
 struct ExperimentOptions {
   std::string program;             ///< navjit
   std::vector<std::string> words;  ///< of every run: detector, rays, threads, seconds
-  std::string detector, setup;     ///< for the plugin
-  std::vector<Variant> variants;   ///< the first has mode `off`
+  /// Those of them that `navjit specialise` takes, too: its plugin has to be of the same code.
+  std::vector<std::string> plugin_words;
+  std::vector<Variant> variants;  ///< the first has mode `off`
   int repetitions = 5;
   double seconds = 5;         ///< of a run
   double prime_seconds = 10;  ///< of the run that fills the cache and makes the plugin's profile
@@ -56,6 +57,10 @@ struct ExperimentReport {
 /// Throws Error if a process fails, with its last line, and common::Interrupted if a signal comes
 /// before any run has come to its end.
 ExperimentReport run_experiment(const ExperimentOptions& options);
+
+/// The command line that makes a variant's plugin of a profile.
+std::vector<std::string> specialise_words(const ExperimentOptions& options, const Variant& variant,
+                                          const std::string& profile, const std::string& plugin);
 
 /// From the records alone; `off` is the run without JIT of the same repetition.
 RunFigures figures_of(RunRecord record, const RunRecord& off);

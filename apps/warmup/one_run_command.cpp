@@ -28,6 +28,16 @@ std::vector<CLI::Option*> add_shared_options(CLI::App& command, RunSetup& setup)
   return added;
 }
 
+std::vector<CLI::Option*> options_of_plugins(const std::vector<CLI::Option*>& options) {
+  std::vector<CLI::Option*> found;
+  for (CLI::Option* option : options) {
+    for (const char* name : {"detector", "--setup", "--isa"}) {
+      if (option->get_name() == name) found.push_back(option);
+    }
+  }
+  return found;
+}
+
 std::vector<std::string> words_given(const std::vector<CLI::Option*>& options) {
   std::vector<std::string> words;
   for (const CLI::Option* option : options) {
