@@ -86,12 +86,9 @@ const char* mode_name(Mode mode) {
 }
 
 bool same_rays(const RunRecord& a, const RunRecord& b) {
-  for (std::size_t i = 0; i < chunks_kept; ++i) {
-    if (a.chunks[i].steps > 0 && b.chunks[i].steps > 0 && !(a.chunks[i] == b.chunks[i])) {
-      return false;
-    }
-  }
-  return true;
+  const std::size_t both = std::min(a.blocks.size(), b.blocks.size());
+  return std::equal(a.blocks.begin(), a.blocks.begin() + static_cast<std::ptrdiff_t>(both),
+                    b.blocks.begin());
 }
 
 RunFigures figures_of(RunRecord record, const RunRecord& off) {
@@ -115,7 +112,7 @@ namespace {
 /// The runs of all variants, in turn.
 void make_runs(const ExperimentOptions& options, const std::map<Words, Prepared>& all_prepared,
                ExperimentReport& report) {
-  std::optional<RunRecord> first;
+  RunRecord longest;  // agrees with all before it, as far as these went
   for (int repetition = 0; repetition < options.repetitions; ++repetition) {
     std::optional<RunRecord> off;
     for (VariantReport& each : report.variants) {
@@ -127,8 +124,8 @@ void make_runs(const ExperimentOptions& options, const std::map<Words, Prepared>
                                   words_of(each.variant, prepared),
                               options.seconds + options.patience));
       if (!off) off = record;
-      if (!first) first = record;
-      report.same_rays = report.same_rays && same_rays(*first, record);
+      report.same_rays = report.same_rays && same_rays(longest, record);
+      if (record.blocks.size() > longest.blocks.size()) longest = record;
       each.runs.push_back(figures_of(std::move(record), *off));
     }
   }

@@ -49,8 +49,10 @@ struct VariantReport {
 
 struct ExperimentReport {
   std::vector<VariantReport> variants;
-  double prepare_s = 0;      ///< filling caches and making plugins, wall clock
-  bool same_rays = true;     ///< every ray that two runs both made has the same steps and lengths
+  double prepare_s = 0;  ///< filling caches and making plugins, wall clock
+  /// Rays that two runs both made have the same steps and lengths: all that are in blocks which
+  /// both completed.
+  bool same_rays = true;
   bool interrupted = false;  ///< by a signal: only the runs that came to their end before it
 };
 
@@ -64,7 +66,7 @@ std::vector<std::string> specialise_words(const ExperimentOptions& options, cons
 
 /// From the records alone; `off` is the run without JIT of the same repetition.
 RunFigures figures_of(RunRecord record, const RunRecord& off);
-/// No chunk of rays that both have complete differs.
+/// No block of rays that both have complete differs.
 bool same_rays(const RunRecord& a, const RunRecord& b);
 
 }  // namespace navjit::warmup

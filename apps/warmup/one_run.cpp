@@ -30,7 +30,7 @@ struct alignas(64) Worker {
 struct Shared {
   std::atomic<bool> stop{false};
   std::atomic<std::uint64_t> next_chunk{0};
-  std::array<Chunk, chunks_kept> chunks{};
+  Blocks blocks;
 };
 
 void navigate(Runtime& runtime, const common::RayMaker& rays, Shared& shared, Worker& worker) {
@@ -41,7 +41,8 @@ void navigate(Runtime& runtime, const common::RayMaker& rays, Shared& shared, Wo
   std::uint64_t steps = 0;
   while (!shared.stop.load(std::memory_order_relaxed)) {
     const std::uint64_t number = shared.next_chunk.fetch_add(1);
-    Chunk chunk;
+    std::uint64_t of_chunk = 0;
+    double length = 0;
     bool complete = true;
     for (std::uint64_t i = number * rays_per_chunk; i < (number + 1) * rays_per_chunk; ++i) {
       if (shared.stop.load(std::memory_order_relaxed)) {
@@ -49,14 +50,14 @@ void navigate(Runtime& runtime, const common::RayMaker& rays, Shared& shared, Wo
         break;
       }
       const RayTotals ray = transport(navigator, rays.ray(i), world.tolerance);
-      chunk.steps += ray.steps;
-      chunk.length += ray.length;
+      of_chunk += ray.steps;
+      length += ray.length;
       worker.stuck += ray.stuck ? 1 : 0;
       ++worker.rays;
       steps += ray.steps;
       worker.steps.store(steps, std::memory_order_relaxed);
     }
-    if (complete && number < chunks_kept) shared.chunks[number] = chunk;
+    if (complete) shared.blocks.add(number, of_chunk, length);
   }
   worker.processor_s = thread_seconds();
   worker.clock = -1;
@@ -116,7 +117,7 @@ RunRecord run_once(const RunSetup& setup) {
     record.navigating_s += worker.processor_s;
   }
   record.other_s = std::max(0.0, all - record.navigating_s - watching);
-  record.chunks = shared.chunks;
+  record.blocks = shared.blocks.complete();
   const RuntimeReport report = runtime.report();
   for (const SceneReport& scene : report.scenes) {
     if (scene.specialised_at_s > 0) {

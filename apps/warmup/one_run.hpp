@@ -1,12 +1,12 @@
 // One run of the experiment, in this process, and its record as text.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "apps/options/detector.hpp"
+#include "apps/warmup/blocks.hpp"
 #include "apps/warmup/series.hpp"
 #include "common/rays.hpp"
 #include "navjit/options.hpp"
@@ -23,16 +23,6 @@ struct RunSetup {
   RuntimeOptions runtime;
 };
 
-/// Rays are dealt to threads in chunks; the first chunks are kept to compare runs.
-constexpr std::uint64_t rays_per_chunk = 64;
-constexpr std::size_t chunks_kept = 64;
-
-struct Chunk {
-  std::uint64_t steps = 0;  ///< 0: the run ended before it
-  double length = 0;        ///< mm
-  friend bool operator==(const Chunk&, const Chunk&) = default;
-};
-
 struct RunRecord {
   Series series;  ///< begins with the making of the Runtime: plugins and lists of hot scenes count
   std::vector<Swap> swaps;  ///< of scenes that are specialised in the end
@@ -40,7 +30,7 @@ struct RunRecord {
   double navigating_s = 0;  ///< processor time of the navigating threads
   double other_s = 0;       ///< and of all others: profile, compiler, verification
   std::size_t modules = 0, cached_modules = 0, deoptimised = 0, code_bytes = 0;
-  std::array<Chunk, chunks_kept> chunks{};
+  std::vector<Block> blocks;  ///< of the rays, from the first one on; a run is compared by them
 };
 
 /// Reads the detector, then transports rays for the given time. Throws what reading throws.

@@ -33,11 +33,11 @@ std::string to_text(const RunRecord& record) {
             {"cached_modules", record.cached_modules},
             {"deoptimised", record.deoptimised},
             {"code_bytes", record.code_bytes}};
-  for (const char* list : {"series", "swaps", "chunks"}) json[list] = Json::array();
+  for (const char* list : {"series", "swaps", "blocks"}) json[list] = Json::array();
   for (const Point& p : record.series)
     json["series"].push_back({p.seconds, p.steps, p.processor_s});
   for (const Swap& s : record.swaps) json["swaps"].push_back({s.seconds, s.share});
-  for (const Chunk& c : record.chunks) json["chunks"].push_back({c.steps, c.length});
+  for (const Block& b : record.blocks) json["blocks"].push_back({b.steps, b.lengths});
   return json.dump();
 }
 
@@ -65,10 +65,8 @@ RunRecord from_text(const std::string& text) try {
   for (const Json& s : json.at("swaps")) {
     record.swaps.push_back({amount(s.at(0)), amount(s.at(1))});
   }
-  const Json& chunks = json.at("chunks");
-  if (chunks.size() != record.chunks.size()) fail("it is of another version");
-  for (std::size_t i = 0; i < chunks.size(); ++i) {
-    record.chunks[i] = {chunks[i].at(0).get<std::uint64_t>(), amount(chunks[i].at(1))};
+  for (const Json& b : json.at("blocks")) {
+    record.blocks.push_back({b.at(0).get<std::uint64_t>(), b.at(1).get<std::uint64_t>()});
   }
   return record;
 } catch (const nlohmann::json::exception& error) {

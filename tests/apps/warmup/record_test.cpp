@@ -24,7 +24,7 @@ RunRecord some_record() {
   record.rays = 3;
   record.steps = 90;
   record.other_s = 0.5;
-  record.chunks[0] = {90, 0.1};
+  record.blocks = {{90, ~std::uint64_t{0}}};
   return record;
 }
 
@@ -43,12 +43,31 @@ TEST(RunOnce, CountsWhatItDid) {
   EXPECT_EQ(record.stuck, 0U);
   EXPECT_GT(record.navigating_s, 0);
   std::uint64_t kept = 0;
-  for (const Chunk& chunk : record.chunks) kept += chunk.steps;
+  for (const Block& block : record.blocks) kept += block.steps;
   EXPECT_GT(kept, 0U);
   EXPECT_LE(kept, record.steps);
   double share = 0;
   for (const Swap& swap : record.swaps) share += swap.share;
   EXPECT_LE(share, 1 + 1e-9);
+}
+
+TEST(RunOnce, KeepsAlmostAllRaysForTheComparison) {
+  RunSetup setup = short_run();
+  setup.threads = 1;
+  const RunRecord record = run_once(setup);
+  std::uint64_t rays = 0;
+  for (std::size_t i = 0; i < record.blocks.size(); ++i) rays += chunks_in(i) * rays_per_chunk;
+  EXPECT_LE(rays, record.rays);
+  EXPECT_GE(rays + rays / 32 + rays_per_chunk, record.rays);
+}
+
+TEST(Record, DiffersFromOneWithAnotherLateBlock) {
+  RunRecord a, b;
+  a.blocks.assign(500, {7, 7});
+  b.blocks.assign(400, {7, 7});
+  EXPECT_TRUE(same_rays(a, b)) << "as far as both went";
+  b.blocks[399].lengths = 8;
+  EXPECT_FALSE(same_rays(a, b));
 }
 
 TEST(RunOnce, RaysAreTheSameWhateverTheJitDoes) {
@@ -73,7 +92,7 @@ TEST(Record, SurvivesBeingText) {
   EXPECT_EQ(again.swaps[0].share, 0.75);
   EXPECT_EQ(again.steps, 90U);
   EXPECT_EQ(again.other_s, 0.5);
-  EXPECT_TRUE(again.chunks == record.chunks);
+  EXPECT_TRUE(again.blocks == record.blocks);
 }
 
 TEST(Record, RefusesWhatIsNone) {
