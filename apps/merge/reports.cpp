@@ -68,6 +68,10 @@ void ReportMerger::add(const json& report) {
   for (const char* key : sums) number(report, key);
   for (const char* key : {"seconds", "share_specialised"}) number(report, key);
   whole(report, "code_bytes");
+  const auto interrupted = report.find("interrupted");
+  if (interrupted != report.end() && !interrupted->is_boolean()) {
+    throw Error("'interrupted' is neither true nor false");
+  }
   if (!reports_.empty() && circumstances(report) != circumstances(reports_.front())) {
     throw Error("it is of another version, detector, --jit or --observe than the first");
   }

@@ -158,6 +158,9 @@ TEST_F(Parts, WhatDoesNotGoTogetherIsRefused) {
   report["steps"] = 1e300;
   broken(report);
   report = good;
+  report["interrupted"] = "yes";
+  EXPECT_TRUE(contains(broken(report), "b.json: 'interrupted' is neither true nor false"));
+  report = good;
   report["scenes"][0].erase("volume");
   broken(report);
   tests::write_file(file("b.json"), "{\"rays\": ");
