@@ -91,10 +91,11 @@ int compare_observed(const Options& options) {
   attempt_all(
       {[&] {
          json.write([&] {
-           const nlohmann::ordered_json report{{"detector", options.detector.file},
-                                               {"rays", rays.size()},
-                                               {"observations", accuracy::to_json(figures)}};
-           return report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+           nlohmann::ordered_json report = circumstances_json();
+           report.update(nlohmann::ordered_json{{"detector", options.detector.file},
+                                                {"rays", rays.size()},
+                                                {"observations", accuracy::to_json(figures)}});
+           return report_text(report);
          });
        },
        [&] {
@@ -128,7 +129,9 @@ int accuracy(const Options& options) {
   attempt_all(
       {[&] {
          json.write([&] {
-           return accuracy::to_json(*world, options.detector.file, report).dump(2) + '\n';
+           nlohmann::ordered_json all = circumstances_json();
+           all.update(accuracy::to_json(*world, options.detector.file, report));
+           return report_text(all);
          });
        },
        [&] {

@@ -6,8 +6,10 @@
 
 #include <cstdio>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "navjit/version.hpp"
 #include "runtime/version.hpp"
 
 namespace navjit::apps {
@@ -60,6 +62,21 @@ Machine this_machine() {
     machine.system = std::string(name.sysname) + " " + name.release + " " + name.machine;
   }
   return machine;
+}
+
+nlohmann::ordered_json circumstances_json() {
+  const Machine machine = this_machine();
+  return {{"version", version()},
+          {"command", command_line()},
+          {"machine",
+           {{"processor", machine.processor},
+            {"processors", machine.processors},
+            {"memory_mb", machine.memory_mb},
+            {"system", machine.system}}}};
+}
+
+std::string report_text(const nlohmann::ordered_json& report) {
+  return report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
 std::vector<std::pair<std::string, std::string>> circumstances() {

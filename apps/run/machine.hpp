@@ -1,6 +1,7 @@
 // Under what circumstances a run was made: what its report says of the program and the machine.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,13 @@ struct Machine {
   std::string system;           ///< kernel, its release, and the architecture
 };
 Machine this_machine();
+
+/// "version", "command" and "machine", with which every report begins.
+nlohmann::ordered_json circumstances_json();
+
+/// A report as the text of its file. Names of files and volumes may be no UTF-8, which JSON cannot
+/// hold: what is none becomes U+FFFD.
+std::string report_text(const nlohmann::ordered_json& report);
 
 /// Both in words, and what the program is: what and its value, for people.
 std::vector<std::pair<std::string, std::string>> circumstances();

@@ -11,8 +11,6 @@
 #include "apps/options/observed_report.hpp"
 #include "apps/run/machine.hpp"
 #include "apps/warmup/series.hpp"
-#include "navjit/version.hpp"
-#include "runtime/version.hpp"
 
 namespace navjit::apps {
 namespace {
@@ -169,7 +167,6 @@ void print_table(const RunReport& report) {
 
 std::string json_text(const RunReport& report) {
   const Transport& t = report.transport;
-  const Machine machine = this_machine();
   const std::vector<warmup::Swap> swaps = swaps_of(report.runtime);
   const auto or_null = [](const std::optional<double>& value) {
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
@@ -180,14 +177,8 @@ std::string json_text(const RunReport& report) {
                 {"steps_per_second_with", report.compared->with},
                 {"steps_per_second_without", report.compared->without}};
   }
-  nlohmann::ordered_json json{
-      {"version", version()},
-      {"command", command_line()},
-      {"machine",
-       {{"processor", machine.processor},
-        {"processors", machine.processors},
-        {"memory_mb", machine.memory_mb},
-        {"system", machine.system}}},
+  nlohmann::ordered_json json = circumstances_json();
+  json.update(nlohmann::ordered_json{
       {"detector", report.detector},
       {"interrupted", report.interrupted},
       {"rays", t.rays},
@@ -216,7 +207,7 @@ std::string json_text(const RunReport& report) {
       {"deoptimised", report.runtime.deoptimised},
       {"compile_ms", report.runtime.compile_ms},
       {"code_bytes", report.runtime.code_bytes},
-  };
+  });
   if (report.processes > 1) json["processes"] = report.processes;
   if (!report.part.whole()) {
     json["part"] = common::part_text(report.part);
@@ -243,7 +234,7 @@ std::string json_text(const RunReport& report) {
                       {"note", s.note}});
     if (s.budget) scenes.back()["budget"] = to_json(*s.budget);
   }
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  return report_text(json);
 }
 
 }  // namespace navjit::apps

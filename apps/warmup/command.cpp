@@ -76,12 +76,13 @@ int warmup(const Options& options) {
   const warmup::ExperimentReport report = warmup::run_experiment(experiment);
   warmup::print_table(report);
   const auto make_json = [&] {
-    nlohmann::ordered_json all{{"detector", options.every.detector.file},
-                               {"threads", options.every.threads},
-                               {"seconds", options.seconds},
-                               {"repetitions", options.repetitions}};
+    nlohmann::ordered_json all = circumstances_json();
+    all.update(nlohmann::ordered_json{{"detector", options.every.detector.file},
+                                      {"threads", options.every.threads},
+                                      {"seconds", options.seconds},
+                                      {"repetitions", options.repetitions}});
     all.update(warmup::to_json(report));
-    return all.dump(1) + '\n';
+    return report_text(all);
   };
   attempt_all(
       {[&] { json.write(make_json); }, [&] { csv.write([&] { return warmup::to_csv(report); }); },

@@ -64,6 +64,22 @@ TEST_F(AccuracyCommand, HoldsEveryStepAgainstTheReference) {
   }
 }
 
+TEST_F(AccuracyCommand, WritesReportsOfFilesWithAnyName) {
+  write_plates(file("d\xff.gdml"));
+  for (const char* observe : {"", " --observe materials"}) {
+    const Output output = run_navjit("accuracy " + file("d\xff.gdml") +
+                                     " --rays 5 --repetitions 1 --boundaries 0 --vecgeom off "
+                                     "--report " +
+                                     file("report.json") + observe);
+    ASSERT_EQ(output.status, 0) << output.text;
+    const auto report = nlohmann::json::parse(read_file(file("report.json")));
+    EXPECT_TRUE(report.at("detector").get<std::string>().ends_with("/d\uFFFD.gdml"));
+    EXPECT_NE(report.at("command").get<std::string>().find(" accuracy "), npos);
+    EXPECT_FALSE(report.at("version").get<std::string>().empty());
+    EXPECT_GT(report.at("machine").at("processors"), 0);
+  }
+}
+
 TEST_F(AccuracyCommand, DrawsWhatObservingLessBrings) {
   const Output output =
       run_navjit("accuracy " + detector +

@@ -118,6 +118,20 @@ TEST(WarmupCommand, VariesWhatIsAskedFor) {
   EXPECT_EQ(report.at("threads"), 2);
 }
 
+TEST(WarmupCommand, WritesReportsOfFilesWithAnyName) {
+  const TemporaryFolder folder;
+  write_plates(folder.file("d\xff.gdml"));
+  const Output output = run_navjit("warmup " + folder.file("d\xff.gdml") +
+                                   " --seconds 0.1 --repetitions 1 --modes cold --report " +
+                                   folder.file("report.json"));
+  ASSERT_EQ(output.status, 0) << output.text;
+  const auto report = nlohmann::json::parse(read_file(folder.file("report.json")));
+  EXPECT_TRUE(report.at("detector").get<std::string>().ends_with("/d\uFFFD.gdml"));
+  EXPECT_NE(report.at("command").get<std::string>().find(" warmup "), npos);
+  EXPECT_FALSE(report.at("version").get<std::string>().empty());
+  EXPECT_GT(report.at("machine").at("processors"), 0);
+}
+
 TEST(WarmupCommand, DrawsAPictureWhereGnuplotIs) {
   const TemporaryFolder folder;
   for (const char* name : {"picture.svg", "picture.png"}) {
