@@ -40,12 +40,13 @@ struct Pipe {
   }
 };
 
-/// Reads once what is there. False at the end of the stream.
+/// Reads once what is there, and keeps no more than `most_output` and a buffer. False at the end of
+/// the stream.
 bool read_some(int file, std::string& text) {
   std::array<char, 65536> buffer;
   const ssize_t n = ::read(file, buffer.data(), buffer.size());
   if (n < 0) return errno == EINTR || errno == EAGAIN;
-  if (text.size() < most_output) text.append(buffer.data(), static_cast<std::size_t>(n));
+  if (text.size() <= most_output) text.append(buffer.data(), static_cast<std::size_t>(n));
   return n > 0;
 }
 
@@ -86,6 +87,10 @@ std::string ChildResult::words(double seconds) const {
     case End::timed_out:
       std::snprintf(text, sizeof text, "hangs (%g s)", seconds);
       return text;
+    case End::wrote_too_much:
+      std::snprintf(text, sizeof text, "writes more than %zu MB, which is too much to be kept",
+                    most_output >> 20);
+      return text;
     case End::crashed:
       std::snprintf(text, sizeof text, "crashes (signal %d)", status);
       return text;
@@ -112,7 +117,7 @@ ChildResult run_child(const std::vector<std::string>& words, double seconds,
   err.close_end(1);
   running = pid;
   auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
-  bool killed = false;
+  bool killed = false, too_much = false;
   bool reading_out = true, reading_err = true;
   bool interrupted = false;
   const auto check_time = [&] {
@@ -132,6 +137,11 @@ ChildResult run_child(const std::vector<std::string>& words, double seconds,
     ::poll(files, 2, 50);
     if (files[0].revents != 0) reading_out = read_some(out.ends[0], result.output);
     if (files[1].revents != 0) reading_err = read_some(err.ends[0], result.error);
+    if (result.output.size() > most_output) {
+      ::kill(pid, SIGKILL);
+      too_much = true;
+      break;
+    }
     check_time();
   }
   // The program may close its streams and go on. Until it is waited for, no other process gets its
@@ -147,7 +157,9 @@ ChildResult run_child(const std::vector<std::string>& words, double seconds,
   while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
   if (heeds_signals) stop_if_interrupted();
-  if (killed) {
+  if (too_much) {
+    result.end = ChildResult::End::wrote_too_much;
+  } else if (killed) {
     result.end = ChildResult::End::timed_out;
   } else if (WIFSIGNALED(status)) {
     result.end = ChildResult::End::crashed;

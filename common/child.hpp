@@ -7,10 +7,11 @@
 namespace navjit::common {
 
 struct ChildResult {
-  enum class End { exited, crashed, timed_out, not_started } end = End::not_started;
+  enum class End { exited, crashed, timed_out, wrote_too_much, not_started };
+  End end = End::not_started;
   int status = 0;      ///< exit status, or the signal that ended it
-  std::string output;  ///< what it wrote to standard output; the first 16 MB
-  std::string error;   ///< the same of standard error
+  std::string output;  ///< what it wrote to standard output; with more than 16 MB it is ended
+  std::string error;  ///< the first 16 MB of standard error: messages, of which the rest is dropped
 
   bool good() const { return end == End::exited && status == 0; }
   /// Why it is not good, in words: "hangs (60 s)", "crashes (signal 11)", or its last line.

@@ -25,6 +25,16 @@ TEST(Child, ReadsMoreThanAPipeHolds) {
   EXPECT_EQ(shell("head -c 1000000 /dev/zero").output.size(), 1000000u);
 }
 
+TEST(Child, EndsWhatWritesMoreThanIsKept) {
+  EXPECT_TRUE(shell("head -c 16777216 /dev/zero").good());
+  for (const char* script : {"head -c 16777217 /dev/zero", "exec cat /dev/zero"}) {
+    const ChildResult result = shell(script);
+    EXPECT_FALSE(result.good()) << script;
+    EXPECT_EQ(result.end, ChildResult::End::wrote_too_much) << script;
+    EXPECT_NE(result.words(1).find("more than 16 MB"), std::string::npos) << result.words(1);
+  }
+}
+
 TEST(Child, TellsACrash) {
   const ChildResult result = shell("kill -SEGV $$");
   EXPECT_EQ(result.end, ChildResult::End::crashed);
