@@ -1,6 +1,7 @@
 // `navjit warmup`: what the JIT costs before it pays, and what it pays.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -55,7 +56,21 @@ std::vector<warmup::Variant> variants_of(const Options& options) {
   return variants;
 }
 
-/// Throws also if the same rays had different steps in different runs.
+/// A run keeps a point in memory and in its record for each interval. These are some 12 MB, of
+/// the 16 MB that are read of a process (common/child.hpp).
+constexpr double most_points = 200000;
+
+void refuse_too_many_points(const Options& options) {
+  const double seconds = std::max(options.seconds, options.prime_seconds);
+  if (seconds / options.every.interval <= most_points * (1 + 1e-9)) return;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "a run of %g s would have more than %.0f points; give %g or more, or fewer seconds",
+                seconds, most_points, std::ceil(seconds / most_points * 1e4) / 1e4);
+  throw CLI::ValidationError("--interval", text);
+}
+
+/// Throws also if the same rays had different steps in different runs, and if a run failed.
 int warmup(const Options& options) {
   if (!options.picture.empty()) common::check_picture(options.picture);
   Output json(options.report), csv(options.csv), picture(options.picture), page(options.html);
@@ -101,6 +116,7 @@ int warmup(const Options& options) {
          });
        }});
   if (!report.same_rays) throw Error("runs differ in the steps of the same rays");
+  if (!report.failure.empty()) throw Error(report.failure);
   return 0;
 }
 
@@ -140,6 +156,7 @@ void add_warmup(CLI::App& app, Action& action) {
   add_plot(command, "--picture", options->picture, "speed and share against time; by gnuplot");
   add_output(command, "--html", options->html, "write a page for people");
   command.callback([options, shared, &action] {
+    refuse_too_many_points(*options);
     refuse_same_files({{"--report", options->report},
                        {"--csv", options->csv},
                        {"--picture", options->picture},

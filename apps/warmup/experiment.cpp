@@ -22,10 +22,11 @@ Words operator+(Words words, const Words& more) {
   return words;
 }
 
-std::string output_of(const Words& words, double seconds) {
+/// `what` names the process where something has to be said of it.
+std::string output_of(const std::string& what, const Words& words, double seconds) {
   common::ChildResult result = common::run_child(words, seconds);
-  if (!result.good()) throw Error("a run " + result.words(seconds));
-  if (!result.error.empty()) spdlog::warn("from a run: {}", result.error);
+  if (!result.good()) throw Error(what + ": " + result.words(seconds));
+  if (!result.error.empty()) spdlog::warn("{}: {}", what, result.error);
   return std::move(result.output);
 }
 
@@ -41,11 +42,13 @@ Prepared prepare(const ExperimentOptions& options, const Variant& variant,
   const Prepared prepared{stem + ".cache", stem + ".so"};
   const std::string profile = stem + ".json";
   const double limit = options.prime_seconds + options.patience;
-  output_of(Words{options.program, "warmup-run"} + options.words + variant.words +
+  output_of("the run that prepares '" + variant.name + "'",
+            Words{options.program, "warmup-run"} + options.words + variant.words +
                 Words{"--seconds", std::to_string(options.prime_seconds), "--cache", prepared.cache,
                       "--save-profile", profile},
             limit);
-  output_of(specialise_words(options, variant, profile, prepared.plugin), limit);
+  output_of("making the plugin of '" + variant.name + "'",
+            specialise_words(options, variant, profile, prepared.plugin), limit);
   return prepared;
 }
 
@@ -109,6 +112,15 @@ RunFigures figures_of(RunRecord record, const RunRecord& off) {
 
 namespace {
 
+RunRecord record_of(const std::string& what, const Words& words, double seconds) {
+  const std::string text = output_of(what, words, seconds);
+  try {
+    return from_text(text);
+  } catch (const Error& error) {
+    throw Error(what + ": " + error.what());
+  }
+}
+
 /// The runs of all variants, in turn.
 void make_runs(const ExperimentOptions& options, const std::map<Words, Prepared>& all_prepared,
                ExperimentReport& report) {
@@ -119,10 +131,11 @@ void make_runs(const ExperimentOptions& options, const std::map<Words, Prepared>
       const auto found = all_prepared.find(each.variant.words);
       const Prepared prepared = found != all_prepared.end() ? found->second : Prepared{};
       RunRecord record =
-          from_text(output_of(Words{options.program, "warmup-run"} + options.words +
-                                  Words{"--seconds", std::to_string(options.seconds)} +
-                                  words_of(each.variant, prepared),
-                              options.seconds + options.patience));
+          record_of("run " + std::to_string(repetition + 1) + " of '" + each.variant.name + "'",
+                    Words{options.program, "warmup-run"} + options.words +
+                        Words{"--seconds", std::to_string(options.seconds)} +
+                        words_of(each.variant, prepared),
+                    options.seconds + options.patience);
       if (!off) off = record;
       report.same_rays = report.same_rays && same_rays(longest, record);
       if (record.blocks.size() > longest.blocks.size()) longest = record;
@@ -152,6 +165,10 @@ ExperimentReport run_experiment(const ExperimentOptions& options) {
   } catch (const common::Interrupted&) {
     if (report.variants[0].runs.empty()) throw;
     report.interrupted = true;
+  } catch (const Error& error) {
+    // The runs before it are worth as much as they were.
+    if (report.variants[0].runs.empty()) throw;
+    report.failure = error.what();
   }
   return report;
 }

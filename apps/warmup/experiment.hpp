@@ -54,10 +54,11 @@ struct ExperimentReport {
   /// both completed.
   bool same_rays = true;
   bool interrupted = false;  ///< by a signal: only the runs that came to their end before it
+  std::string failure;       ///< which run failed, and why: only those before it; empty: none did
 };
 
-/// Throws Error if a process fails, with its last line, and common::Interrupted if a signal comes
-/// before any run has come to its end.
+/// Throws Error, which names the process and has its last line, if one fails before any run has
+/// come to its end, and common::Interrupted if a signal comes before that.
 ExperimentReport run_experiment(const ExperimentOptions& options);
 
 /// The command line that makes a variant's plugin of a profile.

@@ -63,7 +63,8 @@ std::string page(const ExperimentReport& report, const std::string& title,
           std::string(
               "The same rays without the JIT (off), and with it in several ways, each run a "
               "process of its own, in turn. Medians over repetitions.") +
-          (report.interrupted ? " The experiment was interrupted." : "")) +
+          (report.interrupted ? " The experiment was interrupted." : "") +
+          (report.failure.empty() ? "" : " It ended early: " + report.failure + ".")) +
           table_of(report) + common::heading_html("Speed against time") +
           common::chart_html(speed) +
           common::heading_html("Share of the steps in specialised scenes") +

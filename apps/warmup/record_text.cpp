@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 [[noreturn]] void fail(const char* what) {
-  throw Error(std::string("a run's record is not usable: ") + what);
+  throw Error(std::string("its record is not usable: ") + what);
 }
 
 double amount(const Json& json) {

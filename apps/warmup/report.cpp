@@ -58,7 +58,9 @@ const auto cost_of = [](const RunFigures& r) { return std::optional(r.record.oth
 void print_table(const ExperimentReport& report) {
   std::printf("median (least to most) of %zu runs each%s\n\n",
               report.variants.empty() ? 0 : report.variants[0].runs.size(),
-              report.interrupted ? ", as far as they were made (interrupted)" : "");
+              report.interrupted        ? ", as far as they were made (interrupted)"
+              : !report.failure.empty() ? ", as far as they were made (one failed)"
+                                        : "");
   std::printf(
       "| run | M steps/s, whole run | speed-up in the end | break-even, s | 50%% of steps "
       "specialised, s | 90%%, s | share in the end | cost, s of processor |\n"
@@ -90,6 +92,7 @@ void print_table(const ExperimentReport& report) {
 
 Json to_json(const ExperimentReport& report) {
   Json json{{"interrupted", report.interrupted},
+            {"failure", report.failure.empty() ? Json() : Json(report.failure)},
             {"prepare_s", report.prepare_s},
             {"same_rays", report.same_rays}};
   Json& variants = json["variants"] = Json::array();

@@ -138,6 +138,34 @@ TEST_P(Signals, WarmupWritesTheRunsThatAreComplete) {
   EXPECT_NE(warmup.text().find("| off |"), std::string::npos) << warmup.text();
 }
 
+TEST(Signals, WarmupThatLosesARunWritesTheOthers) {
+  const TemporaryFolder folder, log;
+  Process warmup({NAVJIT_COMMAND, "warmup", detector, "--seconds", "1", "--repetitions", "1000",
+                  "--modes", "cold", "--report", folder.file("report.json"), "--csv",
+                  folder.file("points.csv"), "--html", folder.file("page.html")},
+                 log.file("log"));
+  std::set<pid_t> children;
+  pid_t last = 0;
+  ASSERT_TRUE(eventually([&] {
+    if (const pid_t child = child_of(warmup.pid()); child != 0 && children.insert(child).second) {
+      last = child;
+    }
+    return children.size() >= 3;
+  })) << warmup.text();
+  kill(last, SIGKILL);
+  EXPECT_EQ(warmup.wait(), 1) << warmup.text();
+  EXPECT_EQ(files_in(folder.path()),
+            (std::vector<std::string>{"page.html", "points.csv", "report.json"}));
+  const auto report = nlohmann::json::parse(read_file(folder.file("report.json")));
+  EXPECT_FALSE(report.at("interrupted"));
+  EXPECT_GE(report.at("variants").at(0).at("runs").size(), 1U);
+  const std::string failure = report.at("failure");
+  EXPECT_TRUE(failure.starts_with("run ")) << failure;
+  EXPECT_TRUE(failure.ends_with("': crashes (signal 9)")) << failure;
+  EXPECT_NE(warmup.text().find("| off |"), std::string::npos) << warmup.text();
+  EXPECT_NE(warmup.text().find("navjit: " + failure), std::string::npos) << warmup.text();
+}
+
 TEST_P(Signals, AccuracyWritesTheRaysThatAreJudged) {
   Process accuracy({NAVJIT_COMMAND, "-v", "accuracy", detector, "--rays", "1e6", "--threads", "2",
                     "--vecgeom", "off", "--report", folder_.file("report.json")},

@@ -164,6 +164,8 @@ TEST(WarmupCommand, SaysWhatIsWrongBeforeItMeasures) {
   fails(detector + " --seconds -1", 2, "--seconds");
   fails(detector + " --seconds nan", 2, "--seconds");
   fails(detector + " --interval 0", 2, "--interval");
+  fails(detector + " --interval 0.001 --seconds 250", 2, "give 0.0013 or more");
+  fails(detector + " --interval 0.001 --seconds 1 --prime 3600", 2, "--interval");
   fails(detector + " --repetitions 0", 2, "--repetitions");
   fails(detector + " --modes warm", 2, "--modes");
   fails(detector + " --opt 4", 2, "--opt");
