@@ -102,9 +102,8 @@ void time_levels(std::vector<LevelEngine>& levels, const World& world, const std
       const double start = common::thread_ns();
       const std::optional<std::uint64_t> steps = transport_all(navigators[l], world, rays);
       const double ns = common::thread_ns() - start;
-      if (r >= 0 && steps) {
-        times[l].push_back(ns / static_cast<double>(std::max<std::uint64_t>(*steps, 1)));
-      }
+      // Rays that make no step tell nothing of what a step costs.
+      if (r >= 0 && steps.value_or(0) > 0) times[l].push_back(ns / static_cast<double>(*steps));
     }
   }
   for (std::size_t l = 0; l < levels.size(); ++l) {

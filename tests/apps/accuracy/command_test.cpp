@@ -64,6 +64,21 @@ TEST_F(AccuracyCommand, HoldsEveryStepAgainstTheReference) {
   }
 }
 
+TEST_F(AccuracyCommand, TellsNoSpeedOfRaysThatMakeNoStep) {
+  write_plates(file("plates.gdml"));
+  write_file(file("outside.csv"), "x,y,z,dx,dy,dz\n1e6,0,0,1,0,0\n1e6,0,0,0,1,0\n");
+  const Output output =
+      run_navjit("accuracy " + file("plates.gdml") + " --rays " + file("outside.csv") +
+                 " --repetitions 2 --boundaries 0 --vecgeom off --report " + file("report.json"));
+  ASSERT_EQ(output.status, 0) << output.text;
+  EXPECT_NE(output.text.find("| generic | 2 | 0 | 0 | - |"), npos) << output.text;
+  const auto report = nlohmann::json::parse(read_file(file("report.json")));
+  for (const auto& engine : report.at("engines")) {
+    EXPECT_EQ(engine.at("rays_outside"), 2);
+    EXPECT_TRUE(engine.at("ns_per_step").is_null()) << engine["ns_per_step"];
+  }
+}
+
 TEST_F(AccuracyCommand, WritesReportsOfFilesWithAnyName) {
   write_plates(file("d\xff.gdml"));
   for (const char* observe : {"", " --observe materials"}) {
