@@ -106,7 +106,8 @@ RunFigures figures_of(RunRecord record, const RunRecord& off) {
   figures.steps_per_second = rate(r.series, 0, end);
   const double off_end = off.series.empty() ? 0 : off.series.back().seconds;
   const double off_rate = processor_rate(off.series, 0.75 * off_end, off_end);
-  figures.speed_up = off_rate > 0 ? processor_rate(r.series, 0.75 * end, end) / off_rate : 0;
+  const double own_rate = processor_rate(r.series, 0.75 * end, end);
+  if (off_rate > 0 && own_rate > 0) figures.speed_up = own_rate / off_rate;
   return figures;
 }
 

@@ -39,7 +39,9 @@ struct RunFigures {
   std::optional<double> break_even_s, half_s, most_s;  ///< of shares 50% and 90%
   double share = 0;             ///< of steps in scenes that are specialised in the end
   double steps_per_second = 0;  ///< whole run
-  double speed_up = 0;  ///< of the last quarter, in processor time of the navigating threads
+  /// Of the last quarter, in processor time of the navigating threads; nothing if one of both runs
+  /// made no step there.
+  std::optional<double> speed_up;
 };
 
 struct VariantReport {

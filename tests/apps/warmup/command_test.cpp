@@ -73,9 +73,11 @@ TEST(WarmupCommand, ComparesTheWaysToStart) {
       const auto& series = run.at("series");
       points += series.size();
       EXPECT_EQ(series.back().at(1), run.at("steps"));
+      EXPECT_EQ(series.back().at(2), run.at("navigating_s"));
       for (std::size_t i = 1; i < series.size(); ++i) {
         EXPECT_GT(series[i].at(0), series[i - 1].at(0));
         EXPECT_GE(series[i].at(1), series[i - 1].at(1));
+        EXPECT_GE(series[i].at(2), series[i - 1].at(2)) << "processor time";
       }
       double share = 0;
       for (const auto& swap : run.at("swaps")) share += swap.at(1).get<double>();
@@ -95,10 +97,11 @@ TEST(WarmupCommand, ComparesTheWaysToStart) {
   std::istringstream csv(read_file(folder.file("points.csv")));
   std::string line;
   std::getline(csv, line);
-  EXPECT_EQ(line, "variant,repetition,seconds,steps,steps_per_second,specialised_share");
+  EXPECT_EQ(line,
+            "variant,repetition,seconds,steps,steps_per_second,specialised_share,processor_s");
   std::size_t lines = 0;
   while (std::getline(csv, line)) {
-    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 5);
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 6);
     ++lines;
   }
   EXPECT_EQ(lines, points);

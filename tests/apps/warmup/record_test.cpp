@@ -127,8 +127,17 @@ TEST(Figures, ComeFromTheRecords) {
   EXPECT_EQ(figures.half_s, 1.0);
   EXPECT_EQ(figures.most_s, 2.0);
   EXPECT_DOUBLE_EQ(figures.share, 0.95);
-  EXPECT_DOUBLE_EQ(figures.speed_up, 4) << "in processor time";
+  ASSERT_TRUE(figures.speed_up);
+  EXPECT_DOUBLE_EQ(*figures.speed_up, 4) << "in processor time";
   EXPECT_DOUBLE_EQ(figures.steps_per_second, 162.5);
+}
+
+TEST(Figures, OfARunThatMadeNoStepHaveNoSpeedUp) {
+  RunRecord off, late;
+  off.series = {{0, 0, 0}, {0.1, 400, 0.1}};
+  late.series = {{0, 0, 0}, {0.2, 0, 0}, {0.20001, 0, 0.00001}};  // its plugin took all the time
+  EXPECT_FALSE(figures_of(late, off).speed_up);
+  EXPECT_FALSE(figures_of(off, late).speed_up);
 }
 
 }  // namespace
