@@ -95,6 +95,19 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// Each plane once: half a turn begins and ends in the same plane.
+std::vector<Plane> without_equals(const std::vector<Plane>& planes) {
+  std::vector<Plane> kept;
+  for (const Plane& f : planes) {
+    const bool known = std::any_of(kept.begin(), kept.end(), [&](const Plane& g) {
+      return std::abs(f.a - g.a) + std::abs(f.b - g.b) + std::abs(f.c - g.c) < 1e-12 &&
+             std::abs(f.d - g.d) <= 1e-12 * (std::abs(f.d) + std::abs(g.d)) + 1e-12;
+    });
+    if (!known) kept.push_back(f);
+  }
+  return kept;
+}
+
 /// Where three planes meet; nothing if they are parallel to a line.
 std::optional<Vec3> meeting_of(const Plane& f, const Plane& g, const Plane& h) {
   const Vec3 a{f.a, f.b, f.c}, b{g.a, g.b, g.c}, c{h.a, h.b, h.c};
@@ -157,7 +170,7 @@ Solid make_hull(std::string name, std::vector<Plane> planes, const Extent& exten
 }  // namespace detail
 
 double SolidFacts<kernels::Hull<double>>::volume(const Shape& s) {
-  const std::vector<Plane> planes(s.planes, s.planes + s.count);
+  const std::vector<Plane> planes = without_equals({s.planes, s.planes + s.count});
   if (const std::vector<Vec3> corners = corners_of(planes); corners.size() > 3) {
     Vec3 middle{0, 0, 0};
     for (const Vec3& p : corners) middle += (1.0 / static_cast<double>(corners.size())) * p;

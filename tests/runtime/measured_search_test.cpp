@@ -168,9 +168,9 @@ std::shared_ptr<const World> plates_and_a_stack() {
   world.top = tests::add_volume(world, "world", make_box("world", 60, 40, 30));
   const VolumeId plate = tests::add_volume(world, "plate", make_box("plate", 40, 40, 1.5));
   for (int i = 0; i < 12; ++i) tests::place(world, world.top, plate, {-20, 0, 5.0 * i - 27.5});
-  const VolumeId stack = tests::add_volume(world, "stack", make_box("stack", 6, 6, 12));
+  const VolumeId stack = tests::add_volume(world, "stack", make_box("stack", 12, 12, 12));
   tests::place(world, world.top, stack, {45, 0, 0});
-  const VolumeId sheet = tests::add_volume(world, "sheet", make_box("sheet", 6, 6, 0.5));
+  const VolumeId sheet = tests::add_volume(world, "sheet", make_box("sheet", 12, 12, 0.5));
   for (int i = 0; i < 12; ++i) tests::place(world, stack, sheet, {0, 0, 2.0 * i - 11});
   finish(world);
   return std::make_shared<const World>(std::move(world));
@@ -192,7 +192,7 @@ TEST(MeasuredSearch, IsRememberedOfScenesThatOnlyOtherCodeContains) {
     const auto stack = std::find_if(report.scenes.begin(), report.scenes.end(),
                                     [](const SceneReport& s) { return s.volume == "stack"; });
     ASSERT_NE(stack, report.scenes.end());
-    ASSERT_EQ(stack->binding, Binding::data);
+    ASSERT_EQ(stack->binding, Binding::data) << stack->steps << " steps";
     hot = specialised(first);
     ASSERT_GE(hot, 1U);
   }
