@@ -54,7 +54,7 @@ std::string wrong_usage(const CLI::App& app, const CLI::Error& error) {
     name = at->get_name() + " " + name;
   }
   std::string what = error.what();
-  if (error.get_name() == "RequiredError") {
+  if (error.get_name() == "RequiredError" || error.get_name() == "ExtrasError") {
     const std::vector<std::string> left = app.remaining(true);
     const bool wants_command = command.get_require_subcommand_min() > 0;
     for (const std::string& word : left) {

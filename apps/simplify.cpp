@@ -9,6 +9,7 @@
 #include "apps/options/observe.hpp"
 #include "apps/options/observed_report.hpp"
 #include "apps/options/outputs.hpp"
+#include "apps/run/machine.hpp"
 #include "common/text.hpp"
 #include "navjit/gdml.hpp"
 #include "navjit/version.hpp"
@@ -65,7 +66,7 @@ int simplify(const Options& options) {
                    const nlohmann::ordered_json json{{"version", version()},
                                                      {"detector", options.detector.file},
                                                      {"observe", to_json(seen)}};
-                   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+                   return report_text(json);
                  });
                }});
   return 0;

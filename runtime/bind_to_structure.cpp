@@ -50,8 +50,13 @@ std::map<cache::Digest, Alike> find_structures(Specialisation& spec, bool all) {
     const ScenePlan plan = plan_scene(geometry, spec.facts, volume);
     const double compile_ms =
         solid_ms * static_cast<double>(codegen::solids_of_structure(geometry, plan));
-    if (!codegen::gains_from_structure(geometry, plan) || compile_ms > longest_module_ms) {
+    const bool gains = codegen::gains_from_structure(geometry, plan);
+    if (!gains || compile_ms > longest_module_ms) {
       spec.structure_tried.insert(volume);
+      if (gains) {
+        spec.shared->log->debug("event=structure_too_large scene={} expected_ms={:.0f}",
+                                in_quotes(geometry.world().volumes[v].name), compile_ms);
+      }
       continue;
     }
     auto known = spec.structures_of.find(volume);

@@ -8,6 +8,7 @@
 #include "runtime/compile.hpp"
 #include "runtime/install.hpp"
 #include "runtime/log_text.hpp"
+#include "runtime/measured_search.hpp"
 
 namespace navjit {
 namespace {
@@ -77,8 +78,8 @@ double expected_ms(Specialisation& spec, const Batch& batch) {
   return sum;
 }
 
-std::vector<Batch> without_module(Specialisation& spec, const Batch& batch,
-                                  const Failure& failure) {
+std::vector<ListedModule> without_module(Specialisation& spec, const Batch& batch,
+                                         const Failure& failure) {
   const std::string& why = failure.message;
   if (nothing_more(spec, failure)) {
     for (const VolumeId volume : batch) note(spec, volume, SceneStatus::generic, why);
@@ -86,10 +87,10 @@ std::vector<Batch> without_module(Specialisation& spec, const Batch& batch,
   }
   if (batch.size() > 1) {
     // One of the scenes may have spoilt the module for all of them.
-    std::vector<Batch> made;
+    std::vector<ListedModule> made;
     for (const VolumeId volume : batch) {
       if (spec.hopeless || spec.stopping()) break;
-      for (Batch& alone : make_modules(spec, {volume})) made.push_back(std::move(alone));
+      for (ListedModule& alone : make_modules(spec, {volume})) made.push_back(std::move(alone));
     }
     return made;
   }
@@ -123,13 +124,15 @@ codegen::Module generate(Specialisation& spec, const Batch& batch, bool along_fa
   return codegen::generate(spec.shared->geometry, spec.facts, batch, leaves);
 }
 
-std::vector<Batch> make_modules(Specialisation& spec, const Batch& batch) {
+std::vector<ListedModule> make_modules(Specialisation& spec, const Batch& batch) {
   const double start = steady_seconds(), own_start = spec.own_seconds();
   codegen::Module module =
       generate(spec, batch, takes_rays_along_faces(spec, batch), leaves_of(spec, batch));
+  // While it is compiled, other searches may be measured.
+  const ListedModule listed = to_be_listed(spec, batch);
   if (spec.shared->faults.edit_source) spec.shared->faults.edit_source(module.source);
   if (auto found = spec.maker->find(module.source)) {
-    if (install(spec, module, std::move(found->code), true, start)) return {batch};
+    if (install(spec, module, std::move(found->code), true, start)) return {listed};
     if (spec.stopping()) return {};
     spec.maker->reject(module.source);
   }
@@ -155,7 +158,7 @@ std::vector<Batch> make_modules(Specialisation& spec, const Batch& batch) {
   if (install(spec, module, std::move(made->code), false, start)) {
     spec.maker->keep(module.source, label_of(spec.shared->geometry.world(), batch), made->object);
   }
-  return {batch};
+  return {listed};
 }
 
 }  // namespace navjit

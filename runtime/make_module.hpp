@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "codegen/module.hpp"
+#include "runtime/module_list.hpp"
 #include "runtime/specialisation.hpp"
 
 namespace navjit {
@@ -25,8 +26,8 @@ void count_in_vain(Specialisation& spec, double start);
 bool nothing_more(Specialisation& spec, const Failure& failure);
 
 /// Takes a module from the cache, or compiles it, and installs it. If it does not compile, each of
-/// its scenes is tried alone. Returns the modules that were made, by their scenes; none if the run
-/// ended first.
-std::vector<Batch> make_modules(Specialisation& spec, const Batch& batch);
+/// its scenes is tried alone. Returns the modules that were made, as they are to be listed; none if
+/// the run ended first.
+std::vector<ListedModule> make_modules(Specialisation& spec, const Batch& batch);
 
 }  // namespace navjit

@@ -88,9 +88,8 @@ void install_remembered(Specialisation& spec) {
 
 namespace {
 
-void remember(Specialisation& spec, const std::vector<VolumeId>& batch) {
+void remember(Specialisation& spec, ListedModule listed) {
   if (!spec.maker->has_cache() || spec.shared->options.jit == JitMode::wait) return;
-  ListedModule listed = to_be_listed(spec, batch);
   ModuleList& list = spec.module_list;
   if (std::find(list.begin(), list.end(), listed) == list.end()) list.push_back(std::move(listed));
   // Other runs of the same detector may meanwhile have found other scenes.
@@ -106,7 +105,7 @@ void remember(Specialisation& spec, const std::vector<VolumeId>& batch) {
 void make_and_remember(Specialisation& spec, const std::vector<VolumeId>& batch) {
   const std::vector<VolumeId> worth = worth_trying(spec, batch);
   if (worth.empty()) return;
-  for (const Batch& made : make_modules(spec, worth)) remember(spec, made);
+  for (ListedModule& made : make_modules(spec, worth)) remember(spec, std::move(made));
 }
 
 }  // namespace navjit

@@ -12,6 +12,7 @@
 #include "apps/options/outputs.hpp"
 #include "common/choices.hpp"
 #include "common/text.hpp"
+#include "geometry/root/names.hpp"
 #include "navjit/builder.hpp"
 #include "navjit/gdml.hpp"
 #include "navjit/root.hpp"
@@ -43,8 +44,9 @@ Vec3 world_of(const Extent& extent) {
 int import_surface(const Options& options) {
   Output out(options.out);
   Surface surface = read_surface(options.file, {.unit = options.unit});
-  const std::string name =
-      !options.name.empty() ? options.name : std::filesystem::path(options.file).stem().string();
+  // Files may be called anything, and XML cannot hold everything.
+  const std::string name = root::readable(
+      !options.name.empty() ? options.name : std::filesystem::path(options.file).stem().string());
   if (const std::string open = open_at(surface); !open.empty()) {
     throw SurfaceError(common::printable(options.file) + ": " + open +
                        "; close the surface in the program that wrote it");

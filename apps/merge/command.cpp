@@ -11,6 +11,7 @@
 #include "apps/commands.hpp"
 #include "apps/merge/reports.hpp"
 #include "apps/options/outputs.hpp"
+#include "apps/run/machine.hpp"
 #include "common/text.hpp"
 #include "files/output_file.hpp"
 #include "geometry/input_file.hpp"
@@ -38,7 +39,7 @@ int merge_files(const Options& options) {
     }
   }
   const nlohmann::ordered_json merged = merger.merged();
-  out.write(merged.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+  out.write(report_text(merged));
   out.finish();
   std::printf("%zu reports: %llu rays, %llu steps%s\n", options.reports.size(),
               merged["rays"].get<unsigned long long>(), merged["steps"].get<unsigned long long>(),

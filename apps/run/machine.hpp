@@ -20,7 +20,7 @@ struct Machine {
 };
 Machine this_machine();
 
-/// "version", "command" and "machine", with which every report begins.
+/// "version", "command" and "machine", with which the reports of run, warmup and accuracy begin.
 nlohmann::ordered_json circumstances_json();
 
 /// A report as the text of its file. Names of files and volumes may be no UTF-8, which JSON cannot

@@ -119,21 +119,31 @@ std::optional<Vec3> meeting_of(const Plane& f, const Plane& g, const Plane& h) {
   return p;
 }
 
+/// The volume within four planes, from the corners where three of them meet.
+double tetrahedron(const std::vector<Plane>& f) {
+  const std::optional<Vec3> corners[] = {meeting_of(f[1], f[2], f[3]), meeting_of(f[0], f[2], f[3]),
+                                         meeting_of(f[0], f[1], f[3]),
+                                         meeting_of(f[0], f[1], f[2])};
+  for (const std::optional<Vec3>& corner : corners) {
+    if (!corner) return 0;  // without a volume, or without an end
+  }
+  const Vec3 u = *corners[1] - *corners[0], v = *corners[2] - *corners[0],
+             w = *corners[3] - *corners[0];
+  return std::abs(dot(u, cross(v, w))) / 6;
+}
+
 /// The corners of a body with few faces, which may be flat: nearly parallel faces say little about
 /// how far it reaches.
 std::vector<Vec3> corners_of(const std::vector<Plane>& planes) {
   std::vector<Vec3> corners;
   constexpr std::size_t most_faces = 16;
   if (planes.size() > most_faces) return corners;
-  // Parallel faces seem to meet somewhere very far away, by rounding.
-  double farthest = 0;
-  for (const Plane& f : planes) farthest = std::max(farthest, std::abs(f.d));
   for (std::size_t i = 0; i < planes.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       for (std::size_t k = 0; k < j; ++k) {
         const std::optional<Vec3> p = meeting_of(planes[i], planes[j], planes[k]);
         if (!p) continue;
-        const double rounding = 1e-12 + 1e-7 * std::min(norm(*p), farthest);
+        const double rounding = 1e-12 + 1e-9 * norm(*p);
         const bool holds = std::all_of(planes.begin(), planes.end(),
                                        [&](const Plane& f) { return distance(f, *p) <= rounding; });
         if (holds) corners.push_back(*p);
@@ -171,6 +181,7 @@ Solid make_hull(std::string name, std::vector<Plane> planes, const Extent& exten
 
 double SolidFacts<kernels::Hull<double>>::volume(const Shape& s) {
   const std::vector<Plane> planes = without_equals({s.planes, s.planes + s.count});
+  if (planes.size() == 4) return tetrahedron(planes);
   if (const std::vector<Vec3> corners = corners_of(planes); corners.size() > 3) {
     Vec3 middle{0, 0, 0};
     for (const Vec3& p : corners) middle += (1.0 / static_cast<double>(corners.size())) * p;

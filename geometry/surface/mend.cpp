@@ -1,9 +1,7 @@
-// Shells of a surface that face the wrong way for their place, or that make no difference.
+// Shells of a surface that face the wrong way, and triangles that are there twice.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <numeric>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -22,92 +20,84 @@ using Triangle = Surface::Triangle;
 
 struct Shell {
   std::vector<std::uint32_t> triangles{};
-  Solid body{};       ///< what it encloses, whichever way it faces; none if that is nothing
+  Extent box{};
   double volume = 0;  ///< mm3; negative if it faces inwards
-  std::vector<std::uint32_t> around{};  ///< shells that it lies within
-  bool idle = false;                    ///< it encloses only what is so or so enclosed
-
-  bool encloses() const { return body.shape != nullptr; }
 };
 
-Shell shell_of(const Surface& surface, std::vector<std::uint32_t> triangles) {
-  std::vector<Vec3> corners;
-  std::vector<kernels::Facet> facets;
+/// A shell's own corners, and its triangles by their numbers.
+struct Body {
+  std::vector<Vec3> corners{};
+  std::vector<kernels::Facet> facets{};
+};
+Body body_of(const Surface& surface, const std::vector<std::uint32_t>& triangles) {
+  Body body;
   std::unordered_map<std::uint32_t, int> number;
   for (const std::uint32_t t : triangles) {
     std::array<int, 3> local{};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t corner = surface.triangles[t][k];
-      const auto [found, added] = number.try_emplace(corner, static_cast<int>(corners.size()));
-      if (added) corners.push_back(surface.corners[corner]);
+      const auto [found, added] = number.try_emplace(corner, static_cast<int>(body.corners.size()));
+      if (added) body.corners.push_back(surface.corners[corner]);
       local[k] = found->second;
     }
-    facets.push_back({local[0], local[1], local[2]});
+    body.facets.push_back({local[0], local[1], local[2]});
   }
+  return body;
+}
+
+Shell shell_of(const Surface& surface, std::vector<std::uint32_t> triangles) {
+  const Body body = body_of(surface, triangles);
+  kernels::Facets<double> shape{};
+  shape.corners = body.corners.data();
+  shape.facets = body.facets.data();
+  shape.facet_count = static_cast<int>(body.facets.size());
   Shell shell{.triangles = std::move(triangles)};
-  kernels::Facets<double> plain{};
-  plain.corners = corners.data();
-  plain.facets = facets.data();
-  plain.facet_count = static_cast<int>(facets.size());
-  shell.volume = SolidFacts<kernels::Facets<double>>::volume(plain);
-  try {
-    shell.body = detail::make_facets("shell", std::move(corners), std::move(facets), nullptr);
-  } catch (const GeometryError&) {
-    // It is flat or tiny. Wherever it lies, it changes nothing.
+  shell.volume = SolidFacts<kernels::Facets<double>>::volume(shape);
+  shell.box = {body.corners.front(), body.corners.front()};
+  for (const Vec3& p : body.corners) {
+    shell.box.min = {std::min(shell.box.min.x, p.x), std::min(shell.box.min.y, p.y),
+                     std::min(shell.box.min.z, p.z)};
+    shell.box.max = {std::max(shell.box.max.x, p.x), std::max(shell.box.max.y, p.y),
+                     std::max(shell.box.max.z, p.z)};
   }
   return shell;
 }
 
-/// How many corners of one shell are where, as another shell sees them.
-struct Seen {
-  std::uint32_t inside = 0, surface = 0;
-};
-
-/// Two shells, by their numbers.
-using Pair = std::array<std::size_t, 2>;
-
-kernels::Side side_of(const Shell& shell, const Vec3& p) {
-  const Extent& e = shell.body.extent;
-  const double size = std::max({e.max.x - e.min.x, e.max.y - e.min.y, e.max.z - e.min.z});
-  const auto& body = *static_cast<const kernels::Facets<double>*>(shell.body.shape.get());
-  return kernels::inside(body, p, 1e-9 * size);
-}
-
-/// Finds out which shells lie within which, by up to 64 corners of each. Returns those that cross.
-std::vector<Pair> nest(const Surface& surface, std::vector<Shell>& shells) {
-  // A box with min > max is that of a shell which encloses nothing.
-  std::vector<Extent> boxes;
-  for (const Shell& s : shells) {
-    boxes.push_back(s.encloses() ? s.body.extent : Extent{{1, 1, 1}, {0, 0, 0}});
+/// The shells of each part: those whose boxes meet, directly or by way of others. Only these can
+/// have to do with one another.
+std::vector<std::vector<std::size_t>> parts_of(const std::vector<Shell>& shells) {
+  // Boxes that merely touch do not meet.
+  std::vector<Extent> inner;
+  for (const Shell& shell : shells) {
+    const Vec3 margin = 1e-4 * (shell.box.max - shell.box.min);
+    inner.push_back({shell.box.min + margin, shell.box.max - margin});
   }
-  const bvh::BoxTree tree(boxes, 0, bvh::default_method(boxes.size()));
-  std::vector<Pair> crossing;
-  for (std::size_t i = 0; i < shells.size(); ++i) {
-    if (!shells[i].encloses()) continue;
-    const std::vector<std::uint32_t>& triangles = shells[i].triangles;
-    const std::size_t stride = (triangles.size() + 63) / 64;
-    std::map<std::size_t, Seen> others;
-    std::uint32_t asked = 0;
-    for (std::size_t t = 0; t < triangles.size(); t += stride, ++asked) {
-      const Vec3& p = surface.corners[surface.triangles[triangles[t]][0]];
-      tree.containing(p, [&](std::uint32_t j) {
-        if (j == i || !shells[j].encloses()) return true;
-        const kernels::Side side = side_of(shells[j], p);
-        if (side == kernels::Side::inside) ++others[j].inside;
-        if (side == kernels::Side::surface) ++others[j].surface;
-        return true;
+  const bvh::BoxTree boxes(inner, 0, bvh::default_method(inner.size()));
+  // Where very many boxes meet, all shells are one part: nothing is turned that might be right.
+  constexpr std::size_t most_meetings = 20'000'000;
+  std::vector<std::size_t> part(shells.size(), shells.size());
+  std::vector<std::vector<std::size_t>> parts;
+  std::size_t meetings = 0;
+  for (std::size_t first = 0; first < shells.size(); ++first) {
+    if (part[first] != shells.size()) continue;
+    const std::size_t own = parts.size();
+    std::vector<std::size_t>& members = parts.emplace_back();
+    members.push_back(first);
+    part[first] = own;
+    for (std::size_t next = 0; next < members.size(); ++next) {
+      boxes.overlapping(inner[members[next]], [&](std::uint32_t k) {
+        if (part[k] == shells.size()) {
+          part[k] = own;
+          members.push_back(k);
+        }
+        return ++meetings < most_meetings;
       });
     }
-    for (const auto& [j, seen] : others) {
-      if (seen.inside == 0) continue;
-      if (seen.inside + seen.surface == asked) {
-        shells[i].around.push_back(j);
-      } else {
-        crossing.push_back({i, j});
-      }
-    }
   }
-  return crossing;
+  if (meetings < most_meetings) return parts;
+  parts.assign(1, {});
+  for (std::size_t k = 0; k < shells.size(); ++k) parts[0].push_back(k);
+  return parts;
 }
 
 std::string name_of(const Surface& surface, const Shell& shell) {
@@ -118,25 +108,8 @@ std::string name_of(const Surface& surface, const Shell& shell) {
          std::to_string(surface.origins[first]);
 }
 
-/// What was done to some shells, of which one is named.
-class Note {
- public:
-  void add(const Surface& surface, const Shell& shell) {
-    if (count_++ == 0) first_ = name_of(surface, shell);
-  }
-  void write(const std::string& what, std::vector<std::string>& notes) const {
-    if (count_ == 0) return;
-    notes.push_back(std::to_string(count_) + (count_ == 1 ? " shell " : " shells ") + what +
-                    (count_ == 1 ? ": " : "; the first is ") + first_);
-  }
-
- private:
-  std::size_t count_ = 0;
-  std::string first_;
-};
-
-/// Leaves out triangles that another one repeats, if what is left is closed. Returns how many.
-std::size_t drop_doubled(Surface& surface) {
+/// Leaves out triangles that another one repeats, if what is left is closed.
+void drop_doubled(Surface& surface, std::vector<std::string>& notes) {
   Surface single = surface;
   single.triangles.clear();
   single.origins.clear();
@@ -149,30 +122,87 @@ std::size_t drop_doubled(Surface& surface) {
     if (!surface.origins.empty()) single.origins.push_back(surface.origins[i]);
   }
   const std::size_t doubled = surface.triangles.size() - single.triangles.size();
-  if (doubled == 0 || !open_at(single).empty()) return 0;
-  surface = std::move(single);
-  return doubled;
+  if (doubled == 0) return;
+  const std::string what = std::to_string(doubled) + " triangles are there twice";
+  if (open_at(single).empty()) {
+    surface = std::move(single);
+    notes.push_back(what + ": the second ones are left out");
+  } else {
+    notes.push_back(what +
+                    ", and the surface is open without them: a part that touches another "
+                    "one there seems to face inwards, and stays so");
+  }
 }
 
-/// Turns shells, and leaves out those that are idle.
-void keep_what_counts(Surface& surface, const std::vector<Shell>& shells,
-                      const std::vector<bool>& turned) {
-  std::vector<bool> left_out(surface.triangles.size());
-  for (std::size_t i = 0; i < shells.size(); ++i) {
-    for (const std::uint32_t t : shells[i].triangles) {
-      left_out[t] = shells[i].idle;
-      if (turned[i]) std::swap(surface.triangles[t][1], surface.triangles[t][2]);
+/// Turns the parts that are inside out: holes are smaller than what they are in, so that the shells
+/// of a part enclose more than nothing together.
+void turn(Surface& surface, const std::vector<Shell>& shells,
+          const std::vector<std::vector<std::size_t>>& parts, std::vector<std::string>& notes) {
+  std::size_t turned = 0;
+  std::string first;
+  for (const std::vector<std::size_t>& part : parts) {
+    double volume = 0;
+    for (const std::size_t k : part) volume += shells[k].volume;
+    if (!(volume < 0)) continue;
+    for (const std::size_t k : part) {
+      for (const std::uint32_t t : shells[k].triangles) {
+        std::swap(surface.triangles[t][1], surface.triangles[t][2]);
+      }
     }
+    if (turned == 0) first = name_of(surface, shells[part.front()]);
+    turned += part.size();
   }
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < left_out.size(); ++t) {
-    if (left_out[t]) continue;
-    surface.triangles[kept] = surface.triangles[t];
-    if (!surface.origins.empty()) surface.origins[kept] = surface.origins[t];
-    ++kept;
+  if (turned == 0) return;
+  notes.push_back(std::to_string(turned) +
+                  (turned == 1 ? " shell was inside out and is turned: "
+                               : " shells were inside out and are turned; the first is ") +
+                  first);
+}
+
+/// Names shells that overlap others that face as they do, and holes that reach out of the body, by
+/// up to 16 corners of each. Navigation takes everything for one body, but volumes add up.
+void look_for_overlaps(const Surface& surface, const std::vector<Shell>& shells,
+                       const bvh::BoxTree& boxes, std::vector<std::string>& notes) {
+  std::size_t questions = 100'000;  // enough for what people look at, and quick
+  std::vector<Solid> bodies(shells.size());
+  const auto side_of = [&](std::size_t k, const Vec3& p) {
+    if (bodies[k].shape == nullptr) {
+      Body body = body_of(surface, shells[k].triangles);
+      bodies[k] =
+          detail::make_facets("shell", std::move(body.corners), std::move(body.facets), nullptr);
+    }
+    const auto& shape = *static_cast<const kernels::Facets<double>*>(bodies[k].shape.get());
+    return kernels::inside(shape, p, 1e-9 * norm(shells[k].box.max - shells[k].box.min));
+  };
+  std::size_t overlapping = 0;
+  std::string first;
+  for (std::size_t i = 0; i < shells.size() && questions > 0; ++i) {
+    const std::vector<std::uint32_t>& triangles = shells[i].triangles;
+    const std::size_t stride = (triangles.size() + 15) / 16;
+    bool overlaps = false;
+    for (std::size_t t = 0; t < triangles.size() && !overlaps; t += stride) {
+      const Vec3& p = surface.corners[surface.triangles[triangles[t]][0]];
+      int depth = 0;
+      bool known = true;
+      boxes.containing(p, [&](std::uint32_t k) {
+        if (k == i) return true;
+        if (questions == 0) return known = false;
+        --questions;
+        const kernels::Side side = side_of(k, p);
+        if (side == kernels::Side::surface) return known = false;
+        if (side == kernels::Side::inside) depth += shells[k].volume > 0 ? 1 : -1;
+        return true;
+      });
+      overlaps = known && (shells[i].volume > 0) == (depth > 0);
+    }
+    if (!overlaps) continue;
+    if (overlapping++ == 0) first = name_of(surface, shells[i]);
   }
-  surface.triangles.resize(kept);
-  if (!surface.origins.empty()) surface.origins.resize(kept);
+  if (overlapping == 0) return;
+  notes.push_back(std::to_string(overlapping) +
+                  (overlapping == 1 ? " shell overlaps" : " shells overlap") +
+                  " others, or is a hole that reaches out of them, and the volume is not exact: " +
+                  (overlapping == 1 ? "" : "the first is ") + first);
 }
 
 }  // namespace
@@ -183,54 +213,22 @@ std::vector<std::string> mend_shells(Surface& surface) {
   }
   if (surface.origins.size() != surface.triangles.size()) surface.origins.clear();
   std::vector<std::string> notes;
-  if (const std::size_t doubled = drop_doubled(surface); doubled > 0) {
-    notes.push_back(std::to_string(doubled) +
-                    " triangles are there twice: the second ones are left out");
-  }
+  drop_doubled(surface, notes);
   std::vector<Shell> shells;
   for (std::vector<std::uint32_t>& triangles : surface::split(surface.triangles)) {
-    shells.push_back(shell_of(surface, std::move(triangles)));
+    Shell shell = shell_of(surface, std::move(triangles));
+    // What encloses nothing changes nothing.
+    const double size = norm(shell.box.max - shell.box.min);
+    if (std::abs(shell.volume) > 1e-12 * size * size * size) shells.push_back(std::move(shell));
   }
-  const std::vector<Pair> crossing = nest(surface, shells);
-
-  // From the largest to the smallest, so that what is around a shell comes before it.
-  std::vector<std::size_t> order(shells.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::abs(shells[a].volume) > std::abs(shells[b].volume);
-  });
-  Note inside_out, idle;
-  std::vector<bool> turned(shells.size());
-  const auto step = [&](std::size_t k) { return (shells[k].volume > 0) != turned[k] ? 1 : -1; };
-  for (const std::size_t i : order) {
-    Shell& shell = shells[i];
-    if (!shell.encloses()) continue;
-    if (shell.around.empty()) {
-      turned[i] = shell.volume < 0;
-      if (turned[i]) inside_out.add(surface, shell);
-      continue;
-    }
-    // What lies within a shell that is inside out was written inside out with it.
-    turned[i] = turned[*std::max_element(
-        shell.around.begin(), shell.around.end(), [&](std::size_t a, std::size_t b) {
-          return std::abs(shells[a].volume) < std::abs(shells[b].volume);
-        })];
-    // A point is in the body if more shells around it face outwards than inwards.
-    int depth = 0;
-    for (const std::size_t k : shell.around) depth += step(k);
-    shell.idle = (depth > 0) == (depth + step(i) > 0);
-    if (shell.idle) idle.add(surface, shell);
-  }
-  inside_out.write("facing inwards, but within no other one: turned", notes);
-  idle.write("within others that makes no difference to the body: left out", notes);
-  if (!crossing.empty()) {
-    notes.push_back(std::to_string(crossing.size()) +
-                    " times a shell crosses another one, so that the volume between them counts "
-                    "twice; the first are " +
-                    name_of(surface, shells[crossing[0][0]]) + " and " +
-                    name_of(surface, shells[crossing[0][1]]));
-  }
-  keep_what_counts(surface, shells, turned);
+  if (shells.empty()) return notes;
+  std::vector<Extent> extents;
+  for (const Shell& shell : shells) extents.push_back(shell.box);
+  const bvh::BoxTree boxes(extents, 0, bvh::default_method(extents.size()));
+  turn(surface, shells, parts_of(shells), notes);
+  // As they are now.
+  for (Shell& shell : shells) shell = shell_of(surface, std::move(shell.triangles));
+  if (shells.size() > 1) look_for_overlaps(surface, shells, boxes, notes);
   return notes;
 }
 

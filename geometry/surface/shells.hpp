@@ -9,7 +9,8 @@
 namespace navjit::surface {
 
 /// The numbers of the triangles of each shell. Bodies that share an edge or a corner, but are
-/// closed without one another, are two shells. The triangles have to close on one another.
+/// closed without one another, are two shells; those that share whole triangles are one. The
+/// triangles have to close on one another.
 std::vector<std::vector<std::uint32_t>> split(const std::vector<Surface::Triangle>& triangles);
 
 }  // namespace navjit::surface

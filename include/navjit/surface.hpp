@@ -50,12 +50,11 @@ Surface read_surface(const std::filesystem::path& path, const SurfaceOptions& op
 /// often one way as the other, and how many such edges there are; empty if none. Thread-safe.
 std::string open_at(const Surface& surface);
 
-/// Makes each shell of a closed surface (a part that shares no edge with others) face the way that
-/// its place demands: one that is inside out is turned, with all that is in it, and one that makes
-/// no difference, within a body or within a hole, is left out. A shell within another one that
-/// faces inwards is a hole. Returns what was done, a sentence each, and names shells that cross one
-/// another, which stay as they are. Throws GeometryError where open_at() finds something.
-/// Thread-safe for different surfaces.
+/// Turns what is inside out in a closed surface: shells (parts that are closed without the others)
+/// that enclose less than nothing together with those whose boxes meet theirs. A shell that faces
+/// inwards in one that faces outwards is a hole, and stays. Triangles that are there twice are left
+/// out. Returns what was done, a sentence each, and names shells that overlap others. Throws
+/// GeometryError where open_at() finds something. Thread-safe for different surfaces.
 std::vector<std::string> mend_shells(Surface& surface);
 
 /// The body that a closed surface encloses. If all of the surface faces inwards it is turned.

@@ -174,6 +174,7 @@ TEST(Options, AnOptionThatIsNoneIsNamed) {
   refuses("trace " + detector + " --ray 100",
           "'--ray' is no option of trace; see navjit trace --help");
   refuses("picture " + detector + " --out t.png", "'--out' is no option of picture");
+  refuses("run --rayz 5 " + detector, "'--rayz' is no option of run");
   refuses("report merge a.json --output x.json", "'--output' is no option of report merge");
 }
 

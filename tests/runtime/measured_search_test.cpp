@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <mutex>
+#include <thread>
 
 #include "runtime/faulty_runtime.hpp"
 #include "tests/support/folder.hpp"
@@ -204,6 +207,56 @@ TEST(MeasuredSearch, IsRememberedOfScenesThatOnlyOtherCodeContains) {
   expect_right(second);
   EXPECT_EQ(specialised(second), hot);
   EXPECT_EQ(sources->text, "") << "all of it is in the cache";
+}
+
+/// Rays upwards, from x in this range.
+void shoot(Runtime& runtime, double from, double to, int rays) {
+  Navigator navigator = runtime.navigator();
+  for (int i = 0; i < rays; ++i) {
+    const Vec3 v{0.001, 0.002, 1}, start{from + (to - from) * (i % 97) / 97, 0.1 * (i % 7), -29.9};
+    tests::trace(navigator, Ray{start, (1 / norm(v)) * v}, runtime.world().tolerance);
+  }
+}
+
+TEST(MeasuredSearch, IsListedAsTheCodeHasIt) {
+  // While the world's code is compiled, the stack gets its measured search: the code has it not.
+  const std::shared_ptr<const World> world = plates_and_a_stack();
+  const tests::TemporaryFolder folder;
+  const auto sources = std::make_shared<Sources>();
+  std::size_t modules = 0;
+  {
+    FaultyOptions options = options_with(folder.path(), Candidates::scan, sources);
+    const auto faults = std::make_shared<Faults>(*options.faults);
+    std::atomic<bool> compiling{false}, go_on{false};
+    faults->compiling = [&] {
+      if (compiling.exchange(true)) return;
+      for (int i = 0; i < 4000 && !go_on; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      }
+    };
+    options.faults = faults;
+    FaultyRuntime first(world, options);
+    for (int i = 0; i < 400 && !compiling; ++i) shoot(first, -55, 15, 500);
+    ASSERT_TRUE(compiling);
+    bool bound = false;
+    for (int i = 0; i < 1000 && !bound; ++i) {
+      shoot(first, 35, 55, 20);
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      for (const SceneReport& scene : first.report().scenes) {
+        bound = bound || (scene.volume == "stack" && scene.binding == Binding::data);
+      }
+    }
+    EXPECT_TRUE(bound);
+    go_on = true;
+    first.wait_until_idle();
+    modules = first.report().modules;
+    ASSERT_GE(modules, 1U);
+  }
+  FaultyOptions patient = options_with(folder.path(), {}, sources);
+  patient.specialiser.min_steps = 1'000'000'000;
+  FaultyRuntime second(world, patient);
+  second.wait_until_idle();
+  EXPECT_EQ(second.report().cached_modules, modules);
 }
 
 }  // namespace

@@ -36,14 +36,22 @@ Vec3 angles_of(const double (&r)[9]) {
   return {x, y, std::atan2(r[2] * s - r[1] * c, r[4] * c - r[5] * s)};
 }
 
+bool mirrors(const Transformation& frame) { return determinant(frame.rotation) < 0; }
+
+Transformation without_mirror(const Transformation& frame) {
+  Transformation proper = frame;
+  for (int i = 6; i < 9; ++i) proper.rotation[i] = 0 - frame.rotation[i];
+  proper.rotated = true;
+  return proper;
+}
+
 std::string placement_text(const std::string& name, const Transformation& frame) {
-  if (!(determinant(frame.rotation) < 0)) {
+  if (!mirrors(frame)) {
     return frame_text(name, frame.translation, frame.rotation, frame.rotated);
   }
   // The reader multiplies the last row by -1.
-  double proper[9];
-  for (int i = 0; i < 9; ++i) proper[i] = i < 6 ? frame.rotation[i] : 0 - frame.rotation[i];
-  return frame_text(name, frame.translation, proper, true) +
+  const Transformation proper = without_mirror(frame);
+  return frame_text(name, frame.translation, proper.rotation, true) +
          vector_text("scale", name, {1, 1, -1}, nullptr);
 }
 

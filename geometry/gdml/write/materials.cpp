@@ -51,14 +51,17 @@ WrittenMaterials write_materials(const World& world) {
     made.names.push_back(material.name.empty() ? "" : names.own(material.name));
   }
   // Elements that are made with a material are referred to by its name; no other has that name.
-  std::vector<bool> comes(world.elements.size());
+  // What refers to them has to come after them.
+  std::vector<bool> comes(world.elements.size()), in_use(world.elements.size());
   for (std::size_t m = 0; m < world.materials.size(); ++m) {
     const Material& material = world.materials[m];
-    if (!is_own_element(world, material) || made.names[m].empty()) continue;
-    const std::uint32_t element = material.elements[0].element;
-    if (comes[element]) continue;
-    comes[element] = true;
-    elements[element] = made.names[m];
+    const bool own = is_own_element(world, material) && !made.names[m].empty();
+    const std::uint32_t element = own ? material.elements[0].element : 0;
+    if (own && !comes[element] && !in_use[element]) {
+      comes[element] = true;
+      elements[element] = made.names[m];
+    }
+    for (const ElementShare& share : material.elements) in_use[share.element] = true;
   }
   NameBook isotope_names;
   std::string& out = made.text;

@@ -48,6 +48,14 @@ WrittenSolid SolidWriter::add_operand(const kernels::AnySolid<double>& solid,
     WrittenSolid inner = add_operand(placed.solid, name);
     const Transformation frame = make_transformation(placed.translation, placed.rotation);
     inner.frame = is_identity(inner.frame) ? frame : compose(frame, inner.frame);
+    if (mirrors(inner.frame)) {
+      // GDML mirrors no operands: the solid itself is mirrored.
+      const std::string own = names_.own(name + "_mirrored");
+      write("scaledSolid", own, "",
+            "<solidref" + attribute("ref", inner.name) + "/><scale" +
+                attributes({{"x", 1}, {"y", 1}, {"z", -1}}) + "/>");
+      inner = {own, without_mirror(inner.frame)};
+    }
     return inner;
   }
   const auto found = written_.find({solid.shape, solid.kind});

@@ -1,5 +1,8 @@
 // Writes a detector as a GDML file.
 #include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "geometry/gdml/write/frames.hpp"
 #include "geometry/gdml/write/materials.hpp"
@@ -22,6 +25,26 @@ void append(std::string& out, const Auxiliary& tag, const std::string& indent) {
   out += ">\n";
   for (const Auxiliary& child : tag.children) append(out, child, indent + "  ");
   out += indent + "</auxiliary>\n";
+}
+
+/// The same for regions: the volumes that they name have the names that they are written by, which
+/// may be several for volumes of one name.
+using WrittenNames = std::map<std::string, std::vector<std::string>>;
+Auxiliary with_written_names(const Auxiliary& tag, const WrittenNames& written) {
+  Auxiliary made = tag;
+  made.children.clear();
+  for (const Auxiliary& child : tag.children) {
+    const auto found = child.type == "volume" ? written.find(child.value) : written.end();
+    if (found == written.end()) {
+      made.children.push_back(with_written_names(child, written));
+      continue;
+    }
+    for (const std::string& name : found->second) {
+      made.children.push_back(child);
+      made.children.back().value = name;
+    }
+  }
+  return made;
 }
 
 void append(std::string& out, const Auxiliaries& tags, const std::string& indent) {
@@ -61,10 +84,12 @@ std::string gdml_text(const Detector& detector) {
   SolidWriter solids;
   NameBook names;
   std::vector<std::string> volumes(world.volumes.size());
+  WrittenNames written;
   std::string structure;
   for (const VolumeId id : daughters_first(world)) {
     const LogicalVolume& volume = world.volumes[id];
     volumes[id] = names.own(volume.name);
+    written[volume.name].push_back(volumes[id]);
     const std::string solid = solids.add(volume.solid);
     structure += "    <volume" + attribute("name", volumes[id]) + ">\n";
     const bool has_material =
@@ -93,7 +118,9 @@ std::string gdml_text(const Detector& detector) {
   out += "  <structure>\n" + structure + "  </structure>\n";
   if (world.auxiliaries) {
     out += "  <userinfo>\n";
-    append(out, world.auxiliaries, "    ");
+    for (const Auxiliary& tag : *world.auxiliaries) {
+      append(out, with_written_names(tag, written), "    ");
+    }
     out += "  </userinfo>\n";
   }
   out += "  <setup name=\"Default\" version=\"1.0\"><world" + attribute("ref", volumes[world.top]) +

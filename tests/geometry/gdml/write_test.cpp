@@ -13,6 +13,7 @@
 #include "tests/geometry/gdml/same_traces.hpp"
 #include "tests/geometry/kernels/random_curved_solids.hpp"
 #include "tests/geometry/kernels/random_flat_solids.hpp"
+#include "tests/support/worlds.hpp"
 
 namespace navjit::testing {
 namespace {
@@ -308,6 +309,63 @@ TEST_F(GdmlWriter, WritesReflections) {
   const Detector again = read_back(detector);
   expect_same_tree(detector, again);
   expect_same_traces(*detector.model(), *again.model());
+}
+
+TEST_F(GdmlWriter, WritesMirroredOperands) {
+  SolidFrame mirrored;
+  rotation_from_angles(0.4, -0.8, 2.1, mirrored.rotation);
+  for (int i = 3; i < 6; ++i) mirrored.rotation[i] = -mirrored.rotation[i];
+  mirrored.translation[0] = 12;
+  const Solid wedge = make_tube("wedge", 0, 20, 10, 0, 1), box = make_box("box", 8, 6, 4);
+  const Solid placed = make_placed("placed", wedge, mirrored);
+  for (const Solid& solid :
+       {make_union("u", box, placed), make_union("v", placed, box),
+        make_subtraction("s", placed, box), make_intersection("i", placed, box), placed}) {
+    DetectorBuilder builder;
+    const auto air = builder.material({.name = "air", .density = 0.001});
+    const auto hall = builder.volume("hall", make_box("hall", 90, 90, 90), air);
+    builder.place(builder.volume("odd", solid, air), hall, {});
+    const Detector detector = builder.build(hall);
+    expect_same_traces(*detector.model(), *read_back(detector).model());
+  }
+}
+
+TEST_F(GdmlWriter, WritesElementsBeforeWhatRefersToThem) {
+  DetectorBuilder builder;
+  const auto hydrogen = builder.element({.name = "H", .z = 1, .a = 1.008});
+  const auto oxygen = builder.element({.name = "O", .z = 8, .a = 15.999});
+  Material water{.name = "Water", .density = 1};
+  water.elements = {{hydrogen, 0.112}, {oxygen, 0.888}};
+  Material gas{.name = "O", .density = 0.0013};
+  gas.elements = {{oxygen, 1}};
+  const auto wet = builder.material(water), thin = builder.material(gas);
+  const auto hall = builder.volume("hall", make_box("hall", 50, 50, 50), thin);
+  builder.place(builder.volume("drop", make_orb("drop", 5), wet), hall, {});
+  const Detector detector = builder.build(hall), again = read_back(detector);
+  expect_same_tree(detector, again);
+  EXPECT_EQ(gdml_text(again), gdml_text(read_back(again)));
+}
+
+TEST_F(GdmlWriter, NamesInRegionsAllVolumesOfTheName) {
+  World world;
+  world.top = tests::add_volume(world, "hall", make_box("hall", 50, 50, 50));
+  for (const double x : {-20.0, 20.0}) {
+    const VolumeId cell = tests::add_volume(world, "cell", make_box("cell", 5 + x / 10, 5, 5));
+    tests::place(world, world.top, cell, {x, 0, 0});
+  }
+  Auxiliary region{"Region", "inner"};
+  region.children.push_back({"volume", "cell"});
+  world.auxiliaries = std::make_shared<const std::vector<Auxiliary>>(1, region);
+  finish(world);
+  const Detector again = read_back(Detector(std::make_shared<const World>(std::move(world))));
+  ASSERT_TRUE(again.auxiliaries());
+  std::set<std::string> named;
+  for (const Auxiliary& child : again.auxiliaries()->at(0).children) named.insert(child.value);
+  for (VolumeId v = 0; v < again.volumes(); ++v) {
+    const std::string name(again.volume(v).name);
+    EXPECT_EQ(named.contains(name), name.starts_with("cell")) << name;
+  }
+  EXPECT_EQ(named.size(), 2U);
 }
 
 }  // namespace

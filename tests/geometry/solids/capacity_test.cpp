@@ -89,6 +89,28 @@ TEST(Capacity, OfFlatSolidsIsRight) {
   }
 }
 
+TEST(Capacity, OfFlatTetrahedraIsRightHoweverTheyAreTurned) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  const auto any = [&] { return Vec3{normal(random), normal(random), normal(random)}; };
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 n = any(), up = (1 / norm(n)) * n;
+    const auto corner = [&](double height) {
+      const Vec3 p = 15 * any();
+      return p + (height - dot(p, up)) * up;
+    };
+    const double height = i % 2 == 0 ? 1e-2 : 1e-3;
+    const Vec3 a = corner(0), b = corner(0), c = corner(0), d = corner(height);
+    const Vec3 u = b - a, v = c - a, w = d - a;
+    const double exact = std::abs(u.x * (v.y * w.z - v.z * w.y) + u.y * (v.z * w.x - v.x * w.z) +
+                                  u.z * (v.x * w.y - v.y * w.x)) /
+                         6;
+    // Slender triangles are less well known by their planes.
+    if (exact < 0.3 * 30 * 30 * height / 6) continue;
+    EXPECT_NEAR(capacity(make_tet("s", a, b, c, d)), exact, 1e-3 * exact) << i;
+  }
+}
+
 TEST(Capacity, MatchesTextbookVolumesOfCurvedSolids) {
   constexpr double pi = std::numbers::pi;
   EXPECT_DOUBLE_EQ(capacity(make_torus("s", 1, 2, 5, 0.3, pi)), 15 * pi * pi);
