@@ -3,11 +3,13 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <sstream>
 
 #include "apps/commands.hpp"
 #include "apps/mpi/launcher.hpp"
@@ -54,15 +56,20 @@ std::string wrong_usage(const CLI::App& app, const CLI::Error& error) {
     name = at->get_name() + " " + name;
   }
   std::string what = error.what();
-  if (error.get_name() == "RequiredError" || error.get_name() == "ExtrasError") {
-    const std::vector<std::string> left = app.remaining(true);
-    const bool wants_command = command.get_require_subcommand_min() > 0;
-    for (const std::string& word : left) {
-      if (word.starts_with("-") == wants_command) continue;
-      what = wants_command ? "'" + word + "' is no subcommand"
-                           : "'" + word + "' is no option of " + name.substr(0, name.size() - 1);
-      break;
-    }
+  std::vector<std::string> left = app.remaining(true);
+  if (error.get_name() == "ExtrasError") {  // they are in its message alone
+    std::istringstream words(what.substr(what.rfind(": ") + 1));
+    for (std::string word; words >> word;) left.push_back(word);
+  } else if (error.get_name() != "RequiredError") {
+    left.clear();
+  }
+  const bool wants_command = command.get_require_subcommand_min() > 0;
+  const auto strange = std::find_if(left.begin(), left.end(), [&](const std::string& word) {
+    return word.starts_with("-") != wants_command;
+  });
+  if (strange != left.end()) {
+    what = "'" + *strange + "' is no " +
+           (wants_command ? "subcommand" : "option of " + name.substr(0, name.size() - 1));
   }
   return what + "; see navjit " + name + "--help";
 }
