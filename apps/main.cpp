@@ -57,10 +57,10 @@ std::string wrong_usage(const CLI::App& app, const CLI::Error& error) {
   }
   std::string what = error.what();
   std::vector<std::string> left = app.remaining(true);
-  if (error.get_name() == "ExtrasError") {  // they are in its message alone
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {  // they are in its message alone
     std::istringstream words(what.substr(what.rfind(": ") + 1));
     for (std::string word; words >> word;) left.push_back(word);
-  } else if (error.get_name() != "RequiredError") {
+  } else if (dynamic_cast<const CLI::RequiredError*>(&error) == nullptr) {
     left.clear();
   }
   const bool wants_command = command.get_require_subcommand_min() > 0;
