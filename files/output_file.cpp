@@ -87,8 +87,7 @@ void OutputFile::open_beside(const struct ::stat* there, std::optional<mode_t> m
 }
 
 void OutputFile::open_through(std::optional<mode_t> mode) {
-  struct stat target {
-  }, out;
+  struct stat target = {}, out;
   // /dev/stdout, where that is a file: what is in it already stays, and what follows comes after.
   standard_output_ = stat(path_.c_str(), &target) == 0 && S_ISREG(target.st_mode) &&
                      fstat(STDOUT_FILENO, &out) == 0 && target.st_dev == out.st_dev &&

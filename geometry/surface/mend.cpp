@@ -136,7 +136,7 @@ void drop_doubled(Surface& surface, std::vector<std::string>& notes) {
 
 /// Turns the parts that are inside out: holes are smaller than what they are in, so that the shells
 /// of a part enclose more than nothing together.
-void turn(Surface& surface, const std::vector<Shell>& shells,
+void turn(Surface& surface, std::vector<Shell>& shells,
           const std::vector<std::vector<std::size_t>>& parts, std::vector<std::string>& notes) {
   std::size_t turned = 0;
   std::string first;
@@ -145,6 +145,7 @@ void turn(Surface& surface, const std::vector<Shell>& shells,
     for (const std::size_t k : part) volume += shells[k].volume;
     if (!(volume < 0)) continue;
     for (const std::size_t k : part) {
+      shells[k].volume = -shells[k].volume;
       for (const std::uint32_t t : shells[k].triangles) {
         std::swap(surface.triangles[t][1], surface.triangles[t][2]);
       }
@@ -226,8 +227,6 @@ std::vector<std::string> mend_shells(Surface& surface) {
   for (const Shell& shell : shells) extents.push_back(shell.box);
   const bvh::BoxTree boxes(extents, 0, bvh::default_method(extents.size()));
   turn(surface, shells, parts_of(shells), notes);
-  // As they are now.
-  for (Shell& shell : shells) shell = shell_of(surface, std::move(shell.triangles));
   if (shells.size() > 1) look_for_overlaps(surface, shells, boxes, notes);
   return notes;
 }

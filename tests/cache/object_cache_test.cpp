@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <ctime>
 #include <random>
 #include <thread>
 
@@ -113,6 +114,26 @@ TEST(ObjectCacheTest, ListsVerifiesAndClearsOnlyItsOwnFiles) {
   EXPECT_EQ(*removed, 3U);
   EXPECT_EQ(files_in(folder), 1U);
   EXPECT_EQ(navjit::tests::read_file(folder.file("notes.txt")), "mine");
+}
+
+TEST(ObjectCacheTest, EntriesCanBeReadByWhoCanReadTheirDirectory) {
+  const TemporaryFolder folder;
+  for (const auto& [directory, entry] : {std::pair(0700, 0600), {0755, 0644}, {0750, 0640}}) {
+    ASSERT_EQ(chmod(folder.path().c_str(), static_cast<mode_t>(directory)), 0);
+    ASSERT_FALSE(open(folder).store(key(1), "", "content"));
+    struct stat status;
+    ASSERT_EQ(stat(folder.file(file_of(key(1))).c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777, static_cast<mode_t>(entry));
+  }
+}
+
+TEST(ObjectCacheTest, AUseMendsATimeInTheFuture) {
+  const TemporaryFolder folder;
+  ObjectCache cache = open(folder);
+  ASSERT_FALSE(cache.store(key(1), "", "content"));
+  age(folder, key(1), -1'000'000);
+  EXPECT_TRUE(cache.load(key(1)).content);
+  EXPECT_LE(cache.list(false)->at(0).last_used, std::time(nullptr) + 60);
 }
 
 TEST(ObjectCacheTest, EvictsWhatWasUsedLeastRecently) {

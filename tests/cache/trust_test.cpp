@@ -62,6 +62,15 @@ TEST(Trust, LinksLeadToWhereTheyLead) {
   EXPECT_FALSE(open_trusted_directory(folder.file("private/loop"), true));
 }
 
+TEST(Trust, ADirectoryForEverybodyIsNotToBeChanged) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(chmod(folder.path().c_str(), 01777), 0);
+  const auto refused = open_trusted_directory(folder.path(), false);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.failure().message.find("mkdir -m 700"), std::string::npos);
+  EXPECT_EQ(refused.failure().message.find("chmod"), std::string::npos);
+}
+
 TEST(Trust, FilesAreReadWholeOrNotAtAll) {
   const TemporaryFolder folder;
   const std::string name = folder.file("file");

@@ -140,6 +140,24 @@ TEST(MeasuredSearch, IsNotThatOfCodeThatSpellsOutEveryDaughter) {
   }
 }
 
+/// A run in which nothing becomes hot by itself, with the cache of another one.
+FaultyOptions patient_options(const std::string& cache, const std::shared_ptr<Sources>& sources) {
+  FaultyOptions options = options_with(cache, {}, sources);
+  options.specialiser.min_steps = 1'000'000'000;
+  return options;
+}
+
+/// Expects that such a run has so many specialised scenes at once, all from the cache.
+void expect_found_again(const std::shared_ptr<const World>& world, const std::string& cache,
+                        std::size_t hot) {
+  const auto sources = std::make_shared<Sources>();
+  FaultyRuntime second(world, patient_options(cache, sources));
+  second.wait_until_idle();
+  expect_right(second);
+  EXPECT_EQ(specialised(second), hot);
+  EXPECT_EQ(sources->text, "") << "all of it is in the cache";
+}
+
 TEST(MeasuredSearch, IsRememberedByTheNextRun) {
   const std::shared_ptr<const World> world = plates();
   const tests::TemporaryFolder folder;
@@ -155,14 +173,7 @@ TEST(MeasuredSearch, IsRememberedByTheNextRun) {
     ASSERT_EQ(hot, 2U);
     ASSERT_NE(sources->text.find("constexpr SearchScan "), std::string::npos);
   }
-  sources->text.clear();
-  FaultyOptions patient = options_with(folder.path(), {}, sources);
-  patient.specialiser.min_steps = 1'000'000'000;  // nothing becomes hot by itself
-  FaultyRuntime second(world, patient);
-  second.wait_until_idle();
-  expect_right(second);
-  EXPECT_EQ(specialised(second), hot);
-  EXPECT_EQ(sources->text, "") << "all of it is in the cache";
+  expect_found_again(world, folder.path(), hot);
 }
 
 /// The plates again, and beside them a small stack that few rays meet.
@@ -199,14 +210,7 @@ TEST(MeasuredSearch, IsRememberedOfScenesThatOnlyOtherCodeContains) {
     hot = specialised(first);
     ASSERT_GE(hot, 1U);
   }
-  sources->text.clear();
-  FaultyOptions patient = options_with(folder.path(), {}, sources);
-  patient.specialiser.min_steps = 1'000'000'000;  // nothing becomes hot by itself
-  FaultyRuntime second(world, patient);
-  second.wait_until_idle();
-  expect_right(second);
-  EXPECT_EQ(specialised(second), hot);
-  EXPECT_EQ(sources->text, "") << "all of it is in the cache";
+  expect_found_again(world, folder.path(), hot);
 }
 
 /// Rays upwards, from x in this range.
@@ -219,7 +223,8 @@ void shoot(Runtime& runtime, double from, double to, int rays) {
 }
 
 TEST(MeasuredSearch, IsListedAsTheCodeHasIt) {
-  // While the world's code is compiled, the stack gets its measured search: the code has it not.
+  // While the world's code is compiled, the stack gets a measured search, which that code does not
+  // have.
   const std::shared_ptr<const World> world = plates_and_a_stack();
   const tests::TemporaryFolder folder;
   const auto sources = std::make_shared<Sources>();
@@ -252,9 +257,7 @@ TEST(MeasuredSearch, IsListedAsTheCodeHasIt) {
     modules = first.report().modules;
     ASSERT_GE(modules, 1U);
   }
-  FaultyOptions patient = options_with(folder.path(), {}, sources);
-  patient.specialiser.min_steps = 1'000'000'000;
-  FaultyRuntime second(world, patient);
+  FaultyRuntime second(world, patient_options(folder.path(), sources));
   second.wait_until_idle();
   EXPECT_EQ(second.report().cached_modules, modules);
 }

@@ -106,6 +106,17 @@ TEST_F(Surfaces, AreTurnedWhereAllOfThemFacesInwards) {
   EXPECT_DOUBLE_EQ(volume_of(read("a.stl", tests::ascii_stl(mesh))), 480);
 }
 
+TEST_F(Surfaces, LinesOfObjectsMayBeContinued) {
+  const std::string mark = "\xef\xbb\xbf", corners = "v 0 0 0\nv 1 0\\\n 0\nv 0 1 0\r\nv 0 0 1\n";
+  const std::string faces = "f 1 3 \\\r\n2\nf 1 2 4\nf 1 4\\\n3\nf 2 3 4 # ends with \\\n";
+  const Surface surface = read("a.obj", mark + "# a comment \\\n" + corners + faces);
+  EXPECT_EQ(surface.triangles.size(), 4U);
+  EXPECT_DOUBLE_EQ(volume_of(surface), 1.0 / 6);
+  // Lines are counted on.
+  EXPECT_TRUE(contains(refusal("a.obj", corners + "f 1 2 9\n"), "a.obj:6: "));
+  EXPECT_DOUBLE_EQ(volume_of(read("a.stl", mark + tests::ascii_stl(tests::block()))), 480);
+}
+
 TEST_F(Surfaces, TrianglesWithNothingInThemAreLeftOut) {
   Mesh mesh = tests::block();
   mesh.push_back({mesh[0][0], mesh[0][0], mesh[0][1]});
