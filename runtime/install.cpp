@@ -336,6 +336,10 @@ void install_plugin(Specialisation& spec, const std::string& path) {
     spec.shared->log->warn("plugin not used: {}", plugin.failure().message);
     return;
   }
+  // The scenes were chosen when the plugin was made, and all of them are installed. Whether they
+  // are faster than what else there is, only the run can tell.
+  const bool on_trial =
+      spec.shared->options.jit == JitMode::on && spec.shared->options.specialiser.keep_only_faster;
   // Reports on what was timed, by the first of equal volumes and the step function that they share.
   std::map<std::pair<VolumeId, kernels::StepFunction>, SceneReport> timed;
   for (const Plugin::Entry& entry : (*plugin)->entries()) {
@@ -344,12 +348,11 @@ void install_plugin(Specialisation& spec, const std::string& path) {
     begun.origin = CodeOrigin::plugin;
     const std::pair code(spec.facts.first_equal[entry.volume], entry.dispatch.step);
     const auto equal = timed.find(code);
-    // The scenes were chosen when the plugin was made, and production must not depend on a timing.
     Expected<SceneReport> report =
-        equal == timed.end() ? install_scene(spec, entry.volume, entry.dispatch, *plugin, false,
+        equal == timed.end() ? install_scene(spec, entry.volume, entry.dispatch, *plugin, on_trial,
                                              std::move(begun), Binding::constants)
-                             : install_as_equal(spec, entry.volume, entry.dispatch, *plugin, false,
-                                                std::move(begun), equal->second);
+                             : install_as_equal(spec, entry.volume, entry.dispatch, *plugin,
+                                                on_trial, std::move(begun), equal->second);
     if (report) timed.try_emplace(code, *report);
     if (report) {
       const std::lock_guard lock(spec.mutex);

@@ -4,13 +4,17 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <random>
 
 #include "jit/compiler.hpp"
+#include "runtime/faulty_runtime.hpp"
 #include "runtime/make_plugin.hpp"
 #include "runtime/overrides.hpp"
 #include "runtime/plugin_text.hpp"
+#include "runtime/transport.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/folder.hpp"
 #include "tests/support/traces.hpp"
@@ -77,6 +81,33 @@ TEST_F(PluginTest, IsUsedFromTheStart) {
   EXPECT_GE(scenes_in_use(path), 5U);
   const auto files = fs::directory_iterator(folder_.path());
   EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "nothing else is left in its folder";
+}
+
+TEST_F(PluginTest, LosesScenesThatAreSlowerInTheRun) {
+  FaultyOptions options;
+  static_cast<RuntimeOptions&>(options) = tests::eager_options(JitMode::on);
+  options.specialiser.keep_only_faster = true;
+  options.specialiser.constants = options.specialiser.structures = false;
+  options.specialiser.solids = false;
+  options.plugin = make(source_);
+  Faults faults;
+  faults.lose_trials = true;
+  options.faults = std::make_shared<const Faults>(faults);
+  FaultyRuntime runtime(world_, options);
+  Navigator navigator = runtime.navigator();
+  const std::vector<Ray> rays = tests::rays_through(*world_, 21, 400);
+  const auto lost = [&] {
+    const std::vector<SceneReport> scenes = runtime.report().scenes;
+    return std::count_if(scenes.begin(), scenes.end(), [](const SceneReport& scene) {
+      return scene.note == "slower in the run than what was there" &&
+             scene.status == SceneStatus::unprofitable && scene.origin == CodeOrigin::plugin;
+    });
+  };
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (lost() < 3 && std::chrono::steady_clock::now() < give_up) {
+    for (const Ray& ray : rays) transport(navigator, ray, world_->tolerance);
+  }
+  EXPECT_GE(lost(), 3);
 }
 
 TEST_F(PluginTest, TwoOfThemAreTwo) {
