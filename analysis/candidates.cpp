@@ -335,7 +335,7 @@ void choose_safety(const Geometry& geometry, ScenePlan& plan) {
       for (const Daughter& d : scene.daughters) {
         const Extent box =
             placed_extent(geometry.world().volumes[d.volume].solid, d.transformation);
-        plan.tree_boxes.push_back(inflated(box, geometry.tolerance()));
+        plan.tree_boxes.push_back(inflated(box, box_margin(geometry.tolerance())));
       }
   }
 }

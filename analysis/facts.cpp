@@ -38,7 +38,8 @@ std::vector<VolumeId> topological_order(const Geometry& geometry) {
 struct FrameSet {
   std::vector<std::array<double, 9>> rotations;
   bool many_rotations = false;
-  bool turned = false;  ///< somewhere on the way to it, though the turns may cancel out
+  bool turned = false;    ///< on some way to it something turns, though the turns may cancel out
+  bool unturned = false;  ///< on some way to it nothing turns
   std::vector<std::array<double, 3>> translations;
 
   void add_rotation(const std::array<double, 9>& r) {
@@ -98,6 +99,7 @@ WorldFacts analyse_world(const Geometry& geometry) {
   facts.touchables[top] = 1;
   sets[top].rotations.push_back(identity);
   sets[top].translations.push_back({0, 0, 0});
+  sets[top].unturned = true;
   const std::vector<VolumeId> mothers_first = topological_order(geometry);
   for (const VolumeId volume : mothers_first) {
     facts.reachable[volume] = 1;
@@ -110,6 +112,7 @@ WorldFacts analyse_world(const Geometry& geometry) {
       FrameSet& inner = sets[d.volume];
       inner.many_rotations |= outer.many_rotations;
       inner.turned |= outer.turned || d.transformation.rotated;
+      inner.unturned |= outer.unturned && !d.transformation.rotated;
       std::array<double, 9> rotation;
       std::array<double, 3> translation;
       for (const auto& r : outer.rotations) {
@@ -130,7 +133,9 @@ WorldFacts analyse_world(const Geometry& geometry) {
     FrameFacts& frame = facts.frames[v];
     if (!set.many_rotations && set.rotations.size() == 1) {
       frame.never_rotated = set.rotations[0] == identity && !set.turned;
-      if (!frame.never_rotated) {
+      // Where turns cancel out the navigation stack has a rotation, and where nothing turns it has
+      // none: a volume with both is navigated as one with several rotations.
+      if (!frame.never_rotated && !set.unturned) {
         frame.only_rotation = set.rotations[0];
         const auto next = static_cast<unsigned>(rotations.size() + 1);
         frame.rotation = rotations.try_emplace(set.rotations[0], next).first->second;

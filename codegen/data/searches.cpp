@@ -309,7 +309,8 @@ const FloatBox* make_float_boxes(const Source& source) {
   for (std::size_t k = 0; k < daughters.size(); ++k) {
     const Daughter& d = daughters[k];
     const Solid& solid = source.geometry.world().volumes[d.volume].solid;
-    const Extent e = inflated(placed_extent(solid, d.transformation), source.geometry.tolerance());
+    const Extent e =
+        inflated(placed_extent(solid, d.transformation), box_margin(source.geometry.tolerance()));
     made[k] = {{bvh::float_below(e.min.x), bvh::float_below(e.min.y), bvh::float_below(e.min.z)},
                {bvh::float_above(e.max.x), bvh::float_above(e.max.y), bvh::float_above(e.max.z)}};
   }

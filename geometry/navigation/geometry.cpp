@@ -106,7 +106,8 @@ Geometry::Geometry(std::shared_ptr<const World> world, const GeometryOptions& op
     scene.daughters = std::span(daughters_).subspan(first);
     const std::optional<bvh::Structure> structure = choose(volume, options);
     if (structure) {
-      scene.boxes = std::make_unique<const bvh::BoxTree>(boxes, world_->tolerance, *structure);
+      scene.boxes =
+          std::make_unique<const bvh::BoxTree>(boxes, box_margin(world_->tolerance), *structure);
       scene.search = structure->method == bvh::Method::linear ? Search::linear_boxes : Search::bvh;
     } else if (!scene.daughters.empty()) {
       scene.search = Search::all;

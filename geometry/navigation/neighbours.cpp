@@ -133,7 +133,7 @@ NeighbourLists find_neighbours(const Solid& mother, std::span<const Extent> boxe
       return found.size() <= most_neighbours;
     };
     if (tree != nullptr) {
-      // The tree's own boxes reach out by the tolerance only.
+      // The tree's own boxes reach out by less.
       tree->overlapping(inflated(box, margin), test);
     } else {
       for (std::uint32_t other = 0; other < boxes.size(); ++other) test(other);

@@ -60,4 +60,9 @@ bool holds_deep(const Solid& mother, const Extent& box, double margin,
 /// 1e-9 of the largest coordinate, a million times the rounding of a position.
 double search_margin(const Extent& extent, double tolerance);
 
+/// How far the boxes of the generic navigator reach beyond daughters, mm. A point that is within
+/// the tolerance of three faces of a turned box is up to sqrt(3) tolerances away from their corner,
+/// and so perhaps from the box around it.
+inline double box_margin(double tolerance) { return 2 * tolerance; }
+
 }  // namespace navjit

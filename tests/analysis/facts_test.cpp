@@ -51,6 +51,24 @@ TEST(WorldFacts, CountTouchablesMothersAndFramesAsTheTreeHasThem) {
   }
 }
 
+/// The same volume on a way where turns cancel out and on one where nothing turns.
+TEST(WorldFacts, TurnsThatCancelOutBesideNone) {
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 60, 40, 30));
+  const VolumeId turned = tests::add_volume(world, "turned", make_box("turned", 20, 20, 20));
+  const VolumeId plain = tests::add_volume(world, "plain", make_box("plain", 20, 20, 20));
+  const VolumeId leaf = tests::add_volume(world, "leaf", make_box("leaf", 5, 5, 5));
+  tests::place(world, world.top, turned, {-30, 0, 0}, {0, 0, M_PI});
+  tests::place(world, turned, leaf, {0, 0, 0}, {0, 0, -M_PI});
+  tests::place(world, world.top, plain, {30, 0, 0});
+  tests::place(world, plain, leaf, {0, 0, 0});
+  finish(world);
+  const Geometry geometry(std::make_shared<const World>(std::move(world)));
+  const WorldFacts facts = analyse_world(geometry);
+  EXPECT_FALSE(facts.frames[leaf].never_rotated);
+  EXPECT_FALSE(facts.frames[leaf].only_rotation.has_value());
+}
+
 /// Levels below a rotated one have a rotation, also if it is the identity again.
 TEST(WorldFacts, TurnsThatCancelOutAreTurns) {
   World world;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -63,6 +64,32 @@ TEST_P(EverySearch, GivesTheStepsOfTheFullSearch) {
 
 INSTANTIATE_TEST_SUITE_P(GenericNavigator, EverySearch,
                          testing::Values(Force::automatic, Force::linear_boxes, Force::bvh));
+
+/// A point is in a turned box if it is within the tolerance of all faces: beyond an edge it may be
+/// farther than that from the box around the solid. Near 0 single precision has no margin to spare.
+TEST_P(EverySearch, FindsPointsAtTheEdgeOfATurnedBox) {
+  World world;
+  world.top = add_volume(world, "world", make_box("world", 1000, 1000, 1000));
+  const VolumeId box = add_volume(world, "box", make_box("box", 5, 5, 5));
+  const double diagonal = 5 * std::sqrt(2.0);
+  place(world, world.top, box, {diagonal, 0, 0}, {0, 0, M_PI / 4});
+  for (const double x : {100, 200, 300, 400}) place(world, world.top, box, {x, 0, 0});
+  finish(world);
+  const Geometry all = geometry_of(world, Force::all), other = geometry_of(world, GetParam());
+  const auto a = std::make_unique<NavigationStack>(), b = std::make_unique<NavigationStack>();
+  const double norm = std::sqrt(0.91);
+  const Vec3 v{0.9 / norm, 0.1 / norm, 0.3 / norm};
+  int beyond = 0;  // the tolerance, and yet in the turned box
+  for (int step = 0; step < 300; ++step) {
+    const double out = step / 200.0;
+    const Vec3 p{-out * world.tolerance, 1e-3 * world.tolerance, 0.3};
+    generic::locate(all, *a, p, v);
+    generic::locate(other, *b, p, v);
+    EXPECT_EQ(a->depth, b->depth) << out;
+    beyond += out > 1 && a->depth == 1 ? 1 : 0;
+  }
+  EXPECT_GT(beyond, 20);
+}
 
 std::vector<bvh::Structure> box_structures() {
   using enum bvh::Clustering;
