@@ -10,6 +10,7 @@
 #include "analysis/patterns/rings.hpp"
 #include "analysis/patterns/slabs.hpp"
 #include "analysis/patterns/wires.hpp"
+#include "geometry/model/placed_extent.hpp"
 #include "geometry/solids/extent.hpp"
 #include "navjit/vector.hpp"
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "analysis/kernel_error.hpp"
+#include "geometry/model/placed_extent.hpp"
 
 namespace navjit {
 namespace {

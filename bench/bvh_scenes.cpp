@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "geometry/gdml/read_world.hpp"
+#include "geometry/model/placed_extent.hpp"
 #include "geometry/model/random.hpp"
 #include "geometry/navigation/geometry.hpp"
 

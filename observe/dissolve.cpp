@@ -5,7 +5,7 @@
 
 #include "geometry/bvh/box_tree_traversal.hpp"
 #include "geometry/model/order.hpp"
-#include "geometry/navigation/geometry.hpp"
+#include "geometry/model/placed_extent.hpp"
 #include "navjit/errors.hpp"
 #include "observe/separation.hpp"
 

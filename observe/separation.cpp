@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/navigation/geometry.hpp"
+#include "geometry/model/placed_extent.hpp"
 #include "navjit/errors.hpp"
 
 namespace navjit {

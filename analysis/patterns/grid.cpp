@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/axis.hpp"
+#include "geometry/model/placed_extent.hpp"
 #include "navjit/vector.hpp"
 
 namespace navjit {

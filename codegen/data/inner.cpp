@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "geometry/model/placed_extent.hpp"
 #include "geometry/solids/extent.hpp"
 
 namespace navjit::codegen {

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "codegen/data/parts.hpp"
+#include "geometry/model/placed_extent.hpp"
 #include "geometry/solids/extent.hpp"
 
 namespace navjit::codegen {

@@ -5,6 +5,7 @@
 #include "codegen/data/parts.hpp"
 #include "geometry/bvh/clustering.hpp"
 #include "geometry/bvh/rounding.hpp"
+#include "geometry/model/placed_extent.hpp"
 #include "geometry/solids/extent.hpp"
 
 namespace navjit::codegen {

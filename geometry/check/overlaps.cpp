@@ -6,6 +6,7 @@
 #include "geometry/bvh/box_tree_traversal.hpp"
 #include "geometry/check/aimed.hpp"
 #include "geometry/check/surface.hpp"
+#include "geometry/model/placed_extent.hpp"
 
 namespace navjit {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "geometry/gdml/solids.hpp"
-#include "geometry/navigation/geometry.hpp"
+#include "geometry/model/placed_extent.hpp"
 #include "navjit/solids.hpp"
 
 namespace navjit::gdml {

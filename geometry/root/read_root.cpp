@@ -1,8 +1,8 @@
 // Reads a detector from a file: finds the object to read, and makes the world around it.
 #include <algorithm>
 
-#include "geometry/gdml/xml.hpp"
-#include "geometry/navigation/geometry.hpp"
+#include "geometry/model/placed_extent.hpp"
+#include "geometry/printable.hpp"
 #include "geometry/root/container.hpp"
 #include "geometry/root/layouts.hpp"
 #include "geometry/root/reading.hpp"
@@ -28,15 +28,14 @@ const Key& choose(const std::vector<Key>& keys, const std::string& wanted) {
   int listed = 0;
   for (const Key& key : keys) {
     if (key.type != "TGeoManager" && !is_volume(key)) continue;
-    if (++listed <= 10) known += (known.empty() ? "'" : ", '") + gdml::printable(key.name) + "'";
+    if (++listed <= 10) known += (known.empty() ? "'" : ", '") + printable(key.name) + "'";
   }
   if (known.empty()) {
     throw FormatError(
         "there is no geometry (TGeoManager) in it; write one with "
         "gGeoManager->Export(\"FILE.root\")");
   }
-  throw FormatError("there is no geometry '" + gdml::printable(wanted) + "'; choose one of " +
-                    known);
+  throw FormatError("there is no geometry '" + printable(wanted) + "'; choose one of " + known);
 }
 
 /// If the top has no solid of its own, the world is a box around what is in it.
@@ -82,7 +81,7 @@ Detector read_root(const std::filesystem::path& path, const RootOptions& options
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {
-    throw RootError(gdml::printable_path(path.string()) + ": " + gdml::printable(e.what(), 2000));
+    throw RootError(printable_path(path.string()) + ": " + printable(e.what(), 2000));
   }
 }
 
