@@ -247,8 +247,9 @@ void FileContext::leave_out(const XmlElement& element, const std::string& messag
   }
   // The place that the message names is that of the part which is wrong.
   const bool whole = message.starts_with(describe(element) + ": ");
-  session.notes.add_line("left out, since it cannot be read",
-                         message + (whole ? "; left out" : "; left out with " + label(element)));
+  session.notes.add("left out, since it cannot be read", [&] {
+    return message + (whole ? "; left out" : "; left out with " + label(element));
+  });
 }
 
 void FileContext::define_if_readable(const XmlElement& element, const std::string& what,

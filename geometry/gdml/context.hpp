@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "geometry/gdml/expressions.hpp"
-#include "geometry/gdml/notes.hpp"
 #include "geometry/gdml/units.hpp"
 #include "geometry/gdml/xml.hpp"
 #include "geometry/model/world.hpp"
+#include "geometry/notes.hpp"
 #include "geometry/solids/boolean_size.hpp"
 
 namespace navjit::gdml {
@@ -122,7 +122,9 @@ struct FileContext {
   /// Notes something odd at an element; `what` names the kind of note, of which only the first few
   /// are kept.
   void note(const XmlElement& element, const std::string& what, const std::string& detail = {}) {
-    session.notes.add(element, what, detail);
+    session.notes.add(what, [&] {
+      return describe(element) + ": " + what + (detail.empty() ? "" : ": ") + detail;
+    });
   }
   /// The same where the error says what is wrong with the element.
   void note(const XmlElement& element, const std::string& what, const GdmlError& error);

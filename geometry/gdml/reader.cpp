@@ -145,7 +145,7 @@ World read_world(const std::filesystem::path& path, const GdmlOptions& options,
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {
-    throw GdmlError(gdml::printable_path(path.string()) + ":0: " + gdml::printable(e.what()));
+    throw GdmlError(printable_path(path.string()) + ":0: " + printable(e.what()));
   }
 }
 

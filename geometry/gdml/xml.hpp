@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "geometry/gdml/read_world.hpp"
+#include "geometry/printable.hpp"
 
 namespace navjit::gdml {
 
@@ -67,10 +68,6 @@ struct XmlBudget {
 std::unique_ptr<XmlDocument> parse_xml(const std::filesystem::path& path, const GdmlLimits& limits,
                                        XmlBudget& budget, const XmlElement* from = nullptr);
 
-/// Text from a file, fit for a one-line message: no control characters, cut if too long.
-std::string printable(std::string_view text, std::size_t longest = 200);
-/// The same for the name of a file, of which nothing is cut.
-inline std::string printable_path(std::string_view path) { return printable(path, 4096); }
 /// "<tag name='...'>"
 std::string label(const XmlElement& element);
 /// "FILE:LINE: <tag name='...'>"

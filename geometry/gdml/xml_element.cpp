@@ -1,6 +1,4 @@
 // How elements are looked up, and how messages name them.
-#include <algorithm>
-
 #include "geometry/gdml/xml.hpp"
 
 namespace navjit::gdml {
@@ -10,19 +8,6 @@ std::optional<std::string_view> XmlElement::find(std::string_view attribute) con
     if (attributes[i].name == attribute) return attributes[i].value;
   }
   return std::nullopt;
-}
-
-std::string printable(std::string_view text, std::size_t longest) {
-  std::size_t length = std::min(text.size(), longest);
-  // Do not cut within a UTF-8 character.
-  while (length > 0 && length < text.size() && (text[length] & 0xc0) == 0x80) --length;
-  std::string line(text.substr(0, length));
-  for (char& c : line) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7f) c = '?';
-  }
-  if (length < text.size()) line += "...";
-  return line;
 }
 
 std::string label(const XmlElement& element) {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/gdml/xml.hpp"
+#include "geometry/printable.hpp"
 #include "geometry/root/objects.hpp"
 
 namespace navjit::root {
@@ -53,9 +53,7 @@ Reference Object::reference(std::string_view member) const {
   return reference == nullptr ? 0 : *reference;
 }
 
-std::string Object::label() const {
-  return gdml::printable(type) + " '" + gdml::printable(name) + "'";
-}
+std::string Object::label() const { return printable(type) + " '" + printable(name) + "'"; }
 
 void Object::fail(const std::string& problem) const { throw FormatError(label() + ": " + problem); }
 

@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "geometry/gdml/notes.hpp"
 #include "geometry/model/world.hpp"
+#include "geometry/notes.hpp"
 #include "geometry/root/objects.hpp"
 #include "geometry/solids/boolean_size.hpp"
 
@@ -35,7 +35,7 @@ struct Reading {
   Objects& objects;
   const RootLimits& limits;
   World world{};
-  gdml::Notes notes{};
+  Notes notes{};
 
   std::unordered_map<Reference, MadeSolid> solids{};
   std::size_t boolean_parts = 0;                  ///< parts of all booleans

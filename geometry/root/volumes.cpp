@@ -1,7 +1,6 @@
 // Reads ROOT's volumes, assemblies and nodes.
 #include <cmath>
 
-#include "geometry/gdml/xml.hpp"
 #include "geometry/root/reading.hpp"
 
 namespace navjit::root {

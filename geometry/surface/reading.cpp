@@ -1,14 +1,14 @@
 #include "geometry/surface/reading.hpp"
 
-#include "geometry/gdml/xml.hpp"
 #include "geometry/input_file.hpp"
+#include "geometry/printable.hpp"
 
 namespace navjit {
 namespace surface {
 
 void refuse(const Place& at, std::size_t line, const std::string& what) {
-  throw SurfaceError(gdml::printable_path(at.file) + (line > 0 ? ":" + std::to_string(line) : "") +
-                     ": " + what);
+  throw SurfaceError(printable_path(at.file) + (line > 0 ? ":" + std::to_string(line) : "") + ": " +
+                     what);
 }
 
 std::uint32_t Collector::corner(const double (&xyz)[3], std::size_t line) {

@@ -1,21 +1,11 @@
-#include "geometry/gdml/notes.hpp"
+#include "geometry/notes.hpp"
 
-namespace navjit::gdml {
+namespace navjit {
 
 std::size_t* Notes::counter(std::map<std::string, std::size_t>& kinds, const std::string& what) {
   const auto found = kinds.find(what);
   if (found != kinds.end()) return &found->second;
   return kinds.size() < most_kinds ? &kinds[what] : nullptr;
-}
-
-void Notes::add(const XmlElement& element, const std::string& what, const std::string& detail) {
-  if (wanted(what)) {
-    lines_.push_back(describe(element) + ": " + what + (detail.empty() ? "" : ": ") + detail);
-  }
-}
-
-void Notes::add_line(const std::string& what, const std::string& line) {
-  if (wanted(what)) lines_.push_back(line);
 }
 
 bool Notes::wanted(const std::string& what) {
@@ -41,4 +31,4 @@ void Notes::tell(GdmlReport& report) const {
   if (others_ > 0) report.skipped.push_back("other notes (" + std::to_string(others_) + ')');
 }
 
-}  // namespace navjit::gdml
+}  // namespace navjit

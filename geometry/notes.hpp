@@ -1,4 +1,4 @@
-// What the reader has to say about a file that it nevertheless reads.
+// What a reader has to say about a file that it nevertheless reads.
 #pragma once
 
 #include <cstddef>
@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "geometry/gdml/xml.hpp"
+#include "navjit/gdml.hpp"
 
-namespace navjit::gdml {
+namespace navjit {
 
 /// Collects notes. Of each kind the first few are kept and the others counted; kinds beyond a
 /// number that only a hostile file reaches are counted, too.
@@ -16,10 +16,12 @@ struct Notes {
   static constexpr std::size_t lines_of_a_kind = 3;
   static constexpr std::size_t most_kinds = 100;
 
-  /// Something odd in the file: "FILE:LINE: <element>: what: detail". `what` tells the kind.
-  void add(const XmlElement& element, const std::string& what, const std::string& detail = {});
-  /// The same for a line that is already complete.
-  void add_line(const std::string& what, const std::string& line);
+  /// Something odd in the file. `what` tells the kind, and `make` returns the line, which is made
+  /// only if it is kept.
+  template <class Make>
+  void add(const std::string& what, Make&& make) {
+    if (wanted(what)) lines_.push_back(make());
+  }
   /// Something common that means nothing for the geometry, or is read as in Geant4: only counted.
   void count(const std::string& what);
   /// Adds what was collected to a report.
@@ -35,4 +37,4 @@ struct Notes {
   std::size_t others_ = 0;
 };
 
-}  // namespace navjit::gdml
+}  // namespace navjit
