@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "analysis/patterns/wire_rows.hpp"
-#include "geometry/navigation/box_blocks.hpp"
 #include "geometry/navigation/geometry.hpp"
+#include "geometry/solids/box_blocks.hpp"
 #include "geometry/solids/extent.hpp"
 #include "geometry/solids/list.hpp"
 #include "navjit/vector.hpp"

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/navigation/box_blocks.hpp"
+#include "geometry/solids/box_blocks.hpp"
 #include "geometry/solids/solid.hpp"
 
 #include "geometry/kernels/neighbour_list.h"

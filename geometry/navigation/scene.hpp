@@ -1,6 +1,7 @@
 // The scene template and its parts (kernels/scene.h), for code that is compiled with the library.
 #pragma once
 
+#include "geometry/navigation/navigation_stack.hpp"
 #include "geometry/navigation/neighbours.hpp"
 
 // clang-format off

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/navigation/box_blocks.hpp"
+#include "geometry/solids/box_blocks.hpp"
 #include "geometry/solids/solid.hpp"
 
 namespace navjit::kernels {

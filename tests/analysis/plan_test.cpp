@@ -7,7 +7,7 @@
 
 #include "analysis/patterns/grid.hpp"
 #include "analysis/patterns/pattern.hpp"
-#include "geometry/navigation/box_blocks.hpp"
+#include "geometry/solids/box_blocks.hpp"
 #include "geometry/solids/list.hpp"
 #include "tests/support/worlds.hpp"
 

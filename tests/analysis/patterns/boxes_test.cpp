@@ -7,8 +7,8 @@
 
 #include "analysis/patterns/grid.hpp"
 #include "analysis/plan.hpp"
-#include "geometry/navigation/box_blocks.hpp"
 #include "geometry/navigation/generic.hpp"
+#include "geometry/solids/box_blocks.hpp"
 #include "geometry/solids/extent.hpp"
 #include "geometry/solids/list.hpp"
 #include "navjit/vector.hpp"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "geometry/navigation/box_blocks.hpp"
+#include "geometry/solids/box_blocks.hpp"
 #include "geometry/solids/list.hpp"
 #include "tests/support/worlds.hpp"
 

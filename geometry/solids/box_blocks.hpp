@@ -1,7 +1,7 @@
 // Boxes, eight to a block (kernels/boxes.h), for code that is compiled with the library.
 #pragma once
 
-#include "geometry/navigation/navigation_stack.hpp"
+#include "geometry/solids/solid.hpp"
 
 // clang-format off
 #include "geometry/kernels/grid.h"
