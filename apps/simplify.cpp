@@ -6,10 +6,10 @@
 
 #include "apps/commands.hpp"
 #include "apps/options/detector.hpp"
+#include "apps/options/machine.hpp"
 #include "apps/options/observe.hpp"
 #include "apps/options/observed_report.hpp"
 #include "apps/options/outputs.hpp"
-#include "apps/run/machine.hpp"
 #include "common/text.hpp"
 #include "navjit/gdml.hpp"
 #include "navjit/version.hpp"

@@ -10,8 +10,8 @@
 
 #include "apps/commands.hpp"
 #include "apps/merge/reports.hpp"
+#include "apps/options/machine.hpp"
 #include "apps/options/outputs.hpp"
-#include "apps/run/machine.hpp"
 #include "common/text.hpp"
 #include "files/output_file.hpp"
 #include "geometry/input_file.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdio>
 
-#include "apps/run/machine.hpp"
+#include "apps/options/machine.hpp"
 #include "common/page.hpp"
 
 namespace navjit::apps {

@@ -8,8 +8,8 @@
 
 #include "common/text.hpp"
 
+#include "apps/options/machine.hpp"
 #include "apps/options/observed_report.hpp"
-#include "apps/run/machine.hpp"
 #include "apps/warmup/series.hpp"
 
 namespace navjit::apps {

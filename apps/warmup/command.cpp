@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
+#include "apps/options/machine.hpp"
 #include "apps/options/numbers.hpp"
 #include "apps/options/outputs.hpp"
-#include "apps/run/machine.hpp"
 #include "apps/warmup/experiment.hpp"
 #include "apps/warmup/one_run_options.hpp"
 #include "apps/warmup/page.hpp"

@@ -1,4 +1,4 @@
-#include "apps/run/machine.hpp"
+#include "apps/options/machine.hpp"
 
 #include <sched.h>
 #include <sys/utsname.h>
