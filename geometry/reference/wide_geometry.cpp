@@ -5,7 +5,6 @@
 #include <map>
 
 #include "geometry/model/placed_extent.hpp"
-#include "geometry/navigation/geometry.hpp"
 
 namespace navjit::reference {
 namespace {
