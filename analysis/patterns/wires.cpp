@@ -66,10 +66,6 @@ Placed place(const Solid& solid, const Transformation& t) {
   return placed;
 }
 
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /// The daughter's own axis along which it is elongated; 3 if there is none.
 std::size_t long_axis(const Placed& p) {
   for (std::size_t i = 0; i < 3; ++i) {

@@ -13,10 +13,6 @@ namespace {
 constexpr double margin = 1.04;
 constexpr double default_fov = 40;
 
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 Vec3 unit(const Vec3& v) {
   const double length = std::hypot(v.x, v.y, v.z);
   return {v.x / length, v.y / length, v.z / length};

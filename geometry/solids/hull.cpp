@@ -91,10 +91,6 @@ Measure measure(const std::vector<Plane>& planes, const Vec3& apex, double reach
   return m;
 }
 
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /// Each plane once: half a turn begins and ends in the same plane.
 std::vector<Plane> without_equals(const std::vector<Plane>& planes) {
   std::vector<Plane> kept;

@@ -6,10 +6,6 @@
 namespace navjit::surface {
 namespace {
 
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /// Twice the area that the polygon surrounds, along its normal.
 Vec3 area_of(std::span<const Vec3> polygon) {
   Vec3 area{0, 0, 0};

@@ -38,6 +38,10 @@ constexpr bool operator==(const Vec3<double>& a, const Vec3<double>& b) {
 constexpr double dot(const Vec3<double>& a, const Vec3<double>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+/// Vector product.
+constexpr Vec3<double> cross(const Vec3<double>& a, const Vec3<double>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 /// Length.
 inline double norm(const Vec3<double>& a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
 
