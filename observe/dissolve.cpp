@@ -33,7 +33,7 @@ class Rewriting {
         small_(small),
         mixed_(mixed),
         options_(options),
-        tolerance_(std::max(options.overlap, 8 * world.tolerance)),
+        tolerance_(std::max(least_overlap, 8 * world.tolerance)),
         separation_(tolerance_, world.tolerance),
         within_(world.volumes.size()),
         uses_(world.volumes.size()) {

@@ -16,9 +16,6 @@ struct DissolveOptions {
   /// A volume with more daughters than this helps to find them, and is kept, unless it is all that
   /// its mother contains.
   std::size_t most_daughters = 3;
-  /// Solids that overlap by less than this, mm, count as apart. It must not be less than the
-  /// rounding of positions in the world.
-  double overlap = 1e-9;
   /// Daughters of these mothers that are kept for speed.
   Pairs kept{};
 };

@@ -6,20 +6,11 @@
 #include "geometry/bvh/box_tree_traversal.hpp"
 #include "geometry/model/order.hpp"
 #include "geometry/model/placed_extent.hpp"
+#include "geometry/solids/extent.hpp"
 #include "observe/separation.hpp"
 
 namespace navjit {
 namespace {
-
-constexpr double overlap = 1e-9;  // mm, as DissolveOptions::overlap
-
-bool share(const Extent& a, const Extent& b, double tolerance) {
-  const auto along = [tolerance](double low_a, double high_a, double low_b, double high_b) {
-    return std::min(high_a, high_b) - std::max(low_a, low_b) > tolerance;
-  };
-  return along(a.min.x, a.max.x, b.min.x, b.max.x) && along(a.min.y, a.max.y, b.min.y, b.max.y) &&
-         along(a.min.z, a.max.z, b.min.z, b.max.z);
-}
 
 /// Whether all daughters are within the volume and apart from one another, so that their volumes
 /// can be added.
@@ -36,7 +27,7 @@ bool adds_up(const World& world, const LogicalVolume& volume, Separation& separa
   bool apart = true;
   for (std::uint32_t a = 0; a < boxes.size() && apart; ++a) {
     tree.overlapping(boxes[a], [&](std::uint32_t b) {
-      if (b <= a || !share(boxes[a], boxes[b], tolerance)) return true;
+      if (b <= a || !share_more_than(tolerance, boxes[a], boxes[b])) return true;
       const Placement &p = volume.daughters[a], &q = volume.daughters[b];
       apart = separation.apart({world.volumes[p.volume].solid, p.transformation},
                                {world.volumes[q.volume].solid, q.transformation}) != Verdict::no;
@@ -60,7 +51,7 @@ Mixtures::Mixtures(const World& world, const Marks& marks, const std::vector<dou
   for (VolumeId v = 0; v < world.volumes.size(); ++v) {
     for (const Placement& p : world.volumes[v].daughters) ++counts_[v][p.volume];
   }
-  const double tolerance = std::max(overlap, 8 * world.tolerance);
+  const double tolerance = std::max(least_overlap, 8 * world.tolerance);
   Separation separation(tolerance, world.tolerance);
   // Whether all that is in a volume may be mixed with what is around the volume, apart from tags.
   std::vector<bool> dissolves(world.volumes.size());

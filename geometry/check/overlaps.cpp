@@ -7,6 +7,7 @@
 #include "geometry/check/aimed.hpp"
 #include "geometry/check/surface.hpp"
 #include "geometry/model/placed_extent.hpp"
+#include "geometry/solids/extent.hpp"
 
 namespace navjit {
 namespace {
@@ -34,19 +35,12 @@ class Findings {
 /// Indices of daughters whose boxes along the mother's axes share more than the tolerance.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_to_check(
     const std::vector<Extent>& boxes, const bvh::BoxTree& tree, double tolerance) {
-  const auto share = [tolerance](double low_a, double high_a, double low_b, double high_b) {
-    return std::min(high_a, high_b) - std::max(low_a, low_b) > tolerance;
-  };
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     const Extent& a = boxes[i];
     tree.overlapping(a, [&](std::uint32_t k) {
       if (k <= i) return true;
-      const Extent& b = boxes[k];
-      if (share(a.min.x, a.max.x, b.min.x, b.max.x) && share(a.min.y, a.max.y, b.min.y, b.max.y) &&
-          share(a.min.z, a.max.z, b.min.z, b.max.z)) {
-        pairs.emplace_back(i, k);
-      }
+      if (share_more_than(tolerance, a, boxes[k])) pairs.emplace_back(i, k);
       return true;
     });
   }

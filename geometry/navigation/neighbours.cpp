@@ -45,11 +45,6 @@ void append_blocks(std::span<const std::uint32_t> found, std::span<const Extent>
   }
 }
 
-bool meet(const Extent& a, const Extent& b) {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
-         a.min.z <= b.max.z && b.min.z <= a.max.z;
-}
-
 /// Parts of a box smaller than this fraction of its radius are not divided: a guess.
 constexpr double least_part = 1.0 / 64;
 /// All boxes of a scene's daughters together are not divided into more parts: a guess.

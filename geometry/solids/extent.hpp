@@ -29,4 +29,19 @@ inline Extent merged(const Extent& a, const Extent& b) {
           {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y), std::max(a.max.z, b.max.z)}};
 }
 
+/// Whether two boxes have a point in common, be it on their faces.
+inline bool meet(const Extent& a, const Extent& b) {
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
+         a.min.z <= b.max.z && b.min.z <= a.max.z;
+}
+
+/// Whether two boxes reach into each other by more than `depth` (mm) along every axis.
+inline bool share_more_than(double depth, const Extent& a, const Extent& b) {
+  const auto along = [depth](double low_a, double high_a, double low_b, double high_b) {
+    return std::min(high_a, high_b) - std::max(low_a, low_b) > depth;
+  };
+  return along(a.min.x, a.max.x, b.min.x, b.max.x) && along(a.min.y, a.max.y, b.min.y, b.max.y) &&
+         along(a.min.z, a.max.z, b.min.z, b.max.z);
+}
+
 }  // namespace navjit
