@@ -55,14 +55,9 @@ bool StateSampler::touchable(VolumeId volume, std::mt19937_64& random, Touchable
 
 namespace {
 
-Vec3 point_in(const Extent& e, std::mt19937_64& random) {
-  return {uniform(random, e.min.x, e.max.x), uniform(random, e.min.y, e.max.y),
-          uniform(random, e.min.z, e.max.z)};
-}
-
-/// The same, moved onto one of the box's faces half the time.
+/// A point in the box, moved onto one of the box's faces half the time.
 Vec3 point_of(const Extent& e, std::mt19937_64& random) {
-  Vec3 p = point_in(e, random);
+  Vec3 p = point_in(random, e);
   switch (random() % 12) {
     case 0:
       p.x = e.min.x;
@@ -92,12 +87,12 @@ Vec3 point_of(const Extent& e, std::mt19937_64& random) {
 /// is within the solid. Nothing if the line misses the solid.
 std::optional<Vec3> point_on_chord(const kernels::AnySolid<double>& solid, const Extent& e,
                                    std::mt19937_64& random, double tolerance) {
-  const Vec3 through = point_in(e, random);
+  const Vec3 through = point_in(random, e);
   Vec3 v = unit_vector(random);
   // Most lines through a flat box are in the box only for a short way, so half of the lines go
   // through two of its points.
   if (random() % 2 == 0) {
-    const Vec3 along = point_in(e, random) - through;
+    const Vec3 along = point_in(random, e) - through;
     const double length = std::sqrt(dot(along, along));
     if (length > 0) v = 1 / length * along;
   }

@@ -27,11 +27,6 @@ Line isotropic_line(std::mt19937_64& random, const Vec3& centre, double radius) 
   return {centre + (r * std::cos(phi)) * e1 + (r * std::sin(phi)) * e2 + (-radius) * v, v};
 }
 
-Vec3 point_in(std::mt19937_64& random, const Extent& e) {
-  const double x = uniform(random, e.min.x, e.max.x), y = uniform(random, e.min.y, e.max.y);
-  return {x, y, uniform(random, e.min.z, e.max.z)};
-}
-
 /// A line through the extent itself, along its long sides or in any direction: it meets a wire or a
 /// hoop that isotropic lines miss.
 Line line_through(std::mt19937_64& random, const Extent& e, double radius, bool along) {

@@ -20,4 +20,10 @@ inline Vec3 unit_vector(std::mt19937_64& random) {
   return {s * std::cos(phi), s * std::sin(phi), c};
 }
 
+/// A point in a box.
+inline Vec3 point_in(std::mt19937_64& random, const Extent& e) {
+  const double x = uniform(random, e.min.x, e.max.x), y = uniform(random, e.min.y, e.max.y);
+  return {x, y, uniform(random, e.min.z, e.max.z)};
+}
+
 }  // namespace navjit

@@ -14,11 +14,6 @@ using Random = std::mt19937_64;
 
 bool chance(Random& random, double p) { return uniform(random, 0, 1) < p; }
 
-Vec3 point_in(Random& random, const Extent& e) {
-  return {uniform(random, e.min.x, e.max.x), uniform(random, e.min.y, e.max.y),
-          uniform(random, e.min.z, e.max.z)};
-}
-
 /// One of the ends, the middle, the origin, or any other value.
 double on_lattice(Random& random, double low, double high) {
   switch (random() % 6) {

@@ -40,10 +40,6 @@ Point turned_to_outer(const Transformation& t, const Point& v) {
           r[2] * v.x + r[5] * v.y + r[8] * v.z};
 }
 
-Vec3 point_in(std::mt19937_64& random, const Extent& e) {
-  return {uniform(random, e.min.x, e.max.x), uniform(random, e.min.y, e.max.y),
-          uniform(random, e.min.z, e.max.z)};
-}
 double size_of(const Extent& e) { return norm(e.max - e.min); }
 
 /// One of the values at random.
