@@ -150,6 +150,14 @@ ScenePlan plan_scene(const Geometry& geometry, const WorldFacts& facts, VolumeId
   return plan;
 }
 
+std::size_t numbers_of_solids(const Geometry& geometry, const ScenePlan& plan) {
+  std::size_t numbers = solid_key(geometry.scene(plan.volume).solid).size() / 8;
+  for (const DaughterClass& c : plan.classes) {
+    for (const DaughterClass::Shape& s : c.shapes) numbers += solid_key(s.solid).size() / 8;
+  }
+  return numbers;
+}
+
 Worth worth_compiling(const Geometry& geometry, const ScenePlan& plan) {
   const auto no = [](std::string_view why) { return Worth{false, why}; };
   if (is_for_data_alone(plan.candidates)) return no("its search is bound to data alone");
@@ -169,11 +177,7 @@ Worth worth_compiling(const Geometry& geometry, const ScenePlan& plan) {
   }
   if (holds_foreign(geometry.scene(plan.volume))) return no("there is no code for foreign solids");
   if (plan.classes.size() > most_classes) return no("too many different solids to spell out");
-  std::size_t numbers = solid_key(geometry.scene(plan.volume).solid).size() / 8;
-  for (const DaughterClass& c : plan.classes) {
-    for (const DaughterClass::Shape& s : c.shapes) numbers += solid_key(s.solid).size() / 8;
-  }
-  if (numbers > most_numbers) return no("solids too large to spell out");
+  if (numbers_of_solids(geometry, plan) > most_numbers) return no("solids too large to spell out");
   return {true, "constants fold, candidates are few"};
 }
 

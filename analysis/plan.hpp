@@ -21,6 +21,9 @@ struct Worth {
 /// Whether the plan's navigator is expected to beat the generic one.
 Worth worth_compiling(const Geometry& geometry, const ScenePlan& plan);
 
+/// How many numbers the scene's solids consist of, each solid of a class once.
+std::size_t numbers_of_solids(const Geometry& geometry, const ScenePlan& plan);
+
 /// The plan in lines of text for `navjit inspect`.
 std::string describe(const Geometry& geometry, const ScenePlan& plan);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "analysis/solid_key.hpp"
 #include "codegen/module.hpp"
 #include "codegen/solids.hpp"
 
@@ -65,14 +64,10 @@ const Candidate* fills_a_module(std::span<const Candidate> due, const Specialise
 }  // namespace
 
 double expected_compile_ms(const Geometry& geometry, const ScenePlan& plan) {
-  const Scene& scene = geometry.scene(plan.volume);
-  std::size_t numbers = solid_key(scene.solid).size() / 8;
-  for (const DaughterClass& c : plan.classes) {
-    for (const DaughterClass::Shape& s : c.shapes) numbers += solid_key(s.solid).size() / 8;
-  }
   return leaf_ms + (plan.classes.empty() ? 0 : daughters_ms) +
          class_ms * static_cast<double>(codegen::solids_of(geometry, plan) - 1) +
-         std::min(most_numbers_ms, number_ms * static_cast<double>(numbers));
+         std::min(most_numbers_ms,
+                  number_ms * static_cast<double>(numbers_of_solids(geometry, plan)));
 }
 
 double expected_compile_ms(const kernels::AnySolid<double>& solid) {
