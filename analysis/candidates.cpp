@@ -109,19 +109,18 @@ bool sectors_pay(const Rings& rings) {
                                                [](const Ring& ring) { return ring.segments; });
 }
 
-/// Whether the pattern is described as slabs or a grid.
-bool is_regular(const std::string& pattern) {
-  return pattern.find(" slabs along ") != std::string::npos || pattern.starts_with("grid");
+bool is_regular(Arrangement arrangement) {
+  return arrangement == Arrangement::slabs || arrangement == Arrangement::grid;
 }
 
 /// Whether slabs or a grid are at least as good for wires as rows. For boxes along the axes slabs
 /// have a shorter walk, and steps among wires in one plane are as fast with slabs as with rows. But
 /// rows have a faster safety if there are too many wires to test all. Grids lead to the cell at
 /// once.
-bool slabs_or_grid_serve(const Geometry& geometry, const ScenePlan& plan) {
+bool slabs_or_grid_serve(const Geometry& geometry, const ScenePlan& plan, Arrangement arrangement) {
   const bool plain = may_be_grid(plan), boxes = plan.classes[0].kind() == SolidKind::box;
-  if (plan.pattern.starts_with("grid")) return plain;
-  return plan.pattern.find(" slabs along ") != std::string::npos &&
+  if (arrangement == Arrangement::grid) return plain;
+  return arrangement == Arrangement::slabs &&
          ((plain && boxes) || geometry.scene(plan.volume).daughters.size() <= most_boxes_near);
 }
 
@@ -165,7 +164,9 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     placed.push_back(placed_box(world.volumes[d.volume].solid, d.transformation));
     boxes.push_back(placed.back().bounds);
   }
-  plan.pattern = describe_pattern(boxes);
+  const Pattern pattern = pattern_of(boxes);
+  const Arrangement arrangement = pattern.arrangement;
+  plan.pattern = pattern.words;
   if (boxes.empty()) {
     plan.candidates = Candidates::none;
     return;
@@ -205,11 +206,12 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     return;
   }
   const auto make_wires = [&] {
-    if (forced ? *forced != Candidates::wires : slabs_or_grid_serve(geometry, plan)) return false;
+    if (forced ? *forced != Candidates::wires : slabs_or_grid_serve(geometry, plan, arrangement))
+      return false;
     auto wires = find_wires(world, world.volumes[plan.volume].solid, scene.daughters, round_margin);
     if (!wires || (wires->others.size() > 2 && largest > largest_float_scene)) return false;
     plan.candidates = Candidates::wires;
-    if (!is_regular(plan.pattern)) plan.pattern = describe_wires(*wires);
+    if (!is_regular(arrangement)) plan.pattern = describe_wires(*wires);
     plan.wires = std::move(*wires);
     if (plan.wires.others.size() > 2) make_boxes();
     plan.mean_candidates = 1;
@@ -229,7 +231,7 @@ void choose_candidates(const Geometry& geometry, std::optional<Candidates> force
     if (!plan.wires.safety_known) make_layers_for_safety();
     return;
   }
-  if (boxes.size() <= most_about_an_axis && !is_regular(plan.pattern)) {
+  if (boxes.size() <= most_about_an_axis && !is_regular(arrangement)) {
     std::string round = describe_round_pattern(world, world.volumes[plan.volume].solid,
                                                scene.daughters, round_margin);
     if (!round.empty()) plan.pattern = std::move(round);

@@ -20,9 +20,9 @@ std::size_t distinct(std::vector<double> values, double tolerance) {
 
 }  // namespace
 
-std::string describe_pattern(std::span<const Extent> boxes) {
-  if (boxes.empty()) return "leaf";
-  if (boxes.size() == 1) return "single";
+Pattern pattern_of(std::span<const Extent> boxes) {
+  if (boxes.empty()) return {Arrangement::leaf, "leaf"};
+  if (boxes.size() == 1) return {Arrangement::single, "single"};
   std::vector<double> x, y, z;
   for (const Extent& e : boxes) {
     x.push_back((e.min.x + e.max.x) / 2);
@@ -34,15 +34,17 @@ std::string describe_pattern(std::span<const Extent> boxes) {
   const char* axis[3] = {"x", "y", "z"};
   for (int a = 0; a < 3; ++a) {
     if (n[a] == boxes.size() && n[(a + 1) % 3] == 1 && n[(a + 2) % 3] == 1) {
-      return std::to_string(n[a]) + " slabs along " + axis[a];
+      return {Arrangement::slabs, std::to_string(n[a]) + " slabs along " + axis[a]};
     }
   }
   if (n[0] * n[1] * n[2] == boxes.size()) {
-    return "grid " + std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " +
-           std::to_string(n[2]);
+    return {Arrangement::grid, "grid " + std::to_string(n[0]) + " x " + std::to_string(n[1]) +
+                                   " x " + std::to_string(n[2])};
   }
-  if (n[0] == 1 && n[1] == 1 && n[2] == 1) return "nest of " + std::to_string(boxes.size());
-  return std::to_string(boxes.size()) + " daughters";
+  if (n[0] == 1 && n[1] == 1 && n[2] == 1) {
+    return {Arrangement::nest, "nest of " + std::to_string(boxes.size())};
+  }
+  return {Arrangement::other, std::to_string(boxes.size()) + " daughters"};
 }
 
 std::string describe_round_pattern(const World& world, const Solid& mother,

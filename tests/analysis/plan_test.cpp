@@ -103,13 +103,21 @@ TEST(Grid, StopsAtTheReach) {
 
 TEST(Pattern, IsNamed) {
   std::vector<Extent> boxes;
-  EXPECT_EQ(describe_pattern(boxes), "leaf");
+  EXPECT_EQ(pattern_of(boxes).words, "leaf");
+  EXPECT_EQ(pattern_of(boxes).arrangement, Arrangement::leaf);
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 4; ++j)
       boxes.push_back({{i * 2.0, j * 3.0, 0}, {i * 2.0 + 1, j * 3.0 + 1, 1}});
   }
-  EXPECT_EQ(describe_pattern(boxes), "grid 3 x 4 x 1");
-  EXPECT_EQ(describe_pattern(std::span(boxes).first(4)), "4 slabs along y");
+  EXPECT_EQ(pattern_of(boxes).words, "grid 3 x 4 x 1");
+  EXPECT_EQ(pattern_of(boxes).arrangement, Arrangement::grid);
+  const std::span all(boxes);
+  EXPECT_EQ(pattern_of(all.first(4)).words, "4 slabs along y");
+  EXPECT_EQ(pattern_of(all.first(4)).arrangement, Arrangement::slabs);
+  EXPECT_EQ(pattern_of(all.first(1)).arrangement, Arrangement::single);
+  EXPECT_EQ(pattern_of(all.first(5)).arrangement, Arrangement::other);
+  const std::vector<Extent> about_one_point{{{-1, -1, -1}, {1, 1, 1}}, {{-2, -2, -2}, {2, 2, 2}}};
+  EXPECT_EQ(pattern_of(about_one_point).arrangement, Arrangement::nest);
 }
 
 TEST(Plan, OfManyDaughtersIsKeptForEachQuestion) {
