@@ -129,6 +129,62 @@ ScenePlan make_plan(const Geometry& geometry, const WorldFacts& facts,
   return plan;
 }
 
+/// How the scene's daughters are found, for people; empty if there are none.
+std::string how_found(const ScenePlan& plan) {
+  std::ostringstream out;
+  switch (plan.candidates) {
+    case Candidates::none:
+      break;
+    case Candidates::all:
+      out << "spelled out one by one";
+      break;
+    case Candidates::lanes:
+      out << "all, four boxes at once";
+      break;
+    case Candidates::slabs:
+      out << "the next along "
+          << "xyz"[plan.slabs.axis];
+      break;
+    case Candidates::nest:
+      out << "the next of " << plan.nest.members.size() << " shells about "
+          << axis_names[plan.nest.axis];
+      break;
+    case Candidates::rings:
+      out << "sectors about " << axis_names[plan.rings.axis] << ":";
+      for (const Ring& ring : plan.rings.rings) {
+        out << " " << ring.present << " of " << ring.steps << " in a ring"
+            << (ring.lean != 0 ? " that leans," : ",");
+      }
+      out << " " << plan.rings.others.size() << " besides";
+      break;
+    case Candidates::wires:
+      out << "the next across:";
+      for (const WireBundle& bundle : plan.wires.bundles) {
+        for (const WireRow& row : bundle.rows) out << " " << row.members.size() << " in a row,";
+      }
+      out << " " << plan.wires.others.size() << " besides";
+      break;
+    case Candidates::scan:
+      out << "those whose boxes it meets, all of " << plan.boxes.size() << " looked at first";
+      break;
+    case Candidates::groups:
+      out << "those whose boxes it meets, looked at by groups of eight";
+      break;
+    case Candidates::tree:
+      out << "by the hierarchy of boxes";
+      break;
+    case Candidates::layers:
+      out << describe_layers(plan.layers);
+      break;
+    case Candidates::grid:
+    case Candidates::boxes:
+      out << "cells " << plan.grid.count[0] << " x " << plan.grid.count[1] << " x "
+          << plan.grid.count[2] << ", " << plan.mean_candidates << " candidates a cell"
+          << (plan.candidates == Candidates::boxes ? ", boxes tested eight at once" : "");
+  }
+  return out.str();
+}
+
 }  // namespace
 
 bool is_costly(SolidKind kind) {
@@ -160,7 +216,7 @@ std::size_t numbers_of_solids(const Geometry& geometry, const ScenePlan& plan) {
 
 Worth worth_compiling(const Geometry& geometry, const ScenePlan& plan) {
   const auto no = [](std::string_view why) { return Worth{false, why}; };
-  if (is_for_data_alone(plan.candidates)) return no("its search is bound to data alone");
+  if (facts_of(plan.candidates).for_data_alone) return no("its search is bound to data alone");
   const std::size_t daughters = geometry.scene(plan.volume).daughters.size();
   if (plan.candidates == Candidates::boxes && daughters > most_boxes_in_code)
     return no("too many daughters for tables of boxes");
@@ -204,59 +260,8 @@ std::string describe(const Geometry& geometry, const ScenePlan& plan) {
                                                 : std::string("several"))
       << "\n"
       << "  candidates   ";
-  switch (plan.candidates) {
-    case Candidates::none:
-      out << "none";
-      break;
-    case Candidates::all:
-      out << "all: spelled out one by one";
-      break;
-    case Candidates::lanes:
-      out << "lanes: all, four boxes at once";
-      break;
-    case Candidates::slabs:
-      out << "slabs: the next along "
-          << "xyz"[plan.slabs.axis];
-      break;
-    case Candidates::nest:
-      out << "nest: the next of " << plan.nest.members.size() << " shells about "
-          << axis_names[plan.nest.axis];
-      break;
-    case Candidates::rings:
-      out << "rings: sectors about " << axis_names[plan.rings.axis] << ":";
-      for (const Ring& ring : plan.rings.rings) {
-        out << " " << ring.present << " of " << ring.steps << " in a ring"
-            << (ring.lean != 0 ? " that leans," : ",");
-      }
-      out << " " << plan.rings.others.size() << " besides";
-      break;
-    case Candidates::wires:
-      out << "wires: the next across:";
-      for (const WireBundle& bundle : plan.wires.bundles) {
-        for (const WireRow& row : bundle.rows) out << " " << row.members.size() << " in a row,";
-      }
-      out << " " << plan.wires.others.size() << " besides";
-      break;
-    case Candidates::scan:
-      out << "scan: those whose boxes it meets, all of " << plan.boxes.size() << " looked at first";
-      break;
-    case Candidates::groups:
-      out << "groups: those whose boxes it meets, looked at by groups of eight";
-      break;
-    case Candidates::tree:
-      out << "tree: by the hierarchy of boxes";
-      break;
-    case Candidates::layers:
-      out << "layers: " << describe_layers(plan.layers);
-      break;
-    case Candidates::grid:
-    case Candidates::boxes:
-      out << (plan.candidates == Candidates::boxes ? "boxes: " : "grid: ") << "cells "
-          << plan.grid.count[0] << " x " << plan.grid.count[1] << " x " << plan.grid.count[2]
-          << ", " << plan.mean_candidates << " candidates a cell"
-          << (plan.candidates == Candidates::boxes ? ", boxes tested eight at once" : "");
-  }
-  out << "\n";
+  const std::string how = how_found(plan);
+  out << facts_of(plan.candidates).name << (how.empty() ? "" : ": ") << how << "\n";
   if (plan.layers.found() && plan.candidates != Candidates::layers &&
       plan.candidates != Candidates::slabs && plan.candidates != Candidates::wires) {
     out << "  bound to data " << describe_layers(plan.layers) << "\n";

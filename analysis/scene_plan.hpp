@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/searches.hpp"
 #include "geometry/navigation/geometry.hpp"
 
 namespace navjit {
@@ -134,22 +135,6 @@ struct Wires {
   bool safety_known = false;
 };
 
-enum class Candidates : std::uint8_t {
-  none,    ///< no daughters
-  all,     ///< every daughter, one after the other
-  lanes,   ///< every daughter, four at once; all are boxes along the axes
-  slabs,   ///< the next ones along an axis
-  nest,    ///< the next ones in radius
-  rings,   ///< those in the sectors that the ray passes
-  wires,   ///< the next ones across the wires, in rows; bound to data only
-  grid,    ///< those in the cells that the ray passes
-  boxes,   ///< the same, but only those whose boxes the ray meets
-  scan,    ///< those whose boxes the ray meets; all boxes are tested first
-  groups,  ///< the same, with boxes around several of them tested first; bound to data only
-  tree,    ///< those that the generic navigator's hierarchy of boxes finds; bound to data only
-  layers,  ///< those in the slabs within slabs that the ray passes; bound to data only
-};
-
 /// The most daughters that Candidates::scan may have.
 constexpr std::size_t most_scanned = 64;
 constexpr bool may_be_scanned(std::size_t daughters) {
@@ -159,12 +144,6 @@ constexpr bool may_be_scanned(std::size_t daughters) {
 constexpr std::size_t most_grouped = 16384;
 constexpr bool may_be_grouped(std::size_t daughters) {
   return daughters > most_scanned / 2 && daughters <= most_grouped;
-}
-
-/// Searches for which no code is generated.
-constexpr bool is_for_data_alone(Candidates candidates) {
-  return candidates == Candidates::wires || candidates == Candidates::groups ||
-         candidates == Candidates::tree || candidates == Candidates::layers;
 }
 
 enum class SafetyFrom : std::uint8_t {

@@ -22,7 +22,7 @@ bool is_known_to_library(SolidKind kind) {
 }  // namespace
 
 bool gains_from_structure(const Geometry& geometry, const ScenePlan& plan) {
-  if (is_for_data_alone(plan.candidates)) return false;
+  if (facts_of(plan.candidates).for_data_alone) return false;
   const Scene& scene = geometry.scene(plan.volume);
   if (scene.solid.kind == SolidKind::facets || holds_foreign(scene)) return false;
   if (!is_known_to_library(scene.solid.kind)) return true;

@@ -24,8 +24,8 @@ void apply_overrides(Specialisation& spec) {
   const char* text = std::getenv(overrides_variable);
   if (text == nullptr) return;
   const Overrides overrides = parse_overrides(spec.shared->geometry.world(), text);
-  for (const auto& [volume, variant] : overrides.variants) {
-    if (variant == Variant::off) {
+  for (const auto& [volume, search] : overrides.searches) {
+    if (!search) {
       // Only this volume, not those equal to it: the problem may be in that part of the shared
       // navigator which is its own.
       spec.bound.insert(volume);
@@ -37,7 +37,7 @@ void apply_overrides(Specialisation& spec) {
     } else {
       // Equal volumes share a navigator, and so also what is forced on one of them.
       const VolumeId first = spec.facts.first_equal[volume];
-      spec.facts.forced_candidates[first] = *candidates_of(variant);
+      spec.facts.forced_candidates[first] = *search;
       spec.forced.insert(first);
     }
   }

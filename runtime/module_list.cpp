@@ -14,12 +14,8 @@ constexpr std::string_view first_line = "navjit hot scenes 3\n";
 /// too many steps.
 constexpr unsigned most_modules_of_a_scene = 16;
 
-struct Name {
-  std::string_view text;
-  Candidates search;
-};
-constexpr Name names[] = {
-    {":scan", Candidates::scan}, {":slabs", Candidates::slabs}, {":rings", Candidates::rings}};
+/// ":scan": what follows the number of a scene.
+std::string suffix(const SearchFacts& facts) { return ":" + std::string(facts.name); }
 
 /// Takes "12" or "12:scan" from the front of the text.
 std::optional<ListedScene> take_scene(std::string_view& text) {
@@ -27,10 +23,10 @@ std::optional<ListedScene> take_scene(std::string_view& text) {
   const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), scene.volume);
   if (error != std::errc{}) return std::nullopt;
   text.remove_prefix(static_cast<std::size_t>(at - text.data()));
-  for (const Name& name : names) {
-    if (scene.search || !text.starts_with(name.text)) continue;
-    scene.search = name.search;
-    text.remove_prefix(name.text.size());
+  for (const SearchFacts& facts : all_searches) {
+    if (scene.search || !facts.listed_if_faster || !text.starts_with(suffix(facts))) continue;
+    scene.search = facts.search;
+    text.remove_prefix(suffix(facts).size());
   }
   return scene;
 }
@@ -41,9 +37,7 @@ std::string write_module_list(const ModuleList& list) {
   std::string text(first_line);
   const auto write = [&](const ListedScene& scene) {
     text += std::to_string(scene.volume);
-    for (const Name& name : names) {
-      if (scene.search == name.search) text += name.text;
-    }
+    if (scene.search && may_be_listed(*scene.search)) text += suffix(facts_of(*scene.search));
   };
   for (const ListedModule& module : list) {
     for (std::size_t i = 0; i < module.scenes.size(); ++i) {

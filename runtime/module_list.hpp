@@ -32,9 +32,7 @@ struct ListedModule {
 using ModuleList = std::vector<ListedModule>;
 
 /// The measured searches that code can use.
-constexpr bool may_be_listed(Candidates search) {
-  return search == Candidates::scan || search == Candidates::slabs || search == Candidates::rings;
-}
+constexpr bool may_be_listed(Candidates search) { return facts_of(search).listed_if_faster; }
 
 std::string write_module_list(const ModuleList& list);
 

@@ -1,54 +1,24 @@
 #include "runtime/overrides.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 namespace navjit {
 namespace {
 
-/// The variants by name, each with the search that it forces.
-struct Name {
-  std::string_view text;
-  Variant variant;
-  std::optional<Candidates> candidates;
-};
-constexpr Name names[] = {{"off", Variant::off, {}},
-                          {"all", Variant::all, Candidates::all},
-                          {"lanes", Variant::lanes, Candidates::lanes},
-                          {"nest", Variant::nest, Candidates::nest},
-                          {"rings", Variant::rings, Candidates::rings},
-                          {"wires", Variant::wires, Candidates::wires},
-                          {"grid", Variant::grid, Candidates::grid},
-                          {"boxes", Variant::boxes, Candidates::boxes},
-                          {"scan", Variant::scan, Candidates::scan},
-                          {"groups", Variant::groups, Candidates::groups},
-                          {"tree", Variant::tree, Candidates::tree},
-                          {"layers", Variant::layers, Candidates::layers}};
+constexpr std::string_view off = "off";
 
-std::optional<Variant> parse_variant(std::string_view text) {
-  for (const Name& name : names) {
-    if (name.text == text) return name.variant;
-  }
-  return {};
-}
+bool may_be_forced(Candidates search) { return facts_of(search).forced_from_outside; }
 
-/// "NAME=off, all, ... or tree is needed".
+/// "NAME=off, all, ... or layers is needed".
 std::string what_is_needed() {
-  std::string text = "NAME=";
-  for (const Name& name : names) {
-    if (&name != &names[0]) text += &name == std::end(names) - 1 ? " or " : ", ";
-    text += name.text;
+  std::string text = "NAME=" + std::string(off), last;
+  for (const SearchFacts& facts : all_searches) {
+    if (!facts.forced_from_outside) continue;
+    if (!last.empty()) text += ", " + last;
+    last = facts.name;
   }
-  return text + " is needed";
+  return text + " or " + last + " is needed";
 }
 
 }  // namespace
-
-std::optional<Candidates> candidates_of(Variant variant) {
-  return std::find_if(std::begin(names), std::end(names),
-                      [&](const Name& name) { return name.variant == variant; })
-      ->candidates;
-}
 
 Overrides parse_overrides(const World& world, std::string_view text) {
   Overrides result;
@@ -60,9 +30,10 @@ Overrides parse_overrides(const World& world, std::string_view text) {
     const std::string_view entry = text.substr(0, comma);
     text = comma == std::string_view::npos ? std::string_view{} : text.substr(comma + 1);
     const std::size_t equals = entry.rfind('=');
-    std::optional<Variant> variant;
-    if (equals != std::string_view::npos) variant = parse_variant(entry.substr(equals + 1));
-    if (!variant) {
+    const std::string_view variant =
+        equals == std::string_view::npos ? std::string_view{} : entry.substr(equals + 1);
+    const std::optional<Candidates> search = search_named(variant);
+    if (variant != off && !(search && may_be_forced(*search))) {
       complain(entry, what_is_needed());
       continue;
     }
@@ -70,7 +41,7 @@ Overrides parse_overrides(const World& world, std::string_view text) {
     bool found = false;
     for (VolumeId v = 0; v < world.volumes.size(); ++v) {
       if (name != "*" && world.volumes[v].name != name) continue;
-      result.variants[v] = *variant;
+      result.searches[v] = search;
       found = true;
     }
     if (!found) complain(entry, "no logical volume has this name");

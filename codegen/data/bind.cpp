@@ -36,11 +36,8 @@ std::string structure_of(const Geometry& geometry, const ScenePlan& plan) {
   text += scene.solid.kind == SolidKind::box    ? "box"
           : scene.solid.kind == SolidKind::tube ? "tube"
                                                 : "solid";
-  static constexpr const char* searches[] = {
-      "",           ", all of",  ", lanes of",     ", slabs of", ", nest of",   ", rings of",
-      ", wires of", ", grid of", ", boxes around", ", scan of",  ", groups of", ", tree of",
-      ", layers of"};
-  text += searches[static_cast<int>(plan.candidates)];
+  const std::string_view of = facts_of(plan.candidates).of_daughters;
+  if (!of.empty()) text.append(", ").append(of);
   if (scene.daughters.empty()) return text;
   if (plan.candidates == Candidates::lanes) {
     text += scene.daughters.size() <= kernels::lanes_of_four ? " four" : " eight";

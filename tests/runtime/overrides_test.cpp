@@ -22,26 +22,29 @@ TEST(Overrides, AreParsedAndComplainedAbout) {
   const auto [o, complaints] =
       parse_overrides(world, "stack=off,plate=all,nobody=off,tile=fast,ring");
   EXPECT_EQ(o.size(), 2U);
-  EXPECT_EQ(o.at(1), Variant::off);
-  EXPECT_EQ(o.at(2), Variant::all);
+  EXPECT_EQ(o.at(1), std::nullopt);
+  EXPECT_EQ(o.at(2), Candidates::all);
   EXPECT_NE(
       complaints.find("'tile=fast': NAME=off, all, lanes, nest, rings, wires, grid, boxes, scan, "
                       "groups, tree or layers is needed"),
       std::string::npos)
       << complaints;
-  EXPECT_EQ(candidates_of(Variant::wires), Candidates::wires);
-  EXPECT_EQ(candidates_of(Variant::off), std::nullopt);
+  for (const char* unknown : {"none", "slabs", ""}) {  // searches that are not forced, and no name
+    const Overrides refused = parse_overrides(world, std::string("stack=") + unknown);
+    EXPECT_TRUE(refused.searches.empty()) << unknown;
+    EXPECT_NE(refused.complaints, "") << unknown;
+  }
   EXPECT_EQ(std::count(complaints.begin(), complaints.end(), '\n'), 3) << complaints;
   const auto round =
-      parse_overrides(world, "stack=nest,plate=lanes,plate=rings,world=wires").variants;
-  EXPECT_EQ(round.at(1), Variant::nest);
-  EXPECT_EQ(round.at(2), Variant::rings);
-  EXPECT_EQ(round.at(0), Variant::wires);
-  const auto every = parse_overrides(world, "*=off,stack=grid").variants;
+      parse_overrides(world, "stack=nest,plate=lanes,plate=rings,world=wires").searches;
+  EXPECT_EQ(round.at(1), Candidates::nest);
+  EXPECT_EQ(round.at(2), Candidates::rings);
+  EXPECT_EQ(round.at(0), Candidates::wires);
+  const auto every = parse_overrides(world, "*=off,stack=grid").searches;
   EXPECT_EQ(every.size(), world.volumes.size());
-  EXPECT_EQ(every.at(0), Variant::off);
-  EXPECT_EQ(every.at(1), Variant::grid);
-  EXPECT_TRUE(parse_overrides(world, "").variants.empty());
+  EXPECT_EQ(every.at(0), std::nullopt);
+  EXPECT_EQ(every.at(1), Candidates::grid);
+  EXPECT_TRUE(parse_overrides(world, "").searches.empty());
 }
 
 TEST(Overrides, FromTheEnvironmentForceScenes) {
