@@ -11,8 +11,8 @@
 
 namespace navjit {
 
-/// Solids that overlap by less than this, mm, count as apart: wherever volumes are joined, and
-/// never less than the rounding of positions in the world.
+/// Solids that overlap by less than this, mm, count as apart, wherever volumes are joined. It must
+/// not be less than the rounding of positions in the world.
 constexpr double least_overlap = 1e-9;
 
 /// Which daughters may become part of their mothers' mixtures, and which materials result.
