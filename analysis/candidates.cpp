@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "analysis/patterns/grid.hpp"
 #include "analysis/patterns/layers.hpp"
@@ -113,39 +116,236 @@ bool is_regular(Arrangement arrangement) {
   return arrangement == Arrangement::slabs || arrangement == Arrangement::grid;
 }
 
+/// A scene whose search is being chosen, and what several of the steps below need.
+struct Choice {
+  const Geometry& geometry;
+  std::optional<Candidates> forced;
+  ScenePlan& plan;
+  const Scene& scene;
+  const Solid& mother;
+  std::vector<PlacedBox> placed{};
+  std::vector<Extent> boxes{};  ///< of `placed`
+  Arrangement arrangement = Arrangement::leaf;
+  double largest = 0;       ///< coordinate of the mother and of all boxes, mm
+  double margin = 0;        ///< of cells and boxes, mm
+  double round_margin = 0;  ///< of radii, mm: daughters may stick out of their mother
+  bool in_floats = false;   ///< single precision distinguishes the boxes
+  bool boxes_possible = false, scan_possible = false, groups_possible = false;
+
+  const World& world() const { return geometry.world(); }
+  /// Whether this search is asked for, or none is.
+  bool may_be(Candidates search) const { return !forced || *forced == search; }
+  bool few() const { return boxes.size() <= spell_out_limit; }
+
+  bool choose(Candidates search, double mean_candidates) const {
+    plan.candidates = search;
+    plan.mean_candidates = mean_candidates;
+    return true;
+  }
+  /// The same for a search that looks at all daughters or their boxes.
+  bool choose_of_all(Candidates search) const {
+    return choose(search, static_cast<double>(boxes.size()));
+  }
+};
+
+Choice prepare(const Geometry& geometry, std::optional<Candidates> forced, ScenePlan& plan) {
+  const World& world = geometry.world();
+  Choice c{geometry, forced, plan, geometry.scene(plan.volume), world.volumes[plan.volume].solid};
+  c.largest = largest_coordinate(c.mother.extent);
+  for (const Daughter& d : c.scene.daughters) {
+    c.placed.push_back(placed_box(world.volumes[d.volume].solid, d.transformation));
+    c.boxes.push_back(c.placed.back().bounds);
+    c.largest = std::max(c.largest, largest_coordinate(c.boxes.back()));
+  }
+  Pattern pattern = pattern_of(c.boxes);
+  c.arrangement = pattern.arrangement;
+  plan.pattern = std::move(pattern.words);
+  c.margin = search_margin(c.mother.extent, geometry.tolerance());
+  c.round_margin = 2 * geometry.tolerance() + 1e-9 * c.largest;
+  c.in_floats = c.largest <= largest_float_scene;
+  c.boxes_possible = c.boxes.size() <= most_boxes && c.in_floats;
+  c.scan_possible = c.boxes_possible && may_be_scanned(c.boxes.size());
+  c.groups_possible = c.boxes_possible && may_be_grouped(c.boxes.size());
+  return c;
+}
+
+void make_boxes(const Choice& c) {
+  if (!c.plan.boxes.empty()) return;
+  const double inflate = c.margin + float_margin(c.largest);
+  for (const Extent& box : c.boxes) c.plan.boxes.push_back(inflated(box, inflate));
+}
+
+bool make_layers(const Choice& c) {
+  if (!c.in_floats || c.boxes.size() > most_in_planes) return false;
+  auto layers = find_layers(c.boxes, c.geometry.tolerance(), c.margin);
+  if (layers) c.plan.layers = std::move(*layers);
+  return c.plan.layers.found();
+}
+
+/// If there are too many daughters to test all for the safety, layers may give it.
+void make_layers_for_safety(const Choice& c) {
+  if (!c.forced && c.boxes.size() > most_boxes_near) make_layers(c);
+}
+
+void make_cells(const Choice& c, Candidates search, CellUse use) {
+  // A daughter is not listed in cells that lie in a hole of the daughter, or in a part of its box
+  // that it does not fill.
+  const auto apart = [&](std::uint32_t k, const Extent& box) {
+    const Daughter& d = c.scene.daughters[k];
+    return safety_to_in(d.solid, to_local(d.transformation, 0.5 * (box.min + box.max))) >
+           norm(0.5 * (box.max - box.min)) + 2 * c.margin;
+  };
+  c.plan.grid = make_grid(c.mother.extent, c.placed, c.margin, use, apart);
+  c.choose(search, mean_candidates(c.plan.grid));
+}
+
 /// Whether slabs or a grid are at least as good for wires as rows. For boxes along the axes slabs
 /// have a shorter walk, and steps among wires in one plane are as fast with slabs as with rows. But
 /// rows have a faster safety if there are too many wires to test all. Grids lead to the cell at
 /// once.
-bool slabs_or_grid_serve(const Geometry& geometry, const ScenePlan& plan, Arrangement arrangement) {
-  const bool plain = may_be_grid(plan), boxes = plan.classes[0].kind() == SolidKind::box;
-  if (arrangement == Arrangement::grid) return plain;
-  return arrangement == Arrangement::slabs &&
-         ((plain && boxes) || geometry.scene(plan.volume).daughters.size() <= most_boxes_near);
+bool slabs_or_grid_serve(const Choice& c) {
+  const bool plain = may_be_grid(c.plan), boxes = c.plan.classes[0].kind() == SolidKind::box;
+  if (c.arrangement == Arrangement::grid) return plain;
+  return c.arrangement == Arrangement::slabs &&
+         ((plain && boxes) || c.boxes.size() <= most_boxes_near);
 }
 
-/// Chooses a pattern about an axis or a centre: a nest, or rings. Returns false if there is none.
-bool choose_round(const Geometry& geometry, std::optional<Candidates> forced, double margin,
-                  ScenePlan& plan) {
-  const World& world = geometry.world();
-  const Scene& scene = geometry.scene(plan.volume);
-  if (!forced || forced == Candidates::nest) {
-    auto nest = find_nest(world, world.volumes[plan.volume].solid, scene.daughters, margin);
-    if (nest && (forced || most_others * nest->others.size() <= nest->members.size())) {
-      plan.candidates = Candidates::nest;
-      plan.nest = std::move(*nest);
-      return true;
-    }
-  }
-  if (!forced || forced == Candidates::rings) {
-    auto rings = find_rings(world, world.volumes[plan.volume].solid, scene.daughters, margin);
-    const bool chosen = rings && (forced || sectors_pay(*rings));
-    if (chosen) plan.candidates = Candidates::rings;
-    if (chosen || (rings && sectors_may_pay(*rings))) plan.rings = std::move(*rings);
-    if (chosen) return true;
-  }
+// The steps of the choice. Each returns whether it has chosen; if not, the next one is asked.
+
+bool try_none(const Choice& c) { return c.boxes.empty() && c.choose(Candidates::none, 0); }
+
+bool try_tree_if_forced(const Choice& c) {
+  return c.forced == Candidates::tree &&
+         c.choose_of_all(c.scene.boxes ? Candidates::tree : Candidates::all);
+}
+
+bool try_boxes_of_all_if_forced(const Choice& c) {
+  // Scenes that are bound to data may use a scan, whatever is chosen here.
+  if (c.scan_possible || c.groups_possible) make_boxes(c);
+  if (c.scan_possible && c.forced == Candidates::scan) return c.choose_of_all(Candidates::scan);
+  return c.groups_possible && c.forced == Candidates::groups && c.choose_of_all(Candidates::groups);
+}
+
+bool try_wires(const Choice& c) {
+  if (c.forced ? *c.forced != Candidates::wires : slabs_or_grid_serve(c)) return false;
+  auto wires = find_wires(c.world(), c.mother, c.scene.daughters, c.round_margin);
+  if (!wires || (wires->others.size() > 2 && !c.in_floats)) return false;
+  if (!is_regular(c.arrangement)) c.plan.pattern = describe_wires(*wires);
+  c.plan.wires = std::move(*wires);
+  if (c.plan.wires.others.size() > 2) make_boxes(c);
+  if (!c.plan.wires.safety_known) make_layers_for_safety(c);
+  return c.choose(Candidates::wires, 1);
+}
+
+/// Chooses nothing: only what people call the pattern depends on it.
+bool name_round_pattern(const Choice& c) {
+  if (c.boxes.size() > most_about_an_axis || is_regular(c.arrangement)) return false;
+  std::string round =
+      describe_round_pattern(c.world(), c.mother, c.scene.daughters, c.round_margin);
+  if (!round.empty()) c.plan.pattern = std::move(round);
   return false;
 }
+
+/// A pattern about an axis or a centre: a nest, or rings.
+bool try_round(const Choice& c) {
+  if (c.boxes.size() > most_about_an_axis || !c.boxes_possible) return false;
+  if (c.may_be(Candidates::nest)) {
+    auto nest = find_nest(c.world(), c.mother, c.scene.daughters, c.round_margin);
+    if (nest && (c.forced || most_others * nest->others.size() <= nest->members.size())) {
+      c.plan.nest = std::move(*nest);
+      make_boxes(c);
+      return c.choose(Candidates::nest, 1);
+    }
+  }
+  if (!c.may_be(Candidates::rings)) return false;
+  auto rings = find_rings(c.world(), c.mother, c.scene.daughters, c.round_margin);
+  if (!rings) return false;
+  const bool chosen = c.forced || sectors_pay(*rings);
+  if (chosen || sectors_may_pay(*rings)) c.plan.rings = std::move(*rings);
+  if (!chosen) return false;
+  make_boxes(c);
+  return c.choose(Candidates::rings, 1);
+}
+
+bool try_lanes(const Choice& c) {
+  return c.may_be(Candidates::lanes) && may_use_lanes(c.geometry, c.plan) &&
+         c.choose_of_all(Candidates::lanes);
+}
+
+bool try_lanes_if_forced_or_few(const Choice& c) { return (c.forced || c.few()) && try_lanes(c); }
+
+bool try_round_if_forced_and_few(const Choice& c) { return c.forced && c.few() && try_round(c); }
+
+bool try_all(const Choice& c) {
+  return (c.forced ? *c.forced == Candidates::all : c.few()) && c.choose_of_all(Candidates::all);
+}
+
+/// Slabs, or a scan if rays miss most of them.
+bool try_slabs(const Choice& c) {
+  if (!c.may_be(Candidates::slabs)) return false;
+  auto slabs = find_slabs(c.mother.extent, c.boxes, c.geometry.tolerance(), c.margin);
+  if (!slabs) return false;
+  c.plan.slabs = std::move(*slabs);
+  if (may_be_grid(c.plan) && c.plan.classes[0].kind() == SolidKind::box) {
+    c.plan.slabs.skin = c.margin + c.geometry.tolerance() / 2;
+  }
+  if (c.scan_possible && !c.forced &&
+      mean_cross_section(c.mother.extent, c.boxes, c.plan.slabs.axis) < least_met) {
+    return c.choose_of_all(Candidates::scan);
+  }
+  make_layers_for_safety(c);
+  return c.choose(Candidates::slabs, 1);
+}
+
+bool try_round_of_many(const Choice& c) { return !c.few() && try_round(c); }
+
+/// Layers are walked only by navigators that are bound to data; code gets another search besides.
+bool try_layers(const Choice& c) {
+  return c.may_be(Candidates::layers) && make_layers(c) &&
+         (c.forced || c.boxes.size() > most_boxes) &&
+         c.choose(Candidates::layers, c.plan.layers.mean_group);
+}
+
+bool try_tree_if_too_many(const Choice& c) {
+  return !c.forced && c.boxes.size() > most_boxes && c.scene.boxes &&
+         c.choose_of_all(Candidates::tree);
+}
+
+bool try_grid(const Choice& c) {
+  if (c.boxes_possible && !(c.forced ? *c.forced == Candidates::grid : may_be_grid(c.plan))) {
+    return false;
+  }
+  make_cells(c, Candidates::grid, CellUse::daughters);
+  return !c.boxes_possible || c.forced || is_regular_grid(c.plan);
+}
+
+bool try_scan(const Choice& c) {
+  return c.scan_possible && !c.forced && c.choose_of_all(Candidates::scan);
+}
+
+bool try_boxes(const Choice& c) {
+  make_cells(c, Candidates::boxes, CellUse::blocks);
+  make_boxes(c);
+  return true;
+}
+
+/// The policy: the first that can be used and is expected to pay.
+constexpr bool (*in_order[])(const Choice&) = {try_none,
+                                               try_tree_if_forced,
+                                               try_boxes_of_all_if_forced,
+                                               try_wires,
+                                               name_round_pattern,
+                                               try_lanes_if_forced_or_few,
+                                               try_round_if_forced_and_few,
+                                               try_all,
+                                               try_slabs,
+                                               try_round_of_many,
+                                               try_lanes,
+                                               try_layers,
+                                               try_tree_if_too_many,
+                                               try_grid,
+                                               try_scan,
+                                               try_boxes};
 
 }  // namespace
 
@@ -155,167 +355,10 @@ bool is_regular_grid(const ScenePlan& plan) {
 
 void choose_candidates(const Geometry& geometry, std::optional<Candidates> forced,
                        ScenePlan& plan) {
-  const World& world = geometry.world();
-  const Scene& scene = geometry.scene(plan.volume);
-  const Extent& extent = world.volumes[plan.volume].solid.extent;
-  std::vector<PlacedBox> placed;
-  std::vector<Extent> boxes;
-  for (const Daughter& d : scene.daughters) {
-    placed.push_back(placed_box(world.volumes[d.volume].solid, d.transformation));
-    boxes.push_back(placed.back().bounds);
+  const Choice choice = prepare(geometry, forced, plan);
+  for (const auto choose : in_order) {
+    if (choose(choice)) return;
   }
-  const Pattern pattern = pattern_of(boxes);
-  const Arrangement arrangement = pattern.arrangement;
-  plan.pattern = pattern.words;
-  if (boxes.empty()) {
-    plan.candidates = Candidates::none;
-    return;
-  }
-  if (forced == Candidates::tree) {
-    plan.candidates = scene.boxes ? Candidates::tree : Candidates::all;
-    plan.mean_candidates = static_cast<double>(boxes.size());
-    return;
-  }
-  const double margin = search_margin(extent, geometry.tolerance());
-  double largest = largest_coordinate(extent);
-  for (const Extent& box : boxes) largest = std::max(largest, largest_coordinate(box));
-  // Daughters may stick out of their mother.
-  const double round_margin = 2 * geometry.tolerance() + 1e-9 * largest;
-  const bool in_floats = largest <= largest_float_scene;
-  const bool boxes_possible = boxes.size() <= most_boxes && in_floats;
-  const auto make_boxes = [&] {
-    if (!plan.boxes.empty()) return;
-    const double inflate = margin + float_margin(largest);
-    for (const Extent& box : boxes) plan.boxes.push_back(inflated(box, inflate));
-  };
-  const bool scan = boxes_possible && may_be_scanned(boxes.size());
-  const bool groups = boxes_possible && may_be_grouped(boxes.size());
-  const auto use_scan = [&] {
-    plan.candidates = Candidates::scan;
-    plan.mean_candidates = static_cast<double>(boxes.size());
-  };
-  // Scenes that are bound to data may use a scan, whatever is chosen here.
-  if (scan || groups) make_boxes();
-  if (scan && forced == Candidates::scan) {
-    use_scan();
-    return;
-  }
-  if (groups && forced == Candidates::groups) {
-    plan.candidates = Candidates::groups;
-    plan.mean_candidates = static_cast<double>(boxes.size());
-    return;
-  }
-  const auto make_wires = [&] {
-    if (forced ? *forced != Candidates::wires : slabs_or_grid_serve(geometry, plan, arrangement))
-      return false;
-    auto wires = find_wires(world, world.volumes[plan.volume].solid, scene.daughters, round_margin);
-    if (!wires || (wires->others.size() > 2 && largest > largest_float_scene)) return false;
-    plan.candidates = Candidates::wires;
-    if (!is_regular(arrangement)) plan.pattern = describe_wires(*wires);
-    plan.wires = std::move(*wires);
-    if (plan.wires.others.size() > 2) make_boxes();
-    plan.mean_candidates = 1;
-    return true;
-  };
-  const auto make_layers = [&] {
-    if (!in_floats || boxes.size() > most_in_planes) return false;
-    auto layers = find_layers(boxes, geometry.tolerance(), margin);
-    if (layers) plan.layers = std::move(*layers);
-    return plan.layers.found();
-  };
-  // If there are too many daughters to test all for the safety, layers may give it.
-  const auto make_layers_for_safety = [&] {
-    if (!forced && boxes.size() > most_boxes_near) make_layers();
-  };
-  if (make_wires()) {
-    if (!plan.wires.safety_known) make_layers_for_safety();
-    return;
-  }
-  if (boxes.size() <= most_about_an_axis && !is_regular(arrangement)) {
-    std::string round = describe_round_pattern(world, world.volumes[plan.volume].solid,
-                                               scene.daughters, round_margin);
-    if (!round.empty()) plan.pattern = std::move(round);
-  }
-  const auto make_round = [&] {
-    if (boxes.size() > most_about_an_axis || !boxes_possible ||
-        !choose_round(geometry, forced, round_margin, plan))
-      return false;
-    make_boxes();
-    plan.mean_candidates = 1;
-    return true;
-  };
-  const bool lanes = (!forced || *forced == Candidates::lanes) && may_use_lanes(geometry, plan);
-  const auto use_lanes = [&] {
-    plan.candidates = Candidates::lanes;
-    plan.mean_candidates = static_cast<double>(boxes.size());
-  };
-  const bool few = boxes.size() <= spell_out_limit;
-  if (lanes && (forced || few)) {
-    use_lanes();
-    return;
-  }
-  if (few && forced && make_round()) return;
-  if (forced ? *forced == Candidates::all : few) {
-    plan.candidates = Candidates::all;
-    plan.mean_candidates = static_cast<double>(boxes.size());
-    return;
-  }
-  if (!forced || *forced == Candidates::slabs) {
-    if (auto slabs = find_slabs(extent, boxes, geometry.tolerance(), margin)) {
-      plan.slabs = std::move(*slabs);
-      if (plan.classes.size() == 1 && plan.classes[0].kind() == SolidKind::box &&
-          !plan.classes[0].rotated) {
-        plan.slabs.skin = margin + geometry.tolerance() / 2;
-      }
-      if (scan && !forced && mean_cross_section(extent, boxes, plan.slabs.axis) < least_met) {
-        use_scan();
-        return;
-      }
-      make_layers_for_safety();
-      plan.candidates = Candidates::slabs;
-      plan.mean_candidates = 1;
-      return;
-    }
-  }
-  if (!few && make_round()) return;
-  if (lanes) {
-    use_lanes();
-    return;
-  }
-  // Layers are walked only by navigators that are bound to data; code gets another search besides.
-  if ((!forced || *forced == Candidates::layers) && make_layers() &&
-      (forced || boxes.size() > most_boxes)) {
-    plan.candidates = Candidates::layers;
-    plan.mean_candidates = plan.layers.mean_group;
-    return;
-  }
-  if (!forced && boxes.size() > most_boxes && scene.boxes) {
-    plan.candidates = Candidates::tree;
-    plan.mean_candidates = static_cast<double>(boxes.size());
-    return;
-  }
-  // A daughter is not listed in cells that lie in a hole of the daughter, or in a part of its box
-  // that it does not fill.
-  const auto apart = [&](std::uint32_t k, const Extent& box) {
-    const Daughter& d = scene.daughters[k];
-    return safety_to_in(d.solid, to_local(d.transformation, 0.5 * (box.min + box.max))) >
-           norm(0.5 * (box.max - box.min)) + 2 * margin;
-  };
-  const auto make = [&](Candidates candidates, CellUse use) {
-    plan.candidates = candidates;
-    plan.grid = make_grid(extent, placed, margin, use, apart);
-    plan.mean_candidates = mean_candidates(plan.grid);
-  };
-  if (!boxes_possible || (forced ? *forced == Candidates::grid : may_be_grid(plan))) {
-    make(Candidates::grid, CellUse::daughters);
-    if (!boxes_possible || forced || is_regular_grid(plan)) return;
-  }
-  if (scan && !forced) {
-    use_scan();
-    return;
-  }
-  make(Candidates::boxes, CellUse::blocks);
-  make_boxes();
 }
 
 void choose_safety(const Geometry& geometry, ScenePlan& plan) {
