@@ -3,10 +3,9 @@
 
 #include <functional>
 #include <initializer_list>
-#include <optional>
 #include <string>
 
-#include "files/output_file.hpp"
+#include "common/output.hpp"
 
 namespace CLI {
 class App;
@@ -35,26 +34,7 @@ struct NamedFile {
 void refuse_same_files(std::initializer_list<NamedFile> written,
                        std::initializer_list<NamedFile> read = {});
 
-/// A file that may be asked for. It is opened at the beginning, so that a place that cannot be
-/// written costs no run.
-class Output {
- public:
-  /// An empty path: none. Throws what OutputFile throws.
-  explicit Output(const std::string& path) {
-    if (!path.empty()) file_.emplace(path);
-  }
-  explicit operator bool() const { return file_.has_value(); }
-
-  /// The whole of it. Does nothing if none is asked for.
-  void write(const std::function<std::string()>& make) {
-    if (!file_) return;
-    file_->write(make());
-    file_->finish();
-  }
-
- private:
-  std::optional<OutputFile> file_;
-};
+using common::Output;
 
 /// Does all of several things, whichever fails; then throws what the first one threw that failed.
 void attempt_all(std::initializer_list<std::function<void()>> things);
