@@ -19,6 +19,7 @@ namespace navjit::cache {
 namespace {
 
 namespace fs = std::filesystem;
+using navjit::tests::files_in;
 using navjit::tests::in_child;
 using navjit::tests::TemporaryFolder;
 
@@ -33,11 +34,6 @@ std::string content(int number) {
 
 bool is_right(const CacheHit& hit, int number) {
   return hit.content && std::string(hit.content->begin(), hit.content->end()) == content(number);
-}
-
-std::size_t files_in(const std::string& folder) {
-  return static_cast<std::size_t>(
-      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
 TEST(CacheFaults, KilledWritersLeaveNothingWrongAndNoLitter) {

@@ -17,6 +17,7 @@ namespace navjit::cache {
 namespace {
 
 namespace fs = std::filesystem;
+using navjit::tests::files_in;
 using navjit::tests::TemporaryFolder;
 
 Digest key(int number) { return sha256({std::to_string(number)}); }
@@ -45,11 +46,6 @@ void age(const TemporaryFolder& folder, const Digest& k, std::int64_t seconds) {
   times[0].tv_sec -= seconds;
   times[1] = times[0];
   ASSERT_EQ(utimensat(AT_FDCWD, folder.file(file_of(k)).c_str(), times, 0), 0);
-}
-
-std::size_t files_in(const TemporaryFolder& folder) {
-  return static_cast<std::size_t>(
-      std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()));
 }
 
 TEST(Sha256, IsTheStandardsFunction) {
@@ -112,7 +108,7 @@ TEST(ObjectCacheTest, ListsVerifiesAndClearsOnlyItsOwnFiles) {
   const auto removed = cache.clear();
   ASSERT_TRUE(removed);
   EXPECT_EQ(*removed, 3U);
-  EXPECT_EQ(files_in(folder), 1U);
+  EXPECT_EQ(files_in(folder.path()), 1U);
   EXPECT_EQ(navjit::tests::read_file(folder.file("notes.txt")), "mine");
 }
 
@@ -231,7 +227,7 @@ TEST(ObjectCacheTest, WhatIsNoFileOfTheUsersIsRejected) {
   fs::create_directory(path);
   EXPECT_NE(rejected(), "");
   EXPECT_TRUE(cache.store(key(1), "", "content")) << "a directory is in the way";
-  EXPECT_EQ(files_in(folder), 2U) << "nothing is left of the attempt";
+  EXPECT_EQ(files_in(folder.path()), 2U) << "nothing is left of the attempt";
   EXPECT_TRUE(cache.list(true));
 }
 

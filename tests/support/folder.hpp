@@ -6,8 +6,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -32,6 +34,12 @@ class TemporaryFolder {
  private:
   std::string path_;
 };
+
+/// How many files are in a folder.
+inline std::size_t files_in(const std::string& folder) {
+  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder),
+                                                std::filesystem::directory_iterator()));
+}
 
 /// Runs `work` in a process of its own and returns its exit status as waitpid() does. `work`
 /// returns the exit code; it must use nothing of the test framework.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/solids/solid.hpp"
+#include "tests/geometry/solids/refusal.hpp"
 
 namespace navjit {
 namespace {
@@ -33,15 +34,6 @@ Side where(const Solid& s, double x, double y, double z) {
 Direction towards(double x, double y, double z) {
   const double norm = std::hypot(x, y, z);
   return kernels::make_direction(x / norm, y / norm, z / norm);
-}
-template <class Make>
-std::string refusal(Make make) {
-  try {
-    make();
-  } catch (const GeometryError& error) {
-    return error.what();
-  }
-  return "accepted";
 }
 /// A box made of quadrilaterals.
 Mesh cube(double h) {

@@ -9,6 +9,7 @@
 #include "geometry/solids/fields.hpp"
 #include "geometry/solids/solid.hpp"
 #include "tests/geometry/kernels/random.hpp"
+#include "tests/geometry/solids/refusal.hpp"
 
 namespace navjit {
 namespace {
@@ -21,16 +22,6 @@ using Planes = std::vector<ZPlane>;
 
 Side where(const Solid& s, double x, double y, double z) {
   return inside(s.any(), Vec3{x, y, z}, 1e-9);
-}
-
-template <class Make>
-std::string refusal(Make make) {
-  try {
-    make();
-  } catch (const GeometryError& error) {
-    return error.what();
-  }
-  return "accepted";
 }
 
 TEST(Factories, RefuseDimensionsThatMakeNoSolid) {
