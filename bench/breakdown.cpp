@@ -20,6 +20,7 @@
 #include "common/clock.hpp"
 #include "common/statistics.hpp"
 #include "geometry/gdml/read_world.hpp"
+#include "navjit/detail/standing.hpp"
 #include "navjit/runtime.hpp"
 
 namespace {
@@ -106,13 +107,13 @@ std::uint64_t transport_all(Navigator& navigator, const std::vector<Ray>& rays, 
   std::uint64_t steps = 0;
   for (const Ray& ray : rays) {
     Vec3 point = ray.position;
-    int standing = 0;
+    detail::Standing standing;
     bench::sampled_scene = no_scene;
-    for (State state = navigator.locate(point, ray.direction);
-         state.inside() && standing < stuck_after; ++steps) {
+    for (State state = navigator.locate(point, ray.direction); state.inside() && !standing.stuck();
+         ++steps) {
       bench::sampled_scene = state.volume();
       const Step step = navigator.step(state, point, ray.direction);
-      standing = step.length > tolerance ? 0 : standing + 1;
+      standing.count(step.length, tolerance);
       point += step.length * ray.direction;
       state = step.next;
     }

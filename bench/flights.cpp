@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "runtime/transport.hpp"
+#include "navjit/detail/standing.hpp"
 
 namespace navjit::bench {
 
 Step moved(Navigator& navigator, State& state, Vec3& point, const Vec3& direction, double limit) {
   Step step{};
-  for (int standing = 0; standing < stuck_after && state.inside(); ++standing) {
+  for (int standing = 0; standing < detail::Standing::most && state.inside(); ++standing) {
     step = navigator.step(state, point, direction, limit);
     point += step.length * direction;
     state = step.next;

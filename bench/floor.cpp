@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/navigation/generic.hpp"
+#include "navjit/detail/standing.hpp"
 
 namespace navjit::bench {
 namespace {
@@ -24,8 +25,8 @@ Floor::Floor(const Geometry& geometry, const std::vector<Ray>& rays)
     generic::locate(geometry, stack, ray.position, ray.direction);
     Vec3 point = ray.position;
     const std::size_t first_direction = directions_.size();
-    int standing = 0;
-    while (stack.depth >= 0 && standing < stuck_after) {
+    detail::Standing standing;
+    while (stack.depth >= 0 && !standing.stuck()) {
       const int depth = stack.depth;
       const StackLevel from = stack.levels[depth];
       const Scene& scene = geometry.scene(from.volume);
@@ -34,7 +35,7 @@ Floor::Floor(const Geometry& geometry, const std::vector<Ray>& rays)
       if (from.rotation != nullptr) std::copy_n(from.rotation, 9, turned.begin());
       const double length = generic::step(geometry, stack, point, ray.direction,
                                           std::numeric_limits<double>::infinity());
-      standing = length > tolerance_ ? 0 : standing + 1;
+      standing.count(length, tolerance_);
       RecordedStep step{};
       const bool in = stack.depth > depth && stack.levels[depth].touchable == from.touchable;
       const StackLevel& level = in ? stack.levels[depth + 1] : from;

@@ -5,6 +5,7 @@
 
 #include "geometry/navigation/generic.hpp"
 #include "geometry/navigation/packed_daughter.hpp"
+#include "navjit/detail/standing.hpp"
 
 namespace navjit::bench {
 namespace {
@@ -49,13 +50,13 @@ Ladder::Ladder(const Geometry& geometry, const std::vector<Ray>& rays) : geometr
     if (stack.depth < 0) continue;
     Start start{ray, stack.levels[stack.depth].touchable, 0};
     Vec3 point = ray.position;
-    int standing = 0;
-    while (stack.depth >= 0 && standing < stuck_after) {
+    detail::Standing standing;
+    while (stack.depth >= 0 && !standing.stuck()) {
       const int depth = stack.depth;
       std::vector<TouchableId> before;
       for (int i = 0; i <= depth; ++i) before.push_back(stack.levels[i].touchable);
       const double length = generic::step(geometry, stack, point, ray.direction, unlimited);
-      standing = length > geometry.tolerance() ? 0 : standing + 1;
+      standing.count(length, geometry.tolerance());
       // A volume that is left and entered again at the same place is both left and entered here.
       int common = 0;
       while (common <= std::min(depth, stack.depth) &&

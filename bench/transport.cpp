@@ -67,16 +67,16 @@ Totals transport_all(Navigator& navigator, const World& world, const std::vector
   for (const Ray& ray : rays) {
     Vec3 point = ray.position;
     double limit = std::numeric_limits<double>::infinity();
-    int standing = 0;
+    detail::Standing standing;
     for (State state = navigator.locate(point, ray.direction); state.inside();) {
       for (const Step& step : navigator.steps(state, point, ray.direction, limit, buffer)) {
-        standing = step.length > world.tolerance ? 0 : standing + 1;
-        if (standing == stuck_after) break;
+        standing.count(step.length, world.tolerance);
+        if (standing.stuck()) break;
         ++totals.steps;
         totals.length += step.length;
         state = step.next;
       }
-      if (standing == stuck_after) {
+      if (standing.stuck()) {
         ++totals.stuck;
         break;
       }

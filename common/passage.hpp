@@ -40,7 +40,7 @@ PassageEnd pass(AnyNavigator& navigator, const World& world, const Ray& ray, Sin
   double way = 0;
   Vec3 point = ray.position;
   State state = navigator.locate(point, ray.direction);
-  int standing = 0;
+  detail::Standing standing;
   for (int entries = 0; entries < most_entries; ++entries) {
     if (!state.inside()) {
       const double in = way_into(world, point, ray.direction);
@@ -59,8 +59,8 @@ PassageEnd pass(AnyNavigator& navigator, const World& world, const Ray& ray, Sin
     }
     for (State before{}; state.inside();) {
       const Step step = navigator.step(state, point, ray.direction);
-      standing = goes_ahead(step.length, world.tolerance) ? 0 : standing + 1;
-      if (standing == stuck_after) return PassageEnd::stuck;
+      standing.count(step.length, world.tolerance);
+      if (standing.stuck()) return PassageEnd::stuck;
       if (!sink(Leg{state, before, point, way, way + step.length})) return PassageEnd::stopped;
       way += step.length;
       point += step.length * ray.direction;

@@ -104,6 +104,7 @@ ObservedDetector::ObservedDetector(const Detector& original, const Observation& 
   data_ = std::move(data);
   classes_ = data_->classes.data();
   classes_size_ = data_->classes.size();
+  tolerance_ = data_->simplified.tolerance();
 }
 
 const Detector& ObservedDetector::detector() const { return data_->simplified; }

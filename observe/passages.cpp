@@ -7,12 +7,10 @@
 
 #include "geometry/navigation/generic.hpp"
 #include "geometry/rays/ray_maker.hpp"
+#include "navjit/detail/standing.hpp"
 
 namespace navjit {
 namespace {
-
-/// Rays that make this many steps in a row without getting ahead are given up.
-constexpr int most_standing = 100;
 
 class Recorder {
  public:
@@ -26,14 +24,14 @@ class Recorder {
     generic::locate(geometry_, *stack_, point, ray.direction);
     std::vector<std::pair<TouchableId, std::uint32_t>> before;  // touchable and node of each level
     std::map<std::uint32_t, double> lengths;
-    for (int standing = 0; stack_->depth >= 0 && standing < most_standing;) {
+    for (detail::Standing standing; stack_->depth >= 0 && !standing.stuck();) {
       const std::size_t common = enter(before);
       const std::uint32_t node = before.back().second;
       if (last_) ++boundaries_[{*last_, node, static_cast<std::uint32_t>(common)}];
       last_ = node;
       const double length = generic::step(geometry_, *stack_, point, ray.direction,
                                           std::numeric_limits<double>::infinity());
-      standing = length > tolerance_ ? 0 : standing + 1;
+      standing.count(length, tolerance_);
       lengths[node] += length;
       point += length * ray.direction;
     }

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "geometry/rays/ray.hpp"
+#include "navjit/detail/standing.hpp"
 #include "navjit/navigator.hpp"
 
 namespace navjit {
@@ -14,14 +15,6 @@ struct RayTotals {
   bool stuck = false;
 };
 
-/// A ray that makes this many steps in a row without getting ahead is stuck.
-constexpr int stuck_after = 100;
-
-/// Whether a step (mm) gets a ray ahead. Steps by which a ray crawls along a face on which it
-/// stands do not. They may be longer than the tolerance if a coordinate is so large that the
-/// addition is rounded away. No real detector has a hundred boundaries so near to one another.
-constexpr bool goes_ahead(double length, double tolerance) { return length > 1000 * tolerance; }
-
 /// Transports one ray until it leaves the world, and calls sink(state, length) for each step with
 /// the state in which it was made. A ray that starts outside makes no steps. The navigator may be a
 /// Navigator or an ObservedNavigator.
@@ -29,11 +22,11 @@ template <class AnyNavigator, class Sink>
 RayTotals transport(AnyNavigator& navigator, const Ray& ray, double tolerance, Sink&& sink) {
   RayTotals totals;
   Vec3 point = ray.position;
-  int standing = 0;
+  detail::Standing standing;
   for (State state = navigator.locate(point, ray.direction); state.inside();) {
     const Step step = navigator.step(state, point, ray.direction);
-    standing = goes_ahead(step.length, tolerance) ? 0 : standing + 1;
-    if (standing == stuck_after) {
+    standing.count(step.length, tolerance);
+    if (standing.stuck()) {
       totals.stuck = true;
       return totals;
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "navjit/basket.hpp"
+#include "navjit/detail/standing.hpp"
 #include "navjit/observation.hpp"
 #include "runtime/transport.hpp"
 
@@ -33,12 +34,13 @@ std::vector<RayTotals> transport_in_basket(Basket& basket, std::span<const Ray> 
   /// boundaries that do not count.
   struct Place {
     std::size_t ray = 0;
-    int standing = 0;
+    detail::Standing standing{};
     Vec3 begin{};
     State state{};
     double length = 0;
     bool goes_on = false;
-    int standing_within = 0;
+    detail::Standing standing_within{};
+    Step ahead{};  ///< up to where the ray last got ahead within the step
   };
   const std::size_t places = std::min(basket.places(), rays.size());
   std::vector<Place> place(places);
@@ -75,18 +77,26 @@ std::vector<RayTotals> transport_in_basket(Basket& basket, std::span<const Ray> 
       if (!state[i].inside()) continue;
       Place& at = place[i];
       RayTotals& total = totals[at.ray];
-      at.standing_within = at.goes_on && !(length[i] > 0) ? at.standing_within + 1 : 0;
+      const bool first = !at.goes_on;
       at.length += length[i];
-      at.goes_on = boundary[i] != 0 && after[i].inside() &&
-                   at.standing_within < ObservedDetector::most_standing &&
-                   !counts(state[i], after[i]);
+      at.goes_on = boundary[i] != 0 && after[i].inside() && !counts(state[i], after[i]);
+      if (at.goes_on) {
+        if (!first) at.standing_within.count(length[i], tolerance);
+        if (at.standing_within.stuck()) {
+          at.goes_on = false;
+          at.length = at.ahead.length;
+          after[i] = at.ahead.next;
+        } else if (at.standing_within.steps == 0) {
+          at.ahead = {at.length, true, after[i]};
+        }
+      }
       x[i] = at.begin.x + at.length * u[i];
       y[i] = at.begin.y + at.length * v[i];
       z[i] = at.begin.z + at.length * w[i];
       state[i] = after[i];
       if (at.goes_on) continue;
-      at.standing = goes_ahead(at.length, tolerance) ? 0 : at.standing + 1;
-      bool ends = at.standing == stuck_after;
+      at.standing.count(at.length, tolerance);
+      bool ends = at.standing.stuck();
       if (ends) {
         total.stuck = true;
       } else {
@@ -99,7 +109,7 @@ std::vector<RayTotals> transport_in_basket(Basket& basket, std::span<const Ray> 
       at.begin = {x[i], y[i], z[i]};
       at.state = state[i];
       at.length = 0;
-      at.standing_within = 0;
+      at.standing_within = {};
       if (!ends) continue;
       complete[at.ray] = 1;
       --under_way;

@@ -126,13 +126,13 @@ std::map<VolumeId, std::vector<RecordedStep>> record_steps(Navigator& navigator,
   for (const Ray& ray : rays) {
     if (interrupted()) break;
     Vec3 point = ray.position;
-    int standing = 0;
+    detail::Standing standing;
     for (State state = navigator.locate(point, ray.direction);
-         state.inside() && standing < stuck_after;) {
+         state.inside() && !standing.stuck();) {
       std::vector<RecordedStep>& of_scene = recorded[state.volume()];
       if (of_scene.size() < most_of_a_scene) of_scene.push_back({state, point, ray.direction});
       const Step step = navigator.step(state, point, ray.direction);
-      standing = goes_ahead(step.length, world.tolerance) ? 0 : standing + 1;
+      standing.count(step.length, world.tolerance);
       point += step.length * ray.direction;
       state = step.next;
     }

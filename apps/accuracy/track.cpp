@@ -7,6 +7,7 @@
 
 #include "common/interruption.hpp"
 #include "geometry/model/random.hpp"
+#include "navjit/detail/standing.hpp"
 #include "navjit/vector.hpp"
 
 namespace navjit::accuracy {
@@ -14,8 +15,6 @@ namespace {
 
 using reference::Quad;
 using reference::WidePoint;
-
-constexpr int stuck_after_steps = 100;
 
 Vec3 narrow(const WidePoint& p) {
   return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
@@ -37,10 +36,10 @@ struct Traveller {
   /// False if it is stuck or leaves the world.
   bool follow(const Leg& leg) {
     double left = leg.length;
-    for (int standing = 0; left > 0;) {
+    for (detail::Standing standing; left > 0;) {
       const Step step = navigator.step(state, point, leg.direction, left);
-      standing = step.length > tolerance ? 0 : standing + 1;
-      if (standing == stuck_after_steps) return false;
+      standing.count(step.length, tolerance);
+      if (standing.stuck()) return false;
       point += step.length * leg.direction;
       left -= step.length;
       boundaries += step.boundary ? 1 : 0;

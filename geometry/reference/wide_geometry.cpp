@@ -5,11 +5,10 @@
 #include <map>
 
 #include "geometry/model/placed_extent.hpp"
+#include "navjit/detail/standing.hpp"
 
 namespace navjit::reference {
 namespace {
-
-constexpr int stuck_after = 100;
 
 Vec3 narrow(const WidePoint& p) {
   return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
@@ -216,13 +215,13 @@ std::vector<WideStep> WideGeometry::trace(const Vec3& point, const Vec3& directi
   stuck = false;
   if (!contains(scenes_[world_->top].solid, levels[0].p, levels[0].v, tol)) return steps;
   relocate(levels, -1);
-  for (int standing = 0; !levels.empty();) {
+  for (detail::Standing standing; !levels.empty();) {
     const VolumeId volume = levels.back().volume;
     VolumeId surface;
     const Quad t = next(levels, surface);
     steps.push_back({volume, t});
-    standing = t > tol ? 0 : standing + 1;
-    if (standing == stuck_after) {
+    standing.count(t, world_->tolerance);
+    if (standing.stuck()) {
       stuck = true;
       return steps;
     }

@@ -75,8 +75,8 @@ class WideGeometry {
   bool locate(const WidePoint& point, const WideDirection& direction, Chain& chain) const;
 
   /// All steps of a ray from a global point until it leaves the world, as docs/tolerance.md defines
-  /// the steps of navigators. Ends early, with `stuck` set, after 100 steps in a row that do not
-  /// move the ray.
+  /// the steps of navigators. Ends early, with `stuck` set, once the ray is stuck
+  /// (detail::Standing).
   std::vector<WideStep> trace(const Vec3& point, const Vec3& direction, bool& stuck) const;
 
   /// One step from a global point that is in the touchable `chain`, or on its surface.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "navjit/detail/api.hpp"
+#include "navjit/detail/standing.hpp"
 #include "navjit/detector.hpp"
 #include "navjit/navigator.hpp"
 #include "navjit/vector.hpp"
@@ -144,7 +145,8 @@ class ObservedDetector {
     return volume < classes_size_ && (classes_[volume] & always) != 0;
   }
   /// A step of a navigator of detector() that ends only on boundaries that count: it repeats
-  /// Navigator::step() as often as it takes. Throws as that does.
+  /// Navigator::step() as often as it takes. Where a ray is stuck (docs/tolerance.md) it ends
+  /// where the ray last got ahead, whether that boundary counts or not. Throws as that does.
   Step step(Navigator& navigator, const State& state, const Vec3& point, const Vec3& direction,
             double limit = std::numeric_limits<double>::infinity()) const {
     // One place to return from, so that the step is built where it is returned.
@@ -163,9 +165,6 @@ class ObservedDetector {
   /// included; on a face the direction decides. Throws likewise, and if a number is not finite.
   State original(const State& state, const Vec3& point, const Vec3& direction) const;
 
-  /// After so many zero steps in a row, walking on would not end: volumes overlap there.
-  static constexpr int most_standing = 100;
-
   struct Data;  ///< of the library's own
 
  private:
@@ -177,6 +176,7 @@ class ObservedDetector {
   std::shared_ptr<const Data> data_;
   const std::uint32_t* classes_ = nullptr;  ///< of each volume; in `data_`
   std::size_t classes_size_ = 0;
+  double tolerance_ = 0;  ///< of detector(), mm
 };
 
 /// A navigator that sees what is observed and no more.
@@ -202,17 +202,21 @@ class ObservedNavigator {
 
 inline Step ObservedDetector::walk_on(Navigator& navigator, Step made, const Vec3& point,
                                       const Vec3& direction, double limit) const {
-  int standing = 0;
+  detail::Standing standing;
+  Step ahead = made;  // up to where the ray last got ahead
   for (State at = made.next;;) {
     const double left = limit - made.length;
     const Step more =
         navigator.step(at, point + made.length * direction, direction, left > 0 ? left : 0);
-    standing = more.length > 0 ? 0 : standing + 1;
     made = {made.length + more.length, more.boundary, more.next};
-    if (!more.boundary || !more.next.inside() || standing == most_standing ||
-        counts(at.volume(), more.next.volume())) {
+    if (!more.boundary || !more.next.inside() || counts(at.volume(), more.next.volume())) {
       return made;
     }
+    standing.count(more.length, tolerance_);
+    // Without the steps that went nowhere: a hundred of them together may be long enough to hide
+    // from the caller that the ray is stuck.
+    if (standing.stuck()) return ahead;
+    if (standing.steps == 0) ahead = made;
     at = more.next;
   }
 }

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <vector>
 
+#include "navjit/detail/standing.hpp"
 #include "python/core/arrays.hpp"
 #include "python/core/in_parallel.hpp"
 
@@ -12,20 +13,15 @@ namespace {
 
 constexpr std::size_t chunk_of_rays = 64;
 
-/// So many steps in a row of no more than so many tolerances make a stuck ray, as in the command
-/// (runtime/transport.hpp).
-constexpr int stuck_after = 100;
-constexpr double least_ahead = 1000;
-
 /// Calls sink(state, length) for each step of a ray; whether it came to its end and was not stuck.
 template <class Sink>
 bool follow(const ObservedDetector& seen, Navigator& navigator, Vec3 point, const Vec3& direction,
             double tolerance, Sink&& sink) {
-  int standing = 0;
+  detail::Standing standing;
   for (State state = navigator.locate(point, direction); state.inside();) {
     const Step step = seen.step(navigator, state, point, direction);
-    standing = step.length > least_ahead * tolerance ? 0 : standing + 1;
-    if (standing == stuck_after) return false;
+    standing.count(step.length, tolerance);
+    if (standing.stuck()) return false;
     sink(state, step.length);
     point += step.length * direction;
     state = step.next;

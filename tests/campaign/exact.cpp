@@ -63,7 +63,7 @@ void run_ray(Navigator& generic, Navigator& specialised, const Ray& ray, std::ui
              double tolerance, Counts& counts, std::vector<Difference>& differences) {
   ++counts.rays;
   Vec3 point = ray.position;
-  int standing = 0;
+  detail::Standing standing;
   State state = generic.locate(point, ray.direction);
   if (!same(specialised.locate(point, ray.direction), state)) ++counts.differing;
   while (state.inside()) {
@@ -79,8 +79,8 @@ void run_ray(Navigator& generic, Navigator& specialised, const Ray& ray, std::ui
         differences.push_back({index, state, point, ray.direction, right, made});
       }
     }
-    standing = goes_ahead(right.length, tolerance) ? 0 : standing + 1;
-    if (standing == stuck_after) {
+    standing.count(right.length, tolerance);
+    if (standing.stuck()) {
       ++counts.stuck;
       return;
     }
