@@ -63,7 +63,7 @@ class Rewriting {
  private:
   struct Outcome {
     const char* why;  ///< `dissolved`, or why it was kept
-    Verdict verdict = Verdict::proved;
+    Certainty certainty = Certainty::proved;
   };
 
   void rewrite(VolumeId mother) {
@@ -92,7 +92,7 @@ class Rewriting {
         continue;
       }
       const std::size_t before = daughters.size();
-      Outcome outcome{"", Verdict::no};
+      Outcome outcome{"", Certainty::no};
       const bool unseen = is_unseen(placement);
       if (unseen) {
         outcome = judge(mother, k, boxes, tree);
@@ -125,12 +125,12 @@ class Rewriting {
     if (uses_[id] > 1 && below > 1) return {copies};
     if (options_.kept.contains({id, mother})) return {faster_with_it};
     Outcome outcome{dissolved};
-    outcome.verdict = weaker(outcome.verdict, daughters_within(id));
-    if (outcome.verdict == Verdict::no) return {daughters_stick_out};
+    outcome.certainty = weaker(outcome.certainty, daughters_within(id));
+    if (outcome.certainty == Certainty::no) return {daughters_stick_out};
     const PlacedSolid placed{volume.solid, placement.transformation};
-    outcome.verdict =
-        weaker(outcome.verdict, separation_.within(placed, original_.volumes[mother].solid));
-    if (outcome.verdict == Verdict::no) return {sticks_out};
+    outcome.certainty =
+        weaker(outcome.certainty, separation_.within(placed, original_.volumes[mother].solid));
+    if (outcome.certainty == Certainty::no) return {sticks_out};
     tree.overlapping(boxes[k], [&](std::uint32_t i) {
       if (i == k || !share(boxes[i], boxes[k])) return true;
       const VolumeId other = sisters[i].volume;
@@ -140,12 +140,12 @@ class Rewriting {
           result_.world.volumes[other].daughters.empty()) {
         return true;
       }
-      outcome.verdict = weaker(
-          outcome.verdict,
+      outcome.certainty = weaker(
+          outcome.certainty,
           separation_.apart(placed, {original_.volumes[other].solid, sisters[i].transformation}));
-      return outcome.verdict != Verdict::no;
+      return outcome.certainty != Certainty::no;
     });
-    if (outcome.verdict == Verdict::no) return {overlaps};
+    if (outcome.certainty == Certainty::no) return {overlaps};
     return outcome;
   }
 
@@ -158,15 +158,15 @@ class Rewriting {
   }
 
   /// Whether all that is left in a volume is within the volume; computed once for each volume.
-  Verdict daughters_within(VolumeId id) {
-    std::optional<Verdict>& known = within_[id];
+  Certainty daughters_within(VolumeId id) {
+    std::optional<Certainty>& known = within_[id];
     if (!known) {
-      known = Verdict::proved;
+      known = Certainty::proved;
       for (const Placement& p : result_.world.volumes[id].daughters) {
         known =
             weaker(*known, separation_.within({original_.volumes[p.volume].solid, p.transformation},
                                               original_.volumes[id].solid));
-        if (*known == Verdict::no) break;
+        if (*known == Certainty::no) break;
       }
     }
     return *known;
@@ -203,7 +203,7 @@ class Rewriting {
     ++report.invisible;
     const bool is_gone = outcome.why == dissolved;
     report.dissolved += is_gone ? 1 : 0;
-    report.sampled += is_gone && outcome.verdict == Verdict::sampled ? 1 : 0;
+    report.sampled += is_gone && outcome.certainty == Certainty::sampled ? 1 : 0;
     auto& list = is_gone ? report.gone : report.left;
     const auto [entry, fresh] = entries.try_emplace({volume, outcome.why}, list.size());
     if (fresh) {
@@ -222,7 +222,7 @@ class Rewriting {
   DissolveOptions options_;
   double tolerance_;
   Separation separation_;
-  std::vector<std::optional<Verdict>> within_;
+  std::vector<std::optional<Certainty>> within_;
   std::vector<std::uint64_t> uses_;  ///< placements of each volume in the present tree
   Dissolved result_;
 };

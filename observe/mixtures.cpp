@@ -19,7 +19,7 @@ bool adds_up(const World& world, const LogicalVolume& volume, Separation& separa
   std::vector<Extent> boxes;
   for (const Placement& p : volume.daughters) {
     const Solid& solid = world.volumes[p.volume].solid;
-    if (separation.within({solid, p.transformation}, volume.solid) == Verdict::no) return false;
+    if (separation.within({solid, p.transformation}, volume.solid) == Certainty::no) return false;
     boxes.push_back(placed_extent(solid, p.transformation));
   }
   if (boxes.empty()) return true;
@@ -30,7 +30,7 @@ bool adds_up(const World& world, const LogicalVolume& volume, Separation& separa
       if (b <= a || !share_more_than(tolerance, boxes[a], boxes[b])) return true;
       const Placement &p = volume.daughters[a], &q = volume.daughters[b];
       apart = separation.apart({world.volumes[p.volume].solid, p.transformation},
-                               {world.volumes[q.volume].solid, q.transformation}) != Verdict::no;
+                               {world.volumes[q.volume].solid, q.transformation}) != Certainty::no;
       return apart;
     });
   }

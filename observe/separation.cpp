@@ -103,36 +103,36 @@ const SolidPoints& Separation::points_of(const Solid& solid) {
   return entry->second;
 }
 
-Verdict Separation::within(const PlacedSolid& inner, const Solid& outer) {
+Certainty Separation::within(const PlacedSolid& inner, const Solid& outer) {
   if (outer.kind == SolidKind::box &&
       holds(outer.extent, placed_extent(inner.solid, inner.transformation), tolerance_)) {
-    return Verdict::proved;
+    return Certainty::proved;
   }
-  if (within_tube(inner, outer, tolerance_)) return Verdict::proved;
+  if (within_tube(inner, outer, tolerance_)) return Certainty::proved;
   const auto outside = [&](const Vec3& p) {
     return kernels::inside(outer.any(), p, tolerance_) == Side::outside;
   };
   if (convex(outer) || inner.solid.kind == SolidKind::box) {
     bool all = true;
     for_each_corner(inner, [&](const Vec3& p) { all = all && !outside(p); });
-    if (all && convex(outer)) return Verdict::proved;
-    if (!all && inner.solid.kind == SolidKind::box) return Verdict::no;
+    if (all && convex(outer)) return Certainty::proved;
+    if (!all && inner.solid.kind == SolidKind::box) return Certainty::no;
   }
   const SolidPoints& points = points_of(inner.solid);
-  if (points.surface.empty()) return Verdict::no;
+  if (points.surface.empty()) return Certainty::no;
   for (const Vec3& p : points.surface) {
-    if (outside(to_outer(inner.transformation, p))) return Verdict::no;
+    if (outside(to_outer(inner.transformation, p))) return Certainty::no;
   }
   for (const Vec3& p : points.interior) {
-    if (outside(to_outer(inner.transformation, p))) return Verdict::no;
+    if (outside(to_outer(inner.transformation, p))) return Certainty::no;
   }
   for (const Vec3& p : corner_points(inner.solid, tolerance_)) {
-    if (outside(to_outer(inner.transformation, p))) return Verdict::no;
+    if (outside(to_outer(inner.transformation, p))) return Certainty::no;
   }
-  if (holds_hole_of(inner, outer)) return Verdict::no;
+  if (holds_hole_of(inner, outer)) return Certainty::no;
   const auto beyond =
       find_point_beyond(inner, outer, lines_through_each, tolerance_, rounding_, seed);
-  return beyond ? Verdict::no : Verdict::sampled;
+  return beyond ? Certainty::no : Certainty::sampled;
 }
 
 /// Does `inner` fill a part of a bore or a notch of `outer`, in whose frame it is placed? If so,
@@ -160,21 +160,21 @@ bool Separation::reaches_into(const PlacedSolid& a, const PlacedSolid& b) {
   return points.surface.empty();
 }
 
-Verdict Separation::apart(const PlacedSolid& a, const PlacedSolid& b) {
-  if (!boxes_meet(a, b, tolerance_)) return Verdict::proved;
+Certainty Separation::apart(const PlacedSolid& a, const PlacedSolid& b) {
+  if (!boxes_meet(a, b, tolerance_)) return Certainty::proved;
   if (tube_of(a.solid) != nullptr || tube_of(b.solid) != nullptr) {
     try {
       if (in_the_bore(a.solid, between(b, a), b.solid, tolerance_) ||
           in_the_bore(b.solid, between(a, b), a.solid, tolerance_)) {
-        return Verdict::proved;
+        return Certainty::proved;
       }
     } catch (const GeometryError&) {
       // The product of two rotations that are orthonormal enough may not be so itself.
     }
   }
-  if (reaches_into(a, b) || reaches_into(b, a)) return Verdict::no;
+  if (reaches_into(a, b) || reaches_into(b, a)) return Certainty::no;
   const auto shared = find_shared_point(a, b, lines_of_each_pair, tolerance_, rounding_, seed);
-  return shared ? Verdict::no : Verdict::sampled;
+  return shared ? Certainty::no : Certainty::sampled;
 }
 
 }  // namespace navjit

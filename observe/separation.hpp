@@ -10,10 +10,10 @@
 
 namespace navjit {
 
-/// In doubt the answer is `no`.
-enum class Verdict : std::uint8_t { no, sampled, proved };
+/// How sure it is that solids do not touch what they must not. In doubt the answer is `no`.
+enum class Certainty : std::uint8_t { no, sampled, proved };
 
-inline Verdict weaker(Verdict a, Verdict b) { return a < b ? a : b; }
+inline Certainty weaker(Certainty a, Certainty b) { return a < b ? a : b; }
 
 /// Answers for the solids of one mother, and keeps the points of solids that were sampled. Solids
 /// that reach into or out of each other by no more than the tolerance (mm) count as not doing so.
@@ -22,9 +22,9 @@ class Separation {
   Separation(double tolerance, double rounding) : tolerance_(tolerance), rounding_(rounding) {}
 
   /// Whether `inner` is within `outer`, in whose frame it is placed.
-  Verdict within(const PlacedSolid& inner, const Solid& outer);
+  Certainty within(const PlacedSolid& inner, const Solid& outer);
   /// Whether two solids that are placed in the same frame have no point in common.
-  Verdict apart(const PlacedSolid& a, const PlacedSolid& b);
+  Certainty apart(const PlacedSolid& a, const PlacedSolid& b);
 
  private:
   const SolidPoints& points_of(const Solid& solid);
