@@ -177,9 +177,12 @@ int main(int argc, char** argv) try {
 #ifdef NAVJIT_VECGEOM
   std::unique_ptr<peers::VecGeomPeer> peer;
   if (!without_peers) {
-    std::string error;
-    peer = peers::VecGeomPeer::load(detector, error);
-    if (!peer) std::printf("VecGeom does not read this file: %s\n", error.c_str());
+    auto loaded = peers::VecGeomPeer::load(detector);
+    if (loaded) {
+      peer = *std::move(loaded);
+    } else {
+      std::printf("VecGeom does not read this file: %s\n", loaded.failure().message.c_str());
+    }
   }
 #endif
   nlohmann::ordered_json json{{"detector", detector}};

@@ -63,12 +63,12 @@ struct Specialised {
 #ifdef NAVJIT_VECGEOM
 void add_vecgeom(const std::string& detector, const std::vector<peers::Flight>& flights,
                  bool safety, std::vector<Engine>& engines) {
-  std::string error;
-  const std::shared_ptr<peers::VecGeomPeer> peer = peers::VecGeomPeer::load(detector, error);
-  if (!peer) {
-    std::printf("VecGeom does not read this file: %s\n", error.c_str());
+  auto loaded = peers::VecGeomPeer::load(detector);
+  if (!loaded) {
+    std::printf("VecGeom does not read this file: %s\n", loaded.failure().message.c_str());
     return;
   }
+  const std::shared_ptr<peers::VecGeomPeer> peer = *std::move(loaded);
   for (const auto& [name, navigator] : bench::vecgeom_navigators) {
     engines.push_back({name, [peer, n = navigator] { peer->use(n); },
                        [peer, &flights, safety] {

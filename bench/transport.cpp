@@ -88,12 +88,12 @@ Totals transport_all(Navigator& navigator, const World& world, const std::vector
 #ifdef NAVJIT_VECGEOM
 void add_vecgeom(const std::string& detector, const std::vector<Ray>& rays,
                  std::vector<Engine>& engines, std::shared_ptr<void>& keep) {
-  std::string error;
-  std::shared_ptr<peers::VecGeomPeer> peer = peers::VecGeomPeer::load(detector, error);
-  if (!peer) {
-    std::printf("VecGeom does not read this file: %s\n", error.c_str());
+  auto loaded = peers::VecGeomPeer::load(detector);
+  if (!loaded) {
+    std::printf("VecGeom does not read this file: %s\n", loaded.failure().message.c_str());
     return;
   }
+  const std::shared_ptr<peers::VecGeomPeer> peer = *std::move(loaded);
   auto own_rays = std::make_shared<std::vector<peers::Ray>>();
   for (const Ray& r : rays) {
     own_rays->push_back({{r.position.x, r.position.y, r.position.z},

@@ -8,25 +8,23 @@
 
 #include "cache/trust.hpp"
 #include "navjit/cache.hpp"
+#include "navjit/detail/expected.hpp"
 #include "navjit/errors.hpp"
 
 namespace navjit {
 namespace {
 
-/// Makes a folder in `parent`. Returns an empty path, and says `why`, if it cannot be made or is
-/// not trusted.
-std::string make_in(const std::string& parent, std::string& why) {
+/// Makes a folder in `parent`, and returns its path. Fails if it cannot be made or is not trusted.
+Expected<std::string> make_in(const std::string& parent) {
   std::string path = parent + "/navjit-XXXXXX";
   if (mkdtemp(path.data()) == nullptr) {  // 0700
-    why = parent + ": " + std::strerror(errno);
-    return {};
+    return Failure{parent + ": " + std::strerror(errno)};
   }
   const auto trusted = cache::open_trusted_directory(path, false);
   if (trusted) return path;
-  why = trusted.failure().message;
   std::error_code ignored;
   std::filesystem::remove(path, ignored);
-  return {};
+  return trusted.failure();
 }
 
 }  // namespace
@@ -34,19 +32,15 @@ std::string make_in(const std::string& parent, std::string& why) {
 PrivateFolder::PrivateFolder() {
   std::error_code none;
   const std::string temporary = std::filesystem::temp_directory_path(none).string();
-  std::string why;
   // There is none if TMPDIR names no directory.
-  path_ = make_in(none ? "/tmp" : temporary, why);
-  if (!path_.empty()) {
-    temporary_.emplace(path_);
-    return;
+  Expected<std::string> made = make_in(none ? "/tmp" : temporary);
+  if (!made) {
+    const std::string why = made.failure().message;
+    const std::string user = Cache::user_default().directory;
+    if (!user.empty() && cache::open_trusted_directory(user, true)) made = make_in(user);
+    if (!made) throw Error("no place for temporary files (TMPDIR names one): " + why);
   }
-  const std::string user = Cache::user_default().directory;
-  if (!user.empty() && cache::open_trusted_directory(user, true)) {
-    std::string ignored;
-    path_ = make_in(user, ignored);
-  }
-  if (path_.empty()) throw Error("no place for temporary files (TMPDIR names one): " + why);
+  path_ = *made;
   temporary_.emplace(path_);
 }
 

@@ -108,7 +108,10 @@ class OwnedState {
 };
 
 /// Makes a state forget which volume was left last, by the entry below its top: afterwards this
-/// names a volume that nothing contains.
+/// names a volume that nothing contains. VecGeom remembers it so as not to enter the volume again
+/// at distance zero. But it remembers the placement and not the touchable, so that rays would pass
+/// unseen through neighbours that are copies of each other. To forget takes no measurable time, but
+/// makes more zero steps.
 void forget_last_exited(NavigationState& state, const vecgeom::VPlacedVolume* world) {
   state.SetValueAt(state.GetCurrentLevel(), NavigationState::ToIndex(world));
 }
@@ -116,7 +119,7 @@ void forget_last_exited(NavigationState& state, const vecgeom::VPlacedVolume* wo
 /// Carries rays through the world. Calls `record(ray, volume, length)` for every step, and for a
 /// ray that is stuck `give_up(ray, volume, zero_steps)`, after that many last steps of no length.
 template <class Record, class GiveUp>
-VecGeomPeer::Totals run(std::span<const Ray> rays, std::uint64_t max_steps, int depth, bool forget,
+VecGeomPeer::Totals run(std::span<const Ray> rays, std::uint64_t max_steps, int depth,
                         Record&& record, GiveUp&& give_up) {
   const OwnedState first(depth);
   const OwnedState second(depth);
@@ -149,7 +152,7 @@ VecGeomPeer::Totals run(std::span<const Ray> rays, std::uint64_t max_steps, int 
       totals.zero_steps += zero ? 1 : 0;
       totals.length += step;
       position += step * direction;
-      if (forget) forget_last_exited(*out, world);
+      forget_last_exited(*out, world);
       std::swap(in, out);
     }
     totals.steps += steps;
@@ -197,24 +200,19 @@ std::int64_t VecGeomPeer::States::volume(std::size_t i) const {
 
 VecGeomPeer::~VecGeomPeer() = default;
 
-std::unique_ptr<VecGeomPeer> VecGeomPeer::load(const std::string& gdml_file, std::string& error) {
+Expected<std::unique_ptr<VecGeomPeer>> VecGeomPeer::load(const std::string& gdml_file) {
   static std::atomic<bool> loaded = false;
   if (loaded.exchange(true)) {
-    error = "VecGeom: a process can load only one geometry";
-    return nullptr;
+    return Failure{"VecGeom: a process can load only one geometry"};
   }
   {
     std::ifstream in(gdml_file, std::ios::binary);
     std::ostringstream copy;
     copy << in.rdbuf();  // unlike an iterator, does not throw on a directory
     const std::string text = std::move(copy).str();
-    if (!in || text.empty()) {
-      error = gdml_file + ": cannot be read";
-      return nullptr;
-    }
+    if (!in || text.empty()) return Failure{gdml_file + ": cannot be read"};
     if (const char* name = dropped_element(text)) {
-      error = gdml_file + ": VecGeom drops <" + name + "> elements";
-      return nullptr;
+      return Failure{gdml_file + ": VecGeom drops <" + name + "> elements"};
     }
   }
 
@@ -234,8 +232,7 @@ std::unique_ptr<VecGeomPeer> VecGeomPeer::load(const std::string& gdml_file, std
     }
     if (!good || manager.GetWorld() == nullptr || !manager.IsClosed()) {
       if (reason.empty()) reason = capture.first_line();
-      error = gdml_file + ": VecGeom refuses it" + (reason.empty() ? "" : ": " + reason);
-      return nullptr;
+      return Failure{gdml_file + ": VecGeom refuses it" + (reason.empty() ? "" : ": " + reason)};
     }
   }
 
@@ -310,7 +307,7 @@ std::vector<Segment> VecGeomPeer::trace(std::span<const Ray> rays,
   const auto record = [&](std::size_t ray, const LogicalVolume* volume, double length) {
     segments.push_back({static_cast<std::uint32_t>(ray), index_of_id_[volume->id()], length});
   };
-  run(rays, max_steps_per_ray, state_depth_, !keep_last_exited_, record,
+  run(rays, max_steps_per_ray, state_depth_, record,
       [&](std::size_t ray, const LogicalVolume* volume, int zero_steps) {
         segments.resize(segments.size() - static_cast<std::size_t>(zero_steps));
         record(ray, volume, -1.0);
@@ -321,7 +318,7 @@ std::vector<Segment> VecGeomPeer::trace(std::span<const Ray> rays,
 VecGeomPeer::Totals VecGeomPeer::transport(std::span<const Ray> rays,
                                            std::uint64_t max_steps_per_ray) const {
   const auto nothing = [](auto&&...) {};
-  return run(rays, max_steps_per_ray, state_depth_, !keep_last_exited_, nothing, nothing);
+  return run(rays, max_steps_per_ray, state_depth_, nothing, nothing);
 }
 
 std::vector<LegEnd> VecGeomPeer::follow(const double (&start)[3], std::span<const Leg> legs) const {
@@ -333,7 +330,7 @@ std::vector<LegEnd> VecGeomPeer::follow(const double (&start)[3], std::span<cons
   Vector position = to_vector(start);
   in->Clear();
   vecgeom::GlobalLocator::LocateGlobalPoint(world, position, *in, true);
-  if (!keep_last_exited_) forget_last_exited(*in, world);
+  forget_last_exited(*in, world);
   std::vector<LegEnd> ends;
   std::uint64_t boundaries = 0;
   for (const Leg& leg : legs) {
@@ -348,7 +345,7 @@ std::vector<LegEnd> VecGeomPeer::follow(const double (&start)[3], std::span<cons
       boundaries += out->IsOnBoundary() ? 1 : 0;
       position += step * direction;
       left -= step;
-      if (!keep_last_exited_) forget_last_exited(*out, world);
+      forget_last_exited(*out, world);
       std::swap(in, out);
     }
     ends.push_back({{position.x(), position.y(), position.z()}, boundaries});
@@ -389,7 +386,7 @@ VecGeomPeer::Totals VecGeomPeer::fly(std::span<const Flight> flights, bool safet
         const Vector direction = to_vector(planned.direction);
         for (int zero_steps = 0; zero_steps < zero_steps_allowed && !in->IsOutside();
              ++zero_steps) {
-          if (!keep_last_exited_) forget_last_exited(*in, world);
+          forget_last_exited(*in, world);
           const double step =
               in->Top()->GetLogicalVolume()->GetNavigator()->ComputeStepAndPropagatedState(
                   position, direction, planned.limit, *in, *next);

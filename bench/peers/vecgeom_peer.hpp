@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "flight.hpp"
+#include "navjit/detail/expected.hpp"
 
 namespace navjit::peers {
 
@@ -86,10 +87,9 @@ class VecGeomPeer {
     std::unique_ptr<Impl> impl_;
   };
 
-  /// Reads a GDML file, lengths in mm, and installs the automatic navigator. Returns null and gives
-  /// the reason in `error` if VecGeom refuses the file, or if the file holds something that VecGeom
-  /// silently drops.
-  static std::unique_ptr<VecGeomPeer> load(const std::string& gdml_file, std::string& error);
+  /// Reads a GDML file, lengths in mm, and installs the automatic navigator. Fails if
+  /// VecGeom refuses the file, or if the file holds something that VecGeom silently drops.
+  static Expected<std::unique_ptr<VecGeomPeer>> load(const std::string& gdml_file);
 
   VecGeomPeer(const VecGeomPeer&) = delete;
   VecGeomPeer& operator=(const VecGeomPeer&) = delete;
@@ -103,12 +103,6 @@ class VecGeomPeer {
   /// Installs navigators for all volumes, with the level locators and safety estimators that belong
   /// to them.
   void use(VecGeomNavigator navigator);
-
-  /// VecGeom remembers which volume was left last, so as not to enter it again at distance zero.
-  /// But it remembers the placement and not the touchable, so that rays pass unseen through
-  /// neighbours that are copies of each other. So this memory is wiped at each step, unless this
-  /// asks for VecGeom's own behaviour. Wiping takes no measurable time, but makes more zero steps.
-  void keep_last_exited(bool keep) { keep_last_exited_ = keep; }
 
   /// Every step of every ray until it leaves the world. A ray that starts outside has none; one
   /// that makes 100 zero steps in a row, or `max_steps_per_ray` steps, ends with a stuck segment.
@@ -143,7 +137,6 @@ class VecGeomPeer {
   int state_depth_ = 0;
   bool has_hybrid_ = false;
   bool has_bvh_ = false;
-  bool keep_last_exited_ = false;
 };
 
 }  // namespace navjit::peers

@@ -192,12 +192,12 @@ int main(int argc, char** argv) {
 
   const auto rays = track ? std::vector<Ray>{} : read_rays(ray_file, as_given);
   if (!rays) return 1;
-  std::string error;
-  const auto peer = VecGeomPeer::load(detector, error);
-  if (!peer) {
-    std::cerr << "vecgeom_trace: " << error << "\n";
+  const auto loaded = VecGeomPeer::load(detector);
+  if (!loaded) {
+    std::cerr << "vecgeom_trace: " << loaded.failure().message << "\n";
     return 1;
   }
+  const std::unique_ptr<VecGeomPeer>& peer = *loaded;
   if (time) {
     print_times(*peer, *rays, repeats);
     return 0;
