@@ -19,10 +19,14 @@ namespace {
 
 std::string without_arguments(const std::string& name) { return name.substr(0, name.find('<')); }
 
+struct Range {
+  std::uint64_t begin, end;
+};
+
 struct Generated {
   std::unique_ptr<llvm::object::ObjectFile> object;
   std::unique_ptr<llvm::DWARFContext> debug;
-  std::vector<CodeMap::Range> code;
+  std::vector<Range> code;
 };
 
 Generated read_generated(const jit_code_entry& entry) {
@@ -115,14 +119,6 @@ const CodeMap::Place& CodeMap::at(std::uint64_t address) {
   const auto [at, fresh] = impl_->known.try_emplace(address);
   if (fresh) at->second = impl_->find(address);
   return at->second;
-}
-
-std::vector<CodeMap::Range> CodeMap::generated_code() const {
-  std::vector<Range> ranges;
-  for (const Generated& g : impl_->generated) {
-    ranges.insert(ranges.end(), g.code.begin(), g.code.end());
-  }
-  return ranges;
 }
 
 }  // namespace navjit::bench

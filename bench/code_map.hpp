@@ -24,12 +24,6 @@ class CodeMap {
   };
   const Place& at(std::uint64_t address);
 
-  struct Range {
-    std::uint64_t begin, end;
-  };
-  /// Generated machine code.
-  std::vector<Range> generated_code() const;
-
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -1,4 +1,5 @@
-// What the signals INT, TERM and HUP do to the command.
+// What the signals INT, TERM, HUP, XCPU, USR1 and USR2 do to the command. Batch systems send the
+// last three to warn that a job's time is nearly over.
 //
 // A command that has nothing to finish ends at once, with exit status 128 + n. One that has is
 // `Interruptible`: the first signal is noted, and the command looks for it between its pieces of

@@ -224,6 +224,8 @@ void bind_to_data(Specialisation& spec, VolumeId volume) {
   scene.swapped_at_s = spec.seconds();
 }
 
+namespace {
+
 /// Binds a scene that is one of many alike, without timing it. It has the same code as the others,
 /// and the same gain.
 void bind_one_of_many(Specialisation& spec, VolumeId volume) {
@@ -284,6 +286,8 @@ std::vector<VolumeId> many_rare_scenes(const Specialisation& spec, std::uint64_t
   if (steps_of_others >= many_shares * least) rare.merge(others);
   return {rare.begin(), rare.end()};
 }
+
+}  // namespace
 
 bool bind_hot_to_data(Specialisation& spec) {
   std::vector<VolumeId> hot;

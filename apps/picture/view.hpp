@@ -19,8 +19,6 @@ struct View {
 
   /// Through the middle of a pixel; (0, 0) is the top left one.
   Ray ray(int x, int y, int width, int height) const;
-  /// mm across a pixel, of parallel rays.
-  double pixel_mm(int width) const { return 2 * half_width / width; }
 };
 
 /// One of eight, 0 to 7.

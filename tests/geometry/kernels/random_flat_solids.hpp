@@ -1,6 +1,8 @@
 // Random solids that are given by corners and contours, with their oracles.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "tests/geometry/kernels/facet_oracles.hpp"
 #include "tests/geometry/kernels/random_solids.hpp"
 
