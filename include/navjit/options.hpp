@@ -73,8 +73,9 @@ struct RuntimeOptions {
   std::optional<double> budget{};
   JitMode jit = JitMode::on;
   Cache cache{};  ///< of compiled code; default: none. Relative paths are resolved at once
-  /// A plugin to install before the first step, whatever `jit` says. If something is wrong with it,
-  /// a warning goes to the log, and the run goes on without it.
+  /// A plugin to install before the first step, whatever `jit` says. With JitMode::on its scenes
+  /// are on trial in the run from then on. If something is wrong with it, a warning goes to the
+  /// log, and the run goes on without it.
   std::string plugin{};
   SpecialiserOptions specialiser{};
   /// Empty: the default logger of spdlog if the program has set one, else standard error.
