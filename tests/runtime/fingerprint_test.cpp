@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <set>
+#include <string>
 
 #include "geometry/gdml/read_world.hpp"
 #include "tests/support/worlds.hpp"
@@ -68,6 +71,24 @@ TEST(Fingerprint, IsTheSameEachTimeAFileIsRead) {
     ++read;
   }
   EXPECT_GE(read, 3U);
+}
+
+TEST(Fingerprint, OfTheGeneratorIsMadeOfAllItsSources) {
+  std::ifstream in(NAVJIT_GENERATOR_FINGERPRINT);
+  std::set<std::string> counted;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("//   ")) counted.insert(line.substr(5));
+  }
+  const fs::path root = NAVJIT_SOURCE_DIR;
+  for (const char* folder : {"analysis", "codegen", "geometry/kernels"}) {
+    std::size_t sources = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (!entry.is_regular_file() || entry.path().filename() == "CMakeLists.txt") continue;
+      ++sources;
+      EXPECT_TRUE(counted.contains(fs::relative(entry.path(), root))) << entry.path();
+    }
+    EXPECT_GT(sources, 10U) << folder;
+  }
 }
 
 }  // namespace
