@@ -87,7 +87,8 @@ Solid make_facets(std::string name, std::vector<Vec3> corners, std::vector<Facet
   require(holder->facets.size() >= 4, name, "it has less than four facets");
   holder->point();
   const double volume = SolidFacts<kernels::Facets<double>>::volume(holder->shape);
-  require(std::abs(volume) > 1e-12 * size * size * size && std::isfinite(volume), name,
+  // Rounding is some 1e-16 of area times size for each facet; there may be ten million.
+  require(std::isfinite(volume) && enclose_more(holder->shape, volume, size, 1e-12), name,
           "its facets enclose no volume");
   if (volume < 0) {
     for (Facet& f : holder->facets) std::swap(f.b, f.c);
@@ -127,6 +128,17 @@ double SolidFacts<kernels::Facets<double>>::volume(const Shape& s) {
               6;
   }
   return volume;
+}
+
+bool enclose_more(const kernels::Facets<double>& s, double volume, double size, double part) {
+  double area = 0;
+  for (int i = 0; i < s.facet_count; ++i) {
+    const kernels::Facet& f = s.facets[i];
+    const Vec3& a = s.corners[f.a];
+    const Vec3 u = s.corners[f.b] - a, v = s.corners[f.c] - a;
+    area += std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2;
+  }
+  return std::abs(volume) > part * area * size;
 }
 
 }  // namespace navjit

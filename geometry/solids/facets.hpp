@@ -23,6 +23,11 @@ struct SolidFacts<kernels::Facets<double>> {
   static double volume(const Shape& s);
 };
 
+/// Whether triangles with this volume, mm3, which may be negative, enclose more than this part of
+/// their area times their size, mm. That product measures what flat facets seem to enclose by
+/// rounding; the third power of the size would not: a thin wire encloses far less of it.
+bool enclose_more(const kernels::Facets<double>& s, double volume, double size, double part);
+
 template <>
 inline constexpr const char* element_name<kernels::Vec3<double>> = "Vec3<double>";
 template <>

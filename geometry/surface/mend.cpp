@@ -21,7 +21,8 @@ using Triangle = Surface::Triangle;
 struct Shell {
   std::vector<std::uint32_t> triangles{};
   Extent box{};
-  double volume = 0;  ///< mm3; negative if it faces inwards
+  double volume = 0;      ///< mm3; negative if it faces inwards
+  bool encloses = false;  ///< what encloses nothing changes nothing
 };
 
 /// A shell's own corners, and its triangles by their numbers.
@@ -60,6 +61,9 @@ Shell shell_of(const Surface& surface, std::vector<std::uint32_t> triangles) {
     shell.box.max = {std::max(shell.box.max.x, p.x), std::max(shell.box.max.y, p.y),
                      std::max(shell.box.max.z, p.z)};
   }
+  // Less might be nothing once corners within 1e-9 of the size are merged.
+  constexpr double least = 1e-8;
+  shell.encloses = enclose_more(shape, shell.volume, norm(shell.box.max - shell.box.min), least);
   return shell;
 }
 
@@ -218,9 +222,7 @@ std::vector<std::string> mend_shells(Surface& surface) {
   std::vector<Shell> shells;
   for (std::vector<std::uint32_t>& triangles : surface::split(surface.triangles)) {
     Shell shell = shell_of(surface, std::move(triangles));
-    // What encloses nothing changes nothing.
-    const double size = norm(shell.box.max - shell.box.min);
-    if (std::abs(shell.volume) > 1e-12 * size * size * size) shells.push_back(std::move(shell));
+    if (shell.encloses) shells.push_back(std::move(shell));
   }
   if (shells.empty()) return notes;
   std::vector<Extent> extents;

@@ -236,6 +236,47 @@ TEST(FacetsThatDoNotClose, ThoseThatEncloseNothingAreRefused) {
   const Mesh all = block();
   EXPECT_THROW(make_tessellated("one", Mesh{all[0]}), GeometryError);
   EXPECT_THROW(make_tessellated("flat", Mesh{all[0], all[1]}), GeometryError);
+  // Both sides of a sheet, turned so that no corner is exactly in its plane.
+  const Vec3 u{0.48, 0.6, 0.64}, v{-0.8, 0.6, 0.0384};
+  for (const double step : {1000.0, 0.1}) {
+    const auto corner = [&](int i, int j) { return step * (i * u + j * v); };
+    Mesh sheet;
+    for (int i = 0; i < 40; ++i) {
+      for (int j = 0; j < 40; ++j) {
+        const FacetCorners front{corner(i, j), corner(i + 1, j), corner(i + 1, j + 1),
+                                 corner(i, j + 1)};
+        sheet.push_back(front);
+        // Cut along the other diagonal, so that no facet is there twice.
+        sheet.push_back({front[1], front[0], front[3], front[2]});
+      }
+    }
+    EXPECT_THROW(make_tessellated("flat", sheet), GeometryError);
+  }
+}
+
+TEST(FacetsThatDoNotClose, ThinOnesEncloseSomething) {
+  // A wire of 12 m with a diameter of 10 micrometres, and one that published detectors have.
+  for (const auto& [radius, length] : {std::pair{0.005, 12000.0}, {5e-6, 30.1}}) {
+    Mesh wire;
+    const auto corner = [r = radius, half = length / 2](int i, int end) {
+      const double angle = std::numbers::pi / 4 * (i % 8);
+      return Vec3{r * std::cos(angle), r * std::sin(angle), end * half};
+    };
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 a = corner(i, -1), b = corner(i + 1, -1), c = corner(i + 1, 1), d = corner(i, 1);
+      wire.push_back({a, b, c, d});
+      if (i > 0 && i < 7) wire.push_back({corner(0, -1), b, a});
+      if (i > 0 && i < 7) wire.push_back({corner(0, 1), d, c});
+    }
+    const double expected = 2 * std::sqrt(2.0) * radius * radius * length;
+    std::string note;
+    const Solid solid = make_tessellated("wire", wire, &note);
+    EXPECT_NEAR(capacity(solid), expected, 1e-6 * expected);
+    EXPECT_EQ(note, "");
+    const Vec3 start{-1, 0, 0.3 * radius};
+    EXPECT_NEAR(distance_to_in(solid.any(), start, kernels::make_direction(1.0, 0.0, 0.0), tol),
+                1 - radius, 1e-9);
+  }
 }
 
 // --- Extruded solids ----------------------------------------------------------------------------
