@@ -65,7 +65,11 @@ class RayJudge {
         judge(i);
       }
     }
-    result_.lost = !made_.stuck && is_lost();
+    if (!made_.stuck && !ends_with_world()) {
+      // Where the file lets a volume stick out of the world, rays end beyond the world's surface.
+      result_.lost = !ends_in_protrusion();
+      if (!result_.lost) ++result_.arguable;
+    }
     return std::move(result_);
   }
 
@@ -234,25 +238,32 @@ class RayJudge {
   }
 
   /// The world ends where its solid does, or else the ray was dropped or carried on.
-  bool is_lost() {
+  bool ends_with_world() const {
     const double rounding = tolerances_.surface + static_cast<double>(made_.steps.size()) *
                                                       std::numeric_limits<double>::epsilon() *
                                                       size_of(world_);
-    if (made_.steps.empty()) {
-      return reference_.side_of_world(reference::widen(ray_.position), rounding) == Side::inside;
-    }
-    const WidePoint end = reference::widen(made_.end);
+    const WidePoint end = reference::widen(made_.steps.empty() ? ray_.position : made_.end);
     const Side side = reference_.side_of_world(end, rounding);
-    // Where the file lets a volume stick out of the world rays may end beyond its surface.
-    return side == Side::inside || (side == Side::outside && !ends_in_protrusion());
+    return side == Side::surface || (side == Side::outside && made_.steps.empty());
   }
 
-  bool ends_in_protrusion() {
+  /// Whether the ray's last volume sticks out of its mother where the ray ended outside of the
+  /// world: on the way from the world's surface to there, or all along the last step.
+  bool ends_in_protrusion() const {
+    if (made_.steps.empty() ||
+        reference_.side_of_world(reference::widen(made_.end), 0) != Side::outside) {
+      return false;
+    }
     const MadeStep& last = made_.steps.back();
-    if (!last.touchable) return false;
-    const Chain chain = reference::chain_of(world_, *last.touchable);
-    return reference_.judge(chain, middle(made_.steps.size() - 1), tolerances_.surface) ==
-           Verdict::protrusion;
+    const Chain chain = last.touchable ? reference::chain_of(world_, *last.touchable) : last_;
+    if (!last.touchable && !is_called(chain, last.volume)) return false;
+    const Quad length = last.length;
+    const Quad exit = kernels::smaller(reference_.exit(last.point, ray_.direction), length);
+    for (const Quad t : {(exit + length) / 2, length / 2}) {
+      const WidePoint p = moved(last.point, ray_.direction, t);
+      if (reference_.judge(chain, p, tolerances_.surface) == Verdict::protrusion) return true;
+    }
+    return false;
   }
 
   const WideGeometry& reference_;

@@ -27,10 +27,13 @@ struct JudgedStep {
 struct JudgedRay {
   std::vector<JudgedStep> steps;
   bool stuck = false;
-  bool lost = false;           ///< it did not end where the world does
+  bool lost = false;           ///< it did not end where the world does, nor in a volume that
+                               ///< sticks out of the world there
   std::uint64_t skipped = 0;   ///< steps too short to be judged
   std::uint64_t arguable = 0;  ///< steps that differ from the reference's, with either right: along
-                               ///< an edge, a tangent or a face, or where the file has overlaps
+                               ///< an edge, a tangent or a face, or where the file has overlaps;
+                               ///< and last steps that end outside of the world, in a volume that
+                               ///< sticks out of it
 };
 
 struct Tolerances {

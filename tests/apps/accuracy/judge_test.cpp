@@ -160,6 +160,42 @@ TEST(Judge, TellsALostRay) {
   }
 }
 
+/// A box that sticks out of the world by 5 mm, and is longer than that.
+World world_with_protrusion() {
+  World world;
+  world.top = tests::add_volume(world, "world", make_box("world", 100, 100, 100));
+  const VolumeId box = tests::add_volume(world, "box", make_box("box", 40, 10, 10));
+  tests::place(world, world.top, box, {65, 0, 0});
+  finish(world);
+  return world;
+}
+
+TEST(Judge, FindsARayArguableThatLeavesWhereAVolumeSticksOut) {
+  Bench bench(world_with_protrusion());
+  const auto expect = [&](const Ray& ray, bool lost, std::size_t arguable, double further = 0) {
+    for (const bool named : {false, true}) {
+      MadeRay made = make_ray_steps(bench.navigator, *bench.world, ray, 0);
+      ASSERT_FALSE(made.steps.empty());
+      made.end += further * ray.direction;
+      if (named) {
+        for (MadeStep& step : made.steps) step.touchable.reset();
+      }
+      const JudgedRay judged = named ? judge_named_ray(bench.reference, ray, made, {1e-9, 1e-5})
+                                     : bench.judge(ray, made);
+      EXPECT_EQ(judged.lost, lost) << named;
+      EXPECT_EQ(judged.arguable, arguable) << named;
+      EXPECT_EQ(wrong_steps(judged), 0U) << named;
+    }
+  };
+  expect({{0, 1, 2}, {1, 0, 0}}, false, 1);      // through all of the box
+  expect({{99, 1, 2}, {1, 0, 0}}, false, 1);     // its last step is mostly outside
+  expect({{0, 1, 2}, {-1, 0, 0}}, false, 0);     // the other way
+  expect({{0, 20, 2}, {1, 0, 0}}, false, 0);     // beside the box
+  expect({{0, 20, 2}, {1, 0, 0}}, true, 0, 5);   // beside it, and carried on
+  expect({{0, 1, 2}, {-1, 0, 0}}, true, 0, 5);   // where nothing sticks out
+  expect({{0, 1, 2}, {1, 0, 0}}, true, 0, -10);  // in the box, but within the world
+}
+
 TEST(Judge, JudgesByNamesAlone) {
   Bench bench(tests::mixed_world());
   const Tolerances tolerances{1e-9, 1e-5};
