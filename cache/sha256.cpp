@@ -1,5 +1,6 @@
 #include "cache/sha256.hpp"
 
+#include <openssl/crypto.h>
 #include <openssl/evp.h>
 
 #include <cstdint>
@@ -16,7 +17,10 @@ struct Free {
 
 class Hash {
  public:
-  Hash() : context_(EVP_MD_CTX_new()) {
+  Hash() {
+    // In exit() OpenSSL would clean up while the specialiser's thread may still hash.
+    [[maybe_unused]] static const int stays = OPENSSL_init_crypto(OPENSSL_INIT_NO_ATEXIT, nullptr);
+    context_.reset(EVP_MD_CTX_new());
     check(context_ != nullptr && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1);
   }
   void add(std::string_view bytes) {

@@ -19,6 +19,13 @@ namespace {
 /// Each copy becomes a placement, which takes 1600 bytes with all that navigation needs of it.
 constexpr G4int most_copies = 1 << 20;
 
+void require_few(const G4VPhysicalVolume& volume, G4int count) {
+  if (count > most_copies) {
+    refuse(volume, "it has " + std::to_string(count) + " copies: navjit takes " +
+                       std::to_string(most_copies) + " in one volume");
+  }
+}
+
 struct Replication {
   EAxis axis;
   G4int count;
@@ -42,6 +49,7 @@ Solid ring(const G4VPhysicalVolume& volume, const G4VSolid& solid, const Replica
 
 void for_each_replica(G4VPhysicalVolume& volume, const std::function<void(const Copy&)>& take) {
   const Replication replication(volume);
+  require_few(volume, replication.count);
   const G4LogicalVolume& logical = *volume.GetLogicalVolume();
   G4ReplicaNavigation navigation;
   for (G4int i = 0; i < replication.count; ++i) {
@@ -63,10 +71,7 @@ void for_each_parameterised(G4VPhysicalVolume& volume,
            "stops at all of them, after SetSkipEqualMaterials(false)");
   }
   const G4int count = Replication(volume).count;
-  if (count > most_copies) {
-    refuse(volume, "it has " + std::to_string(count) + " copies: navjit takes " +
-                       std::to_string(most_copies) + " in one volume");
-  }
+  require_few(volume, count);
   for (G4int i = 0; i < count; ++i) {
     G4VSolid* solid = parameterisation->ComputeSolid(i, &volume);
     solid->ComputeDimensions(parameterisation, i, &volume);

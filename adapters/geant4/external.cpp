@@ -1,6 +1,7 @@
 #include "navjit/geant4/external.hpp"
 
 #include <G4NavigationHistory.hh>
+#include <G4PhysicalVolumeStore.hh>
 #include <G4RotationMatrix.hh>
 
 #include "adapters/geant4/guarded.hpp"
@@ -26,11 +27,22 @@ struct ExternalVolume {
 
 namespace {
 
+/// Geant4 gives a parameterised volume the solid of one copy after the other, so that what is
+/// converted would be the solid of whichever copy came last.
+void refuse_parameterised(const G4LogicalVolume& logical) {
+  for (const G4VPhysicalVolume* placed : *G4PhysicalVolumeStore::GetInstance()) {
+    if (placed->GetLogicalVolume() != &logical || !placed->IsParameterised()) continue;
+    throw Unsupported("volume '" + logical.GetName() + "': '" + placed->GetName() +
+                      "' is parameterised, so that its solid may change; navigate the whole world");
+  }
+}
+
 std::shared_ptr<ExternalVolume> make(const G4LogicalVolume& logical,
                                      const RuntimeOptions& options) {
   DetectorBuilder builder;
   Materials materials(builder);
   const auto add = [&](const G4LogicalVolume& volume) {
+    refuse_parameterised(volume);
     ForeignSolids foreign;
     return builder.volume(volume.GetName(), convert(*volume.GetSolid(), foreign),
                           materials(volume.GetMaterial()));

@@ -6,9 +6,11 @@
 #include <G4GeometryManager.hh>
 #include <G4LogicalVolume.hh>
 #include <G4Navigator.hh>
+#include <G4PVParameterised.hh>
 #include <G4PVPlacement.hh>
 #include <G4PVReplica.hh>
 #include <G4Tubs.hh>
+#include <G4VPVParameterisation.hh>
 #include <random>
 
 #include "navjit/geant4/geometry.hpp"
@@ -132,6 +134,26 @@ TEST(External, RefusesReplicasAndChangesNothing) {
   G4LogicalVolume* const hot[] = {modules.module, stack};
   EXPECT_THROW(geant4::ExternalNavigation{hot}, geant4::Unsupported);
   EXPECT_EQ(modules.module->CharacteriseDaughters(), kNormal);
+}
+
+/// Plates that become thicker.
+class Plates : public G4VPVParameterisation {
+  void ComputeTransformation(const G4int copy, G4VPhysicalVolume* volume) const override {
+    volume->SetTranslation({0, 0, -40.0 + 20 * copy});
+  }
+  void ComputeDimensions(G4Box& solid, const G4int copy, const G4VPhysicalVolume*) const override {
+    solid.SetZHalfLength(2.0 + copy);
+  }
+};
+
+TEST(External, RefusesVolumesWhoseOwnSolidChanges) {
+  auto* stack = box("plates", 50, 50, 50);
+  auto* plate = box("plate", 50, 50, 5);
+  new G4PVPlacement(nullptr, {}, box("cell", 1, 1, 1), "cell", plate, false, 0);
+  new G4PVParameterised("plate", plate, stack, kZAxis, 5, new Plates);
+  G4LogicalVolume* const hot[] = {plate};
+  EXPECT_THROW(geant4::ExternalNavigation{hot}, geant4::Unsupported);
+  EXPECT_EQ(plate->CharacteriseDaughters(), kNormal);
 }
 
 }  // namespace
