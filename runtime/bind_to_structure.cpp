@@ -136,7 +136,8 @@ std::optional<DueStructure> any_structure(Specialisation& spec) {
 }
 
 bool bind_to_structure(Specialisation& spec, const DueStructure& structure) {
-  const std::string& source = structure.source;
+  std::string source = structure.source;
+  if (spec.shared->faults.edit_source) spec.shared->faults.edit_source(source);
   for (const codegen::Module& scene : structure.scenes) {
     spec.structure_tried.insert(scene.entries[0].volume);
   }
