@@ -178,7 +178,7 @@ void bind_to_data(Specialisation& spec, VolumeId volume) {
   std::string problem;
   std::erase_if(ways, [&](const Bound& way) {
     std::string its = verify(geometry, context, *way.entry, volume, samples);
-    if (spec.shared->faults.fail_verification) its = "injected failure";
+    if (spec.shared->faults.fail_verification) its = injected_failure;
     if (its.empty()) return false;
     problem = its == no_state_to_verify_on ? its : way.structure + ": " + its;
     return true;
@@ -236,7 +236,7 @@ void bind_one_of_many(Specialisation& spec, VolumeId volume) {
   const std::vector<Sample> states =
       spec.sampler.states(volume, states_made_up_for_one_of_many, volume + 1);
   std::string problem = verify(geometry, spec.shared->table.context(), *entry, volume, states);
-  if (spec.shared->faults.fail_verification) problem = "injected failure";
+  if (spec.shared->faults.fail_verification) problem = injected_failure;
   if (!problem.empty()) {
     note_failure(spec, volume, problem);
     return;

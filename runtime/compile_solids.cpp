@@ -156,7 +156,7 @@ bool install_solids(Specialisation& spec, const std::vector<ComposedSolid*>& sol
       problem = verify_solid(solids[i]->solid, *functions, solids[i]->extent,
                              spec.shared->geometry.tolerance(), points_made_up, i + 1);
     }
-    if (spec.shared->faults.fail_verification) problem = "injected failure";
+    if (spec.shared->faults.fail_verification) problem = injected_failure;
     if (!problem.empty()) {
       spec.shared->log->warn("code for a solid is wrong and is not used: {}", one_line(problem));
       return false;
@@ -179,7 +179,7 @@ bool install_solids(Specialisation& spec, const std::vector<ComposedSolid*>& sol
 bool make(Specialisation& spec, const std::vector<ComposedSolid*>& solids) {
   for (ComposedSolid* solid : solids) solid->tried = true;
   show_candidates(spec);
-  const double start = steady_seconds();
+  const double start = steady_seconds(), own_start = spec.own_seconds();
   std::vector<kernels::AnySolid<double>> shapes;
   std::set<VolumeId> volumes;
   double expected = module_base_ms;
@@ -214,6 +214,8 @@ bool make(Specialisation& spec, const std::vector<ComposedSolid*>& solids) {
     spec.shared->log->warn("solids are not compiled: {}", one_line(made.failure().message));
     return true;
   }
+  spec.expected_ms += expected;
+  spec.compiled_ms += (spec.own_seconds() - own_start) * 1e3;
   const jit::CompileReport report = made->object.report;
   if (install_solids(spec, solids, module, std::move(made->code))) {
     spec.maker->keep(module.source, solids.size() == 1 ? "a solid" : "solids", made->object);

@@ -9,6 +9,9 @@
 
 namespace navjit {
 
+/// What is said of right code where a test wants it to be wrong (Faults::fail_verification).
+constexpr const char* injected_failure = "injected failure";
+
 /// Ways to make specialisation go wrong.
 struct Faults {
   std::function<void(std::string& source)> edit_source{};

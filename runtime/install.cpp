@@ -75,7 +75,7 @@ States states_of(Specialisation& spec, VolumeId volume, std::size_t made_up) {
 std::string proved(const Specialisation& spec, VolumeId volume,
                    const kernels::DispatchEntry& record, const std::vector<Sample>& states) {
   const Faults& faults = spec.shared->faults;
-  if (faults.fail_verification) return "injected failure";
+  if (faults.fail_verification) return injected_failure;
   if (faults.skip_verification) return "";
   return verify(spec.shared->geometry, spec.shared->table.context(), record, volume, states);
 }

@@ -121,10 +121,14 @@ struct Specialisation {
   /// By volume: relocations in it at the end of steps made elsewhere, or where points are located,
   /// as far as samples tell. Written by the specialiser's thread alone, with the mutex locked.
   std::vector<double> relocations;
-  std::vector<double> execution_counts;     ///< by volume; the first of equal ones has the sum
-  std::vector<double> recent;               ///< the same, with older executions fading away
-  double counted_at = 0;                    ///< when the two were updated, s
-  double expected_ms = 0, compiled_ms = 0;  ///< for all modules so far
+  std::vector<double> execution_counts;  ///< by volume; the first of equal ones has the sum
+  std::vector<double> recent;            ///< the same, with older executions fading away
+  double counted_at = 0;                 ///< when the two were updated, s
+  /// Processor time that modules were expected to take, and took, as far as they were compiled in
+  /// this run: those bound to constants and those of solids, whose expected times were fitted
+  /// (runtime/schedule.cpp). Structures are not counted: what they are expected to take is a guess,
+  /// and would say little about the machine.
+  double expected_ms = 0, compiled_ms = 0;
   std::map<VolumeId, Candidate> candidates;
   /// By volume that was measured to be slower: the execution count at which it will be tried again.
   std::map<VolumeId, double> try_again_at;
