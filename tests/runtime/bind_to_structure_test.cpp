@@ -95,6 +95,23 @@ TEST(BoundToStructure, OneThatDoesNotCompileIsNoReasonToStop) {
   EXPECT_EQ(structures_with(1, 6000), all - 1);
 }
 
+TEST(BoundToStructure, WrongCodeIsFoundAndNotUsed) {
+  const auto world = std::make_shared<const World>(tests::mixed_world());
+  FaultyOptions options{without_constants(JitMode::wait)};
+  options.specialiser.solids = false;
+  Faults faults = *tests::wrong_code();
+  faults.skip_verification = false;
+  options.faults = std::make_shared<const Faults>(faults);
+  FaultyRuntime runtime(world, options);
+  EXPECT_EQ(tests::traces_that_differ(runtime, tests::rays_through(*world, 7, 300)), 0U);
+  std::size_t failed = 0;
+  for (const SceneReport& scene : runtime.report().scenes) {
+    EXPECT_NE(scene.binding, Binding::structure) << scene.volume;
+    failed += scene.status == SceneStatus::failed ? 1 : 0;
+  }
+  EXPECT_GT(failed, 0U);
+}
+
 TEST(BoundToStructure, AreCompiledNoLongerThanARunWaits) {
   EXPECT_EQ(structures_with(0, 0), 0U);
   EXPECT_LT(structures_with(0, 100), structures_with(0, 1e6)) << "each takes some 100 ms";
