@@ -1,6 +1,7 @@
 // Twisted tube segments, boxes, trds and traps.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "geometry/solids/make.hpp"
@@ -129,8 +130,14 @@ Solid make_twistedtubs(std::string name, double twist, double rmin, double rmax,
                   "a twisted tube needs 0 < its inner < its outer radius");
   detail::require(z_high > z_low, name, "a twisted tube needs a positive length");
   detail::require(std::abs(twist) < pi, name, "the twist must be less than 180 degrees");
-  detail::require(phi > 0 && phi < pi, name,
-                  "the angle that a twisted tube spans must be between 0 and 180 degrees");
+  if (!(phi > 0 && phi < pi)) {
+    char what[128];
+    std::snprintf(what, sizeof what,
+                  "a twisted tube that spans %.9g degrees: it has to be more than 0 and less than "
+                  "180; make it of several",
+                  phi * (180 / pi));
+    detail::require(false, name, what);
+  }
   const double half = std::max(std::abs(z_low), std::abs(z_high));
   const double kappa = std::tan(twist / 2) / half;
   const auto face = [&](double r) {

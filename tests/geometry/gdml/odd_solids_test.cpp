@@ -80,6 +80,16 @@ TEST_F(GdmlOddSolids, TwistedTubesWithoutALengthAreNothing) {
              "<twistedtubs name='s'>: a twisted tube needs zlen");
 }
 
+TEST_F(GdmlOddSolids, TwistedTubesOfHalfATurnAreRefusedWithTheirAngle) {
+  const std::string tube =
+      "<twistedtubs name='s' aunit='deg' twistedangle='20' endinnerrad='1' endouterrad='4' "
+      "zlen='8' ";
+  EXPECT_HAS(error_of(world_of(tube + "phi='180'/>")), "a twisted tube that spans 180 degrees");
+  EXPECT_HAS(error_of(world_of(tube + "phi='250.5'/>")), "spans 250.5 degrees: it has to be");
+  EXPECT_HAS(error_of(world_of(tube + "nseg='2' totphi='360'/>")), "spans 180 degrees");
+  EXPECT_EQ(top(read(world_of(tube + "phi='179'/>"))).solid.kind, SolidKind::twistedtubs);
+}
+
 TEST_F(GdmlOddSolids, ReflectedSolidsAreScaledTurnedAndMoved) {
   const World world = read(world_of(
       "<box name='o' x='2' y='4' z='6'/><box name='p' x='2' y='2' z='2'/><union name='u'><first "
