@@ -41,6 +41,8 @@ struct Counts {
 };
 
 /// A step whose bits differ, or those of the safety before it, with what is needed to repeat it.
+/// If a ray's start was located differently, it is what comes next in two steps of no length, and
+/// `state` is outside.
 struct Difference {
   std::uint64_t ray;
   State state;
@@ -64,8 +66,14 @@ void run_ray(Navigator& generic, Navigator& specialised, const Ray& ray, std::ui
   ++counts.rays;
   Vec3 point = ray.position;
   detail::Standing standing;
+  const auto differ = [&](const State& from, const Step& right, const Step& made) {
+    ++counts.differing;
+    if (differences.size() >= 10) return;
+    differences.push_back({index, from, point, ray.direction, right, made});
+  };
   State state = generic.locate(point, ray.direction);
-  if (!same(specialised.locate(point, ray.direction), state)) ++counts.differing;
+  const State located = specialised.locate(point, ray.direction);
+  if (!same(located, state)) differ({}, {0, false, state}, {0, false, located});
   while (state.inside()) {
     const Step right = generic.step(state, point, ray.direction);
     const double safety = generic.safety(state, point);
@@ -73,12 +81,7 @@ void run_ray(Navigator& generic, Navigator& specialised, const Ray& ray, std::ui
                       std::bit_cast<std::uint64_t>(safety);
     const Step made = specialised.step(state, point, ray.direction);
     ++counts.steps;
-    if (!safe || !same(right, made)) {
-      ++counts.differing;
-      if (differences.size() < 10) {
-        differences.push_back({index, state, point, ray.direction, right, made});
-      }
-    }
+    if (!safe || !same(right, made)) differ(state, right, made);
     standing.count(right.length, tolerance);
     if (standing.stuck()) {
       ++counts.stuck;
@@ -156,6 +159,13 @@ void print_difference(const World& world, const Difference& d) {
   const auto next = [&](const Step& s) {
     return s.next.inside() ? path_of(world, s.next.touchable()) : std::string("outside");
   };
+  if (!d.state.inside()) {
+    std::fprintf(stderr,
+                 "  ray %llu at (%a, %a, %a) along (%a, %a, %a): located %s instead of %s\n",
+                 static_cast<unsigned long long>(d.ray), p.x, p.y, p.z, v.x, v.y, v.z,
+                 next(d.specialised).c_str(), next(d.generic).c_str());
+    return;
+  }
   std::fprintf(stderr,
                "  ray %llu in %s from (%a, %a, %a) along (%a, %a, %a): %a to %s instead of %a to "
                "%s\n",
