@@ -7,6 +7,11 @@ namespace navjit {
 
 namespace fs = std::filesystem;
 
+const char* why_not_fetched(std::string_view contents) {
+  if (!contents.starts_with("version https://git-lfs.")) return nullptr;
+  return "it is a Git LFS pointer, not the file itself; 'git lfs pull' fetches that";
+}
+
 Expected<std::string> read_regular_file(const fs::path& path, std::size_t most,
                                         const std::string& too_long) {
   std::error_code error;
@@ -24,6 +29,7 @@ Expected<std::string> read_regular_file(const fs::path& path, std::size_t most,
   std::string text(size, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(size));
   text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (const char* why = why_not_fetched(text)) return Failure{why};
   return text;
 }
 

@@ -94,7 +94,10 @@ int import_geometry(const Options& options, const CLI::App& command) {
 }
 
 int import_file(const Options& options, const CLI::App& command) {
-  if (is_root_file(options.file)) return import_geometry(options, command);
+  // A file .root that is none is refused as one, and not as a surface.
+  if (is_root_file(options.file) || std::filesystem::path(options.file).extension() == ".root") {
+    return import_geometry(options, command);
+  }
   if (!options.setup.empty()) {
     throw UsageError("--setup is for ROOT files; " + common::printable(options.file) +
                      " is none, leave it out");

@@ -4,6 +4,7 @@
 #include <map>
 #include <system_error>
 
+#include "geometry/input_file.hpp"
 #include "geometry/root/unpack.hpp"
 
 namespace navjit {
@@ -55,6 +56,8 @@ Container::Container(const fs::path& path, const RootLimits& limits) : limits_(l
   open_regular(path, stream_, size_);
   const std::string head = read(0, std::min<std::uint64_t>(size_, 100));
   Bytes bytes(head);
+  if (const char* why = why_not_fetched(head))
+    throw FormatError(std::string("cannot be read: ") + why);
   if (!head.starts_with(magic)) throw FormatError("it is no ROOT file");
   bytes.skip(magic.size());
   const bool large = bytes.u32() >= 1'000'000;

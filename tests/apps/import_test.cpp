@@ -138,6 +138,9 @@ TEST_F(Import, WritesRootGeometriesAsGdml) {
   EXPECT_EQ(import("detector.root", bytes, "--setup third").status, 1);
   EXPECT_EQ(import("detector.root", bytes, "--unit cm").status, 1);
   EXPECT_EQ(import("block.stl", tests::binary_stl(tests::block()), "--setup first").status, 1);
+  const tests::Output none = import("none.root", "version https://git-lfs.github.com/spec/v1\n");
+  EXPECT_EQ(none.status, 1);
+  EXPECT_NE(none.text.find("it is a Git LFS pointer"), std::string::npos) << none.text;
 }
 
 TEST_F(Import, RootGeometriesAreReadByEveryCommandAsTheirGdmlIs) {

@@ -157,6 +157,10 @@ TEST_F(GdmlXml, NamesTheLineOfBrokenXml) {
   EXPECT_HAS(error_of("\xff\xfe\x80\x81 binary \x01\x02"), "det.gdml:");
   EXPECT_HAS(error(folder_ / "none.gdml"), "none.gdml:0: cannot be read: no such file");
   EXPECT_HAS(error(folder_), "it is a directory");
+  // What a clone has in the place of a large file until it is fetched.
+  EXPECT_HAS(
+      error_of("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 5\n"),
+      "det.gdml:0: cannot be read: it is a Git LFS pointer, not the file itself; 'git lfs pull'");
 }
 
 TEST_F(GdmlXml, EveryTruncationIsAnErrorAndNothingElse) {

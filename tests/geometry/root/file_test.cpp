@@ -62,6 +62,10 @@ TEST_F(RootFile, GeometriesAreFoundByName) {
 
 TEST_F(RootFile, ErrorsNameTheFile) {
   EXPECT_EQ(refusal_of_bytes("no root file"), file_ + ": it is no ROOT file");
+  EXPECT_EQ(refusal_of_bytes("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 5\n"),
+            file_ +
+                ": cannot be read: it is a Git LFS pointer, not the file itself; 'git lfs pull' "
+                "fetches that");
   EXPECT_NE(refusal_of_bytes("root"), "");
   EXPECT_THROW(read_root(folder_.file("none.root")), RootError);
   EXPECT_THROW(read_root(folder_.path()), RootError);

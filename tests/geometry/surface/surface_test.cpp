@@ -219,6 +219,11 @@ TEST_F(Surfaces, WhatIsNoFileIsRefused) {
   const std::string pipe = folder_.file("pipe.stl");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_THROW(read_surface(pipe), SurfaceError);  // and does not wait for a writer
+  for (const char* name : {"large.stl", "large.obj"}) {
+    const std::string pointer =
+        "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 5\n";
+    EXPECT_TRUE(contains(refusal(name, pointer), "it is a Git LFS pointer")) << name;
+  }
 }
 
 TEST_F(Surfaces, ChangedBytesNeverCrash) {
