@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -104,12 +105,16 @@ std::vector<std::vector<std::size_t>> parts_of(const std::vector<Shell>& shells)
   return parts;
 }
 
+/// "the facet of line N", or an empty text if the surface comes from no file.
+std::string name_of(const Surface& surface, std::uint32_t triangle) {
+  if (triangle >= surface.origins.size()) return {};
+  return (surface.origins_are_lines ? "the facet of line " : "facet ") +
+         std::to_string(surface.origins[triangle]);
+}
 std::string name_of(const Surface& surface, const Shell& shell) {
-  const std::uint32_t first = shell.triangles.front();
-  std::string name = "the one of " + std::to_string(shell.triangles.size()) + " triangles";
-  if (first >= surface.origins.size()) return name;
-  return name + " with " + (surface.origins_are_lines ? "the facet of line " : "facet ") +
-         std::to_string(surface.origins[first]);
+  const std::string facet = name_of(surface, shell.triangles.front());
+  return "the one of " + std::to_string(shell.triangles.size()) + " triangles" +
+         (facet.empty() ? "" : " with " + facet);
 }
 
 /// Leaves out triangles that another one repeats, if what is left is closed.
@@ -133,8 +138,8 @@ void drop_doubled(Surface& surface, std::vector<std::string>& notes) {
     notes.push_back(what + ": the second ones are left out");
   } else {
     notes.push_back(what +
-                    ", and the surface is open without them: a part that touches another "
-                    "one there seems to face inwards, and stays so");
+                    ", and the surface is open without them, so that they stay: parts overlap "
+                    "there, or a part that touches another one seems to face inwards");
   }
 }
 
@@ -164,8 +169,39 @@ void turn(Surface& surface, std::vector<Shell>& shells,
                   first);
 }
 
+/// Names the first of the triangles that lie upon others: parts that have edges in common are one
+/// shell, so that shells do not tell that they overlap.
+void look_for_triangles_upon_others(const Surface& surface, const std::vector<Shell>& shells,
+                                    std::vector<std::string>& notes) {
+  std::vector<std::uint32_t> upon = surface::upon_others(surface);
+  if (upon.empty()) return;
+  std::vector<const Shell*> shell_of(surface.triangles.size());
+  for (const Shell& shell : shells) {
+    for (const std::uint32_t t : shell.triangles) shell_of[t] = &shell;
+  }
+  std::erase_if(upon, [&](std::uint32_t t) { return shell_of[t] == nullptr; });
+  if (upon.empty()) return;
+  const std::string facet = name_of(surface, upon.front());
+  notes.push_back(std::to_string(upon.size()) +
+                  " triangles lie upon others that face as they do, so that parts overlap and the "
+                  "volume is not exact: the first is " +
+                  (facet.empty() ? "" : facet + ", ") + "in the shell of " +
+                  std::to_string(shell_of[upon.front()]->triangles.size()) + " triangles");
+}
+
+/// The place just below a triangle.
+Vec3 below(const Surface& surface, const Surface::Triangle& t, double depth) {
+  const Vec3 &a = surface.corners[t[0]], &b = surface.corners[t[1]], &c = surface.corners[t[2]];
+  const Vec3 u = b - a, v = c - a;
+  const Vec3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const double length = norm(n);
+  const Vec3 centre = (1.0 / 3) * (a + b + c);
+  return length > 0 ? centre - (depth / length) * n : centre;
+}
+
 /// Names shells that overlap others that face as they do, and holes that reach out of the body, by
-/// up to 16 corners of each. Navigation takes everything for one body, but volumes add up.
+/// up to 16 corners of each, or places below its triangles. Navigation takes everything for one
+/// body, but volumes add up.
 void look_for_overlaps(const Surface& surface, const std::vector<Shell>& shells,
                        const bvh::BoxTree& boxes, std::vector<std::string>& notes) {
   std::size_t questions = 100'000;  // enough for what people look at, and quick
@@ -179,26 +215,34 @@ void look_for_overlaps(const Surface& surface, const std::vector<Shell>& shells,
     const auto& shape = *static_cast<const kernels::Facets<double>*>(bodies[k].shape.get());
     return kernels::inside(shape, p, 1e-9 * norm(shells[k].box.max - shells[k].box.min));
   };
+  /// Within how many of the other shells a place is; holes count against them. Nothing where it is
+  /// on the surface of one, or if there were too many questions.
+  const auto depth_in_others = [&](std::size_t i, const Vec3& p) {
+    std::optional<int> depth = 0;
+    boxes.containing(p, [&](std::uint32_t k) {
+      if (k == i) return true;
+      const kernels::Side side = questions > 0 ? side_of(k, p) : kernels::Side::surface;
+      if (questions > 0) --questions;
+      if (side == kernels::Side::inside) *depth += shells[k].volume > 0 ? 1 : -1;
+      if (side == kernels::Side::surface) depth.reset();
+      return depth.has_value();
+    });
+    return depth;
+  };
   std::size_t overlapping = 0;
   std::string first;
   for (std::size_t i = 0; i < shells.size() && questions > 0; ++i) {
     const std::vector<std::uint32_t>& triangles = shells[i].triangles;
+    const bool outwards = shells[i].volume > 0;
+    const double size = norm(shells[i].box.max - shells[i].box.min);
     const std::size_t stride = (triangles.size() + 15) / 16;
     bool overlaps = false;
     for (std::size_t t = 0; t < triangles.size() && !overlaps; t += stride) {
-      const Vec3& p = surface.corners[surface.triangles[triangles[t]][0]];
-      int depth = 0;
-      bool known = true;
-      boxes.containing(p, [&](std::uint32_t k) {
-        if (k == i) return true;
-        if (questions == 0) return known = false;
-        --questions;
-        const kernels::Side side = side_of(k, p);
-        if (side == kernels::Side::surface) return known = false;
-        if (side == kernels::Side::inside) depth += shells[k].volume > 0 ? 1 : -1;
-        return true;
-      });
-      overlaps = known && (shells[i].volume > 0) == (depth > 0);
+      const Surface::Triangle& triangle = surface.triangles[triangles[t]];
+      std::optional<int> depth = depth_in_others(i, surface.corners[triangle[0]]);
+      // A corner on the surface of another shell does not tell on which side the body is.
+      if (!depth && outwards) depth = depth_in_others(i, below(surface, triangle, 1e-7 * size));
+      overlaps = depth && outwards == (*depth > 0);
     }
     if (!overlaps) continue;
     if (overlapping++ == 0) first = name_of(surface, shells[i]);
@@ -229,6 +273,7 @@ std::vector<std::string> mend_shells(Surface& surface) {
   for (const Shell& shell : shells) extents.push_back(shell.box);
   const bvh::BoxTree boxes(extents, 0, bvh::default_method(extents.size()));
   turn(surface, shells, parts_of(shells), notes);
+  look_for_triangles_upon_others(surface, shells, notes);
   if (shells.size() > 1) look_for_overlaps(surface, shells, boxes, notes);
   return notes;
 }

@@ -61,6 +61,21 @@ class Sets {
   std::vector<std::uint32_t> parent_;
 };
 
+/// A normal of any length.
+Vec3 normal_of(const Surface& surface, std::uint32_t triangle) {
+  const Triangle& t = surface.triangles[triangle];
+  const Vec3& a = surface.corners[t[0]];
+  const Vec3 u = surface.corners[t[1]] - a, v = surface.corners[t[2]] - a;
+  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
+/// Whether the normals are those of one plane, but for the rounding of corners to single precision.
+bool face_alike(const Vec3& n, const Vec3& m) {
+  constexpr double largest_sine = 1e-5;
+  const Vec3 across{n.y * m.z - n.z * m.y, n.z * m.x - n.x * m.z, n.x * m.y - n.y * m.x};
+  return n.x * m.x + n.y * m.y + n.z * m.z > 0 && norm(across) <= largest_sine * norm(n) * norm(m);
+}
+
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> split(const std::vector<Triangle>& triangles) {
@@ -88,6 +103,32 @@ std::vector<std::vector<std::uint32_t>> split(const std::vector<Triangle>& trian
     shells[found->second].push_back(i);
   }
   return shells;
+}
+
+std::vector<std::uint32_t> upon_others(const Surface& surface) {
+  // Of triangles that run the same way along an edge and face alike, each is on the same side of
+  // it. No more than so many of one edge are compared with each: it stays quick, whatever a file
+  // holds.
+  constexpr std::size_t most_compared = 16;
+  const std::vector<EdgeUse> uses = edge_uses(surface.triangles);
+  std::vector<std::uint32_t> found;
+  for_each_edge(uses, [&](std::span<const EdgeUse> of_edge) {
+    if (of_edge.size() == 2) return;
+    for (std::size_t i = 0; i < of_edge.size(); ++i) {
+      const std::size_t end = std::min(of_edge.size(), i + 1 + most_compared);
+      const Vec3 normal = normal_of(surface, of_edge[i].triangle);
+      for (std::size_t k = i + 1; k < end; ++k) {
+        if (of_edge[k].turn != of_edge[i].turn ||
+            !face_alike(normal, normal_of(surface, of_edge[k].triangle))) {
+          continue;
+        }
+        found.insert(found.end(), {of_edge[i].triangle, of_edge[k].triangle});
+      }
+    }
+  });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 }  // namespace navjit::surface

@@ -53,8 +53,9 @@ std::string open_at(const Surface& surface);
 /// Turns what is inside out in a closed surface: shells (parts that are closed without the others)
 /// that enclose less than nothing together with those whose boxes meet theirs. A shell that faces
 /// inwards in one that faces outwards is a hole, and stays. Triangles that are there twice are left
-/// out. Returns what was done, a sentence each, and names shells that overlap others. Throws
-/// GeometryError where open_at() finds something. Thread-safe for different surfaces.
+/// out. Returns what was done, a sentence each, and names shells that overlap others, and triangles
+/// that lie upon others of a shell: the volume is then not exact. Throws GeometryError where
+/// open_at() finds something. Thread-safe for different surfaces.
 std::vector<std::string> mend_shells(Surface& surface);
 
 /// The body that a closed surface encloses. If all of the surface faces inwards it is turned.

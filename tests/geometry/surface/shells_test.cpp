@@ -127,6 +127,52 @@ TEST(Shells, ThatAreThereTwiceAreThereOnce) {
                 "12 triangles are there twice", 960);
 }
 
+/// A block whose faces are cut along their other diagonals, from a face on.
+Mesh cut_otherwise(std::size_t from_face = 0) {
+  Mesh mesh = block(1);
+  for (std::size_t f = 2 * from_face; f < mesh.size(); f += 2) {
+    const Vec3 a = mesh[f][0], b = mesh[f][1], c = mesh[f][2], d = mesh[f + 1][2];
+    mesh[f] = {b, c, d};
+    mesh[f + 1] = {b, d, a};
+  }
+  return mesh;
+}
+
+TEST(Shells, ThatAreThereTwiceAndCutOtherwiseAreNamed) {
+  EXPECT_NEAR(volume_of(surface_of({cut_otherwise()})), 480, 1e-9);
+  Mesh upon = cut_otherwise();  // the face between them faces both ways
+  for (FacetCorners& f : upon) {
+    for (Vec3& p : f) p.z += 6;
+  }
+  expect_kept(surface_of({block(1), upon}), 960);
+  expect_named(surface_of({block(1), cut_otherwise()}),
+               "24 triangles lie upon others that face as they do, so that parts overlap and the "
+               "volume is not exact: the first is facet 1, in the shell of 24 triangles");
+  expect_named(surface_of({block(1, {40, 0, 0}), block(1), cut_otherwise()}),
+               "24 triangles lie upon others");
+  // Half of the faces are cut in the same way, and dropping those of one would open the surface.
+  Surface half = surface_of({block(1), cut_otherwise(3)});
+  const std::vector<std::string> notes = mend_shells(half);
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_NE(notes[0].find("6 triangles are there twice"), std::string::npos) << notes[0];
+  EXPECT_NE(notes[1].find("the volume is not exact"), std::string::npos) << notes[1];
+}
+
+/// Each edge has another corner in the middle, so that no edge is that of the other body.
+TEST(Shells, ThatAreThereTwiceWithoutACommonEdgeAreNamed) {
+  Mesh finer;
+  for (const FacetCorners& f : block(1)) {
+    const Vec3 a = 0.5 * (f[0] + f[1]), b = 0.5 * (f[1] + f[2]), c = 0.5 * (f[2] + f[0]);
+    finer.insert(finer.end(), {{f[0], a, c}, {a, f[1], b}, {c, b, f[2]}, {a, b, c}});
+  }
+  expect_named(surface_of({block(1), finer}), "2 shells overlap others");
+  Mesh beside = finer;
+  for (FacetCorners& f : beside) {
+    for (Vec3& p : f) p.z += 6;
+  }
+  expect_kept(surface_of({block(1), beside}), 960);
+}
+
 TEST(Shells, ThatShareTrianglesAndDifferAreNamed) {
   Surface surface = surface_of({block(1), block(1, {0, 0, 6}, true)});
   const std::vector<std::string> notes = mend_shells(surface);
