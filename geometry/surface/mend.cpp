@@ -192,8 +192,7 @@ void look_for_triangles_upon_others(const Surface& surface, const std::vector<Sh
 /// The place just below a triangle.
 Vec3 below(const Surface& surface, const Surface::Triangle& t, double depth) {
   const Vec3 &a = surface.corners[t[0]], &b = surface.corners[t[1]], &c = surface.corners[t[2]];
-  const Vec3 u = b - a, v = c - a;
-  const Vec3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const Vec3 n = cross(b - a, c - a);
   const double length = norm(n);
   const Vec3 centre = (1.0 / 3) * (a + b + c);
   return length > 0 ? centre - (depth / length) * n : centre;

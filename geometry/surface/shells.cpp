@@ -65,15 +65,13 @@ class Sets {
 Vec3 normal_of(const Surface& surface, std::uint32_t triangle) {
   const Triangle& t = surface.triangles[triangle];
   const Vec3& a = surface.corners[t[0]];
-  const Vec3 u = surface.corners[t[1]] - a, v = surface.corners[t[2]] - a;
-  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  return cross(surface.corners[t[1]] - a, surface.corners[t[2]] - a);
 }
 
 /// Whether the normals are those of one plane, but for the rounding of corners to single precision.
 bool face_alike(const Vec3& n, const Vec3& m) {
   constexpr double largest_sine = 1e-5;
-  const Vec3 across{n.y * m.z - n.z * m.y, n.z * m.x - n.x * m.z, n.x * m.y - n.y * m.x};
-  return n.x * m.x + n.y * m.y + n.z * m.z > 0 && norm(across) <= largest_sine * norm(n) * norm(m);
+  return dot(n, m) > 0 && norm(cross(n, m)) <= largest_sine * norm(n) * norm(m);
 }
 
 }  // namespace
