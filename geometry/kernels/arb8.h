@@ -54,6 +54,13 @@ bool contains(const Arb8<Real>& s, const Vec3<Real>& p, const Direction<Real>& v
          in_form(form_at(s.third, p, v), tol) && in_form(form_at(s.fourth, p, v), tol);
 }
 
+/// Is the point, seen along z, in a box somewhat larger than the one around the solid?
+template <class Real>
+constexpr bool is_near(const Arb8<Real>& s, const Vec3<Real>& p) {
+  const Real room = Real(1) / 64;
+  return (absolute(p.x) <= s.hx + room * s.hx) & (absolute(p.y) <= s.hy + room * s.hy);
+}
+
 /// distance_to_in by the spans behind each side.
 template <class Real>
 Real entry_by_spans(const Arb8<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
@@ -67,7 +74,10 @@ Real entry_by_spans(const Arb8<Real>& s, const Vec3<Real>& p, const Direction<Re
                                  moved_by(form_spans(s.fourth, q, v, tol), shift)};
   const SpanPair<Real> hole[] = {no_spans<Real>()};
   const Real t = first_entry(body, hole);
-  return t < 0 ? distance_from_within(s, p, tol) : t;
+  if (t < 0) return distance_from_within(s, p, tol);
+  // At an end that is an edge or a point the sides there say nothing but rounding, so that a ray
+  // along the end would come into the solid 1e17 mm away.
+  return t < infinity<Real>() && is_near(s, advance(p, v, t)) ? t : infinity<Real>();
 }
 template <class Real>
 Real distance_to_in(const Arb8<Real>& s, const Vec3<Real>& p, const Direction<Real>& v, Real tol) {
@@ -85,12 +95,6 @@ Real distance_to_out(const Arb8<Real>& s, const Vec3<Real>& p, const Direction<R
 
 // The same functions for double, by planes near the sides. Only the sides that their planes do not
 // decide are asked.
-
-/// Is the point, seen along z, in a box somewhat larger than the one around the solid?
-inline bool is_near(const Arb8<double>& s, const Vec3<double>& p) {
-  constexpr double room = 1.0 / 64;
-  return (absolute(p.x) <= s.hx + room * s.hx) & (absolute(p.y) <= s.hy + room * s.hy);
-}
 
 inline bool contains(const Arb8<double>& s, const Vec3<double>& p, const Direction<double>& v,
                      double tol) {

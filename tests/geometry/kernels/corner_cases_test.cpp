@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/solids/solid.hpp"
+#include "tests/geometry/kernels/random.hpp"
 
 namespace navjit {
 namespace {
@@ -80,6 +81,25 @@ TEST(Tips, OfPolarConesAreCrossedAtTheCentre) {
   EXPECT_EQ(down.to_in(), 2);
   EXPECT_EQ(down.at(2).to_out(), 1);
   EXPECT_EQ(Probe(lower, {0, 0, -0.5}, 0, 0, 1).to_out(), 0.5);
+}
+
+/// An end that is an edge has no width across it: its sides say nothing there but rounding.
+TEST(Tips, OfArbsThatAreEdgesLetNothingInFarAway) {
+  const PlanarPoint corners[8] = {{31, -7},     {-9, -26},    {-23, 12},    {8, 29},
+                                  {21.7, -4.9}, {21.7, -4.9}, {-16.1, 8.4}, {-16.1, 8.4}};
+  const Solid arb = make_arb8("a", 5.3, corners);
+  test::Random random(1);
+  for (int i = 0; i < test::scaled(50000); ++i) {
+    const double end = random.chance(0.5) ? 5.3 : -5.3;
+    const Vec3 p{random.uniform(-90, 90), random.uniform(-90, 90),
+                 end + random.integer(-1, 1) * random.uniform(0, 2 * tol)};
+    const PlanarPoint& to = corners[random.integer(0, 7)];
+    const double towards_z = (random.chance(0.5) ? 1 : -1) * random.scale(1e-20, 1e-8);
+    const Probe ray(arb, p, to.x - p.x, to.y - p.y, towards_z);
+    if (ray.in()) continue;
+    const double t = ray.to_in();
+    ASSERT_TRUE(t < 300 || t == inf) << t << " mm from " << p.x << ' ' << p.y << ' ' << p.z;
+  }
 }
 
 TEST(Axis, RaysAlongItPassHolesAndWedges) {
