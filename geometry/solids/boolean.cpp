@@ -7,11 +7,11 @@
 // (B + C). More than a few parts also have their boxes beside the tree, to be looked at eight at
 // once. A moved union is the union of its moved parts: so chains may be moved link by link.
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "geometry/solids/extent.hpp"
 #include "geometry/solids/make.hpp"
+#include "geometry/solids/moved_box.hpp"
 #include "geometry/solids/union_parts.hpp"
 #include "navjit/transformation.hpp"
 
@@ -173,24 +173,8 @@ Solid make_placed(std::string name, const Solid& solid, const SolidFrame& frame)
   kernels::AnyPlaced<double> shape{solid.any(), is_identity(frame.rotation) ? 0 : 1, {}, {}};
   std::copy_n(frame.translation, 3, shape.translation);
   std::copy_n(frame.rotation, 9, shape.rotation);
-  // The box around the transformed box: the centre is moved, half lengths go through |rotation|.
-  const Extent& e = solid.extent;
-  const double centre[3] = {(e.min.x + e.max.x) / 2, (e.min.y + e.max.y) / 2,
-                            (e.min.z + e.max.z) / 2};
-  const double half[3] = {(e.max.x - e.min.x) / 2, (e.max.y - e.min.y) / 2,
-                          (e.max.z - e.min.z) / 2};
-  double low[3], high[3];
-  for (int i = 0; i < 3; ++i) {
-    double c = frame.translation[i], h = 0;
-    for (int j = 0; j < 3; ++j) {
-      c += frame.rotation[3 * j + i] * centre[j];
-      h += std::abs(frame.rotation[3 * j + i]) * half[j];
-    }
-    low[i] = c - h;
-    high[i] = c + h;
-  }
   return {std::move(name), SolidKind::placed, hold(shape, solid, solid),
-          Extent{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}};
+          moved_box(solid.extent, frame.translation, frame.rotation)};
 }
 
 Solid make_union(std::string name, const Solid& a, const Solid& b) {
